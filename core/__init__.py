@@ -1,0 +1,1 @@
+"""The simulator. Knows nothing of Textual: `tui` may import it, it imports neither `tui` nor `textual` nor `rich`."""

@@ -1,0 +1,35 @@
+"""The graph of nodes and endpoints inside one process: names, QoS matching, delivery, graph events.
+
+Imports nothing else of day6-tui. rclpy (core/ros/python) is built on it; `core.link` joins the graphs of several
+processes.
+"""
+
+from day6_tui.core.graph.endpoints import (
+    Client,
+    Endpoint,
+    EndpointKind,
+    MessageInfo,
+    Node,
+    Publisher,
+    RequestId,
+    Service,
+    Subscription,
+)
+from day6_tui.core.graph.graph import Graph, GraphEvent, graph_for_domain
+from day6_tui.core.graph.qos import QoS
+
+__all__ = [
+    "Client",
+    "Endpoint",
+    "EndpointKind",
+    "Graph",
+    "GraphEvent",
+    "MessageInfo",
+    "Node",
+    "Publisher",
+    "QoS",
+    "RequestId",
+    "Service",
+    "Subscription",
+    "graph_for_domain",
+]

@@ -1,0 +1,372 @@
+"""Nodes and their endpoints: publishers, subscriptions, service servers and clients.
+
+An endpoint with `origin` set stands for one in another process; the link (core/link) makes and removes those. Delivery
+needs no lock: the tuples of matched endpoints are replaced as a whole by the graph, and queues are `deque`s.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from enum import Enum
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from day6_tui.core.graph.names import full_name
+from day6_tui.core.graph.qos import Durability, PolicyKind, QoS
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph.graph import Graph
+
+Copier = Callable[[Any], Any]
+
+
+class EndpointKind(str, Enum):
+    """The four kinds of endpoint; the values are the entity codes of rmw_zenoh's liveliness tokens."""
+
+    PUBLISHER = "MP"
+    SUBSCRIPTION = "MS"
+    SERVICE = "SS"
+    CLIENT = "SC"
+
+
+class EventKind(Enum):
+    """What can happen to an endpoint beside messages (rmw_event_type_t, those this graph raises)."""
+
+    INCOMPATIBLE_QOS = "incompatible_qos"
+    INCOMPATIBLE_TYPE = "incompatible_type"
+    MATCHED = "matched"
+    MESSAGE_LOST = "message_lost"
+
+
+class EventStatus:
+    """Counters of one kind of event, as rmw's status structures hold them; `take_event` resets the changes."""
+
+    __slots__ = ("current_count", "current_count_change", "last_policy_kind", "total_count", "total_count_change")
+
+    def __init__(self) -> None:
+        self.total_count = 0
+        self.total_count_change = 0
+        self.current_count = 0
+        self.current_count_change = 0
+        self.last_policy_kind = PolicyKind.INVALID
+
+    def add(self) -> None:
+        """Count one more occurrence."""
+        self.total_count += 1
+        self.total_count_change += 1
+
+    def take(self) -> EventStatus:
+        """Return a copy and start counting changes anew."""
+        taken = EventStatus()
+        for name in self.__slots__:
+            setattr(taken, name, getattr(self, name))
+        self.total_count_change = self.current_count_change = 0
+        return taken
+
+
+class MessageInfo(NamedTuple):
+    """What is known of a received message beside its content (rmw_message_info_t). Times are epoch nanoseconds."""
+
+    source_timestamp: int
+    received_timestamp: int
+    publication_sequence_number: int
+    reception_sequence_number: int
+    publisher_gid: bytes
+    from_intra_process: bool
+
+
+class RequestId(NamedTuple):
+    """Identifies a service request: who asked, and the number of the question (rmw_request_id_t)."""
+
+    client_gid: bytes
+    sequence_number: int
+
+
+class Endpoint:
+    """What all four kinds have in common.
+
+    `topic` is the full topic or service name, `type_name` like `std_msgs/msg/String`, `type_hash` like `RIHS01_…`.
+    `on_event(endpoint, kind)` is called from any thread after an event's counters changed.
+    """
+
+    kind: EndpointKind
+
+    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes) -> None:
+        self.node = node
+        self.topic = topic
+        self.type_name = type_name
+        self.type_hash = type_hash
+        self.qos = qos.resolved()
+        self.gid = gid
+        self.entity_id = node.graph.next_entity_id()
+        self.destroyed = False
+        self.events: dict[EventKind, EventStatus] = {kind: EventStatus() for kind in EventKind}
+        self.on_event: Callable[[Endpoint, EventKind], None] | None = None
+        self._incompatible: set[bytes] = set()
+
+    @property
+    def origin(self) -> object | None:
+        """The link's mark of the process this endpoint lives in; None for one of this process."""
+        return self.node.origin
+
+    def take_event(self, kind: EventKind) -> EventStatus:
+        """Return the counters of one kind of event and reset their changes."""
+        return self.events[kind].take()
+
+    def destroy(self) -> None:
+        """Take the endpoint out of the graph; a second call does nothing."""
+        self.node.graph.remove_endpoint(self)
+
+
+class Publisher(Endpoint):
+    """Sends messages of one type to a topic.
+
+    `matched` are the subscriptions of this process that match, `remote_matched` those of others. `copy` makes the
+    subscriber's own object of a message.
+    """
+
+    kind = EndpointKind.PUBLISHER
+
+    def __init__(
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy: Copier
+    ) -> None:
+        super().__init__(node, topic, type_name, type_hash, qos, gid)
+        self.copy = copy
+        self.matched: tuple[Subscription, ...] = ()
+        self.remote_matched: tuple[Subscription, ...] = ()
+        self._numbers = count(1)
+        latched = self.qos.durability == Durability.TRANSIENT_LOCAL
+        self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
+
+    @property
+    def subscription_count(self) -> int:
+        """Number of matched subscriptions, here and elsewhere."""
+        return len(self.matched) + len(self.remote_matched)
+
+    def publish(self, message: Any) -> None:
+        """Deliver a copy of `message` to every matched subscription; keep one for late joiners if transient local."""
+        graph = self.node.graph
+        source_timestamp = graph.now_ns()
+        number = next(self._numbers)
+        self.deliver(message, source_timestamp, number)
+        if graph.transport is not None and (self.remote_matched or self.cache is not None):
+            graph.transport.publish(self, message, source_timestamp, number)
+
+    def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
+        """Hand copies to the subscriptions of this process (for a remote publisher: called by the link)."""
+        copy = self.copy
+        if self.cache is not None:
+            self.cache.append((copy(message), source_timestamp, number))
+        for subscription in self.matched:
+            subscription.receive((copy(message), source_timestamp, number, self))
+
+    def replay(self, subscription: Subscription) -> None:
+        """Give a late-joining transient-local subscription what this publisher kept."""
+        if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
+            return
+        for message, source_timestamp, number in list(self.cache)[-subscription.qos.capacity :]:
+            subscription.receive((self.copy(message), source_timestamp, number, self))
+
+
+Sample = tuple[Any, int, int, Publisher]
+"""message, source time in ns, publication number, publisher"""
+
+
+class Subscription(Endpoint):
+    """Receives messages of one type from a topic into a queue of `qos.capacity`; a full queue drops its oldest.
+
+    `on_ready(subscription)` is called, from the publishing thread, for every message that arrives.
+    """
+
+    kind = EndpointKind.SUBSCRIPTION
+
+    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes) -> None:
+        super().__init__(node, topic, type_name, type_hash, qos, gid)
+        self.queue: deque[Sample] = deque(maxlen=self.qos.capacity)
+        self.matched: tuple[Publisher, ...] = ()
+        self.on_ready: Callable[[Subscription], None] | None = None
+        self.dropped = 0
+        self._received = 0
+
+    @property
+    def publisher_count(self) -> int:
+        """Number of matched publishers, here and elsewhere."""
+        return len(self.matched)
+
+    def receive(self, sample: Sample) -> None:
+        """Queue one sample (called by publishers)."""
+        queue = self.queue
+        if len(queue) == queue.maxlen:
+            self.dropped += 1
+        queue.append(sample)
+        on_ready = self.on_ready
+        if on_ready is not None:
+            on_ready(self)
+
+    def take(self) -> Sample | None:
+        """Return the oldest queued sample, or None. Samples older than their publisher's lifespan are skipped."""
+        while True:
+            try:
+                sample = self.queue.popleft()
+            except IndexError:
+                return None
+            lifespan = sample[3].qos.lifespan
+            if lifespan and self.node.graph.now_ns() - sample[1] > lifespan:
+                continue
+            self._received += 1
+            return sample
+
+    def message_info(self, sample: Sample) -> MessageInfo:
+        """Describe a sample that `take` just returned."""
+        _, source_timestamp, number, publisher = sample
+        received = self.node.graph.now_ns()
+        return MessageInfo(source_timestamp, received, number, self._received, publisher.gid, publisher.origin is None)
+
+
+class Service(Endpoint):
+    """Answers requests. `copy_response` makes the client's own object of a response."""
+
+    kind = EndpointKind.SERVICE
+
+    def __init__(
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy_response: Copier
+    ) -> None:
+        super().__init__(node, topic, type_name, type_hash, qos, gid)
+        self.copy_response = copy_response
+        self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=self.qos.capacity)
+        self.matched: tuple[Client, ...] = ()
+        self.on_ready: Callable[[Service], None] | None = None
+
+    def receive(self, request: Any, request_id: RequestId) -> None:
+        """Queue one request (called by clients and the link)."""
+        self.queue.append((request, request_id))
+        on_ready = self.on_ready
+        if on_ready is not None:
+            on_ready(self)
+
+    def take(self) -> tuple[Any, RequestId] | None:
+        """Return the oldest request and its id, or None."""
+        try:
+            return self.queue.popleft()
+        except IndexError:
+            return None
+
+    def send_response(self, request_id: RequestId, response: Any) -> None:
+        """Send the answer to whoever asked; nothing happens when that client is gone."""
+        for client in self.matched:
+            if client.gid == request_id.client_gid:
+                if client.origin is None:
+                    client.receive(self.copy_response(response), request_id.sequence_number)
+                    return
+                break
+        transport = self.node.graph.transport
+        if transport is not None:
+            transport.send_response(self, request_id, response)
+
+
+class Client(Endpoint):
+    """Asks the servers of one service. `copy_request` makes the server's own object of a request."""
+
+    kind = EndpointKind.CLIENT
+
+    def __init__(
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy_request: Copier
+    ) -> None:
+        super().__init__(node, topic, type_name, type_hash, qos, gid)
+        self.copy_request = copy_request
+        self.queue: deque[tuple[Any, int]] = deque(maxlen=self.qos.capacity)
+        self.matched: tuple[Service, ...] = ()
+        self.on_ready: Callable[[Client], None] | None = None
+        self._numbers = count(1)
+
+    def service_is_ready(self) -> bool:
+        """Say whether at least one server of the service exists."""
+        return bool(self.matched)
+
+    def send_request(self, request: Any) -> int:
+        """Send a copy of `request` to every server and return its sequence number; answers arrive by `take`."""
+        number = next(self._numbers)
+        remote = False
+        for service in self.matched:
+            if service.origin is None:
+                service.receive(self.copy_request(request), RequestId(self.gid, number))
+            else:
+                remote = True
+        transport = self.node.graph.transport
+        if remote and transport is not None:
+            transport.send_request(self, request, number)
+        return number
+
+    def receive(self, response: Any, number: int) -> None:
+        """Queue one response (called by services and the link)."""
+        self.queue.append((response, number))
+        on_ready = self.on_ready
+        if on_ready is not None:
+            on_ready(self)
+
+    def take(self) -> tuple[Any, int] | None:
+        """Return the oldest response and the number of its request, or None."""
+        try:
+            return self.queue.popleft()
+        except IndexError:
+            return None
+
+
+class Node:
+    """A node: a name, a namespace and its endpoints. Names given to the `create_*` methods are full ones."""
+
+    def __init__(self, graph: Graph, name: str, namespace: str, enclave: str, origin: object | None) -> None:
+        self.graph = graph
+        self.name = name
+        self.namespace = namespace
+        self.enclave = enclave
+        self.origin = origin
+        self.entity_id = graph.next_entity_id()
+        self.endpoints: tuple[Endpoint, ...] = ()
+        self.destroyed = False
+
+    @property
+    def full_name(self) -> str:
+        """Namespace and name: `/turtlesim`, `/team/talker`."""
+        return full_name(self.namespace, self.name)
+
+    def create_publisher(
+        self, topic: str, type_name: str, type_hash: str, qos: QoS, copy: Copier, *, gid: bytes | None = None
+    ) -> Publisher:
+        """Add a publisher of `topic`; `copy` must return an independent copy of a message."""
+        gid = gid or self.graph.new_gid()
+        return self.graph.add_endpoint(Publisher(self, topic, type_name, type_hash, qos, gid, copy))
+
+    def create_subscription(
+        self,
+        topic: str,
+        type_name: str,
+        type_hash: str,
+        qos: QoS,
+        *,
+        gid: bytes | None = None,
+        on_ready: Callable[[Subscription], None] | None = None,
+    ) -> Subscription:
+        """Add a subscription of `topic`; what transient-local publishers kept is in its queue on return."""
+        subscription = Subscription(self, topic, type_name, type_hash, qos, gid or self.graph.new_gid())
+        subscription.on_ready = on_ready
+        return self.graph.add_endpoint(subscription)
+
+    def create_service(
+        self, name: str, type_name: str, type_hash: str, qos: QoS, copy_response: Copier, *, gid: bytes | None = None
+    ) -> Service:
+        """Add a server of the service `name`."""
+        gid = gid or self.graph.new_gid()
+        return self.graph.add_endpoint(Service(self, name, type_name, type_hash, qos, gid, copy_response))
+
+    def create_client(
+        self, name: str, type_name: str, type_hash: str, qos: QoS, copy_request: Copier, *, gid: bytes | None = None
+    ) -> Client:
+        """Add a client of the service `name`."""
+        gid = gid or self.graph.new_gid()
+        return self.graph.add_endpoint(Client(self, name, type_name, type_hash, qos, gid, copy_request))
+
+    def destroy(self) -> None:
+        """Take the node and all its endpoints out of the graph; a second call does nothing."""
+        self.graph.remove_node(self)

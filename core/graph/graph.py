@@ -1,0 +1,288 @@
+"""The graph itself: who exists, who matches whom, and who wants to hear of changes."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from enum import Enum
+from itertools import count
+from typing import Any, NamedTuple, Protocol, TypeVar
+
+from day6_tui.core.graph.endpoints import (
+    Client,
+    Endpoint,
+    EndpointKind,
+    EventKind,
+    Node,
+    Publisher,
+    RequestId,
+    Service,
+    Subscription,
+)
+from day6_tui.core.graph.qos import incompatible_policies
+
+AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
+
+
+class Transport(Protocol):
+    """What carries messages to the endpoints of other processes (core/link)."""
+
+    def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
+        """Send a message of a local publisher to its remote subscriptions."""
+
+    def send_request(self, client: Client, request: Any, number: int) -> None:
+        """Send a request of a local client to the remote servers."""
+
+    def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
+        """Send the response of a local server to a remote client."""
+
+
+class Change(Enum):
+    """What a graph event is about."""
+
+    NODE_ADDED = "node added"
+    NODE_REMOVED = "node removed"
+    ENDPOINT_ADDED = "endpoint added"
+    ENDPOINT_REMOVED = "endpoint removed"
+
+
+class GraphEvent(NamedTuple):
+    """One change of the graph; `subject` is the node or endpoint."""
+
+    change: Change
+    subject: Node | Endpoint
+
+
+Listener = Callable[[GraphEvent], None]
+
+
+class Graph:
+    """The nodes and endpoints of one ROS domain, those of this process and, through the link, those of others.
+
+    Thread-safe. Listeners and endpoint callbacks run on the thread that made the change, after the lock was released.
+    `now_ns` gives the time stamped on messages (epoch ns); `transport` is set by the link.
+    """
+
+    def __init__(self, domain_id: int = 0) -> None:
+        self.domain_id = domain_id
+        self.now_ns: Callable[[], int] = time.time_ns
+        self.transport: Transport | None = None
+        self._lock = threading.RLock()
+        self._nodes: tuple[Node, ...] = ()
+        self._by_name: dict[tuple[bool, str], list[Endpoint]] = {}
+        self._listeners: tuple[Listener, ...] = ()
+        self._entity_ids = count(1)
+        self._gid_prefix = os.urandom(12)
+        self._gid_numbers = count(1)
+        self._pending: list[Callable[[], None]] = []
+        self._depth = 0
+
+    # identity
+
+    def next_entity_id(self) -> int:
+        """Return a number no other node or endpoint of this graph has."""
+        return next(self._entity_ids)
+
+    def new_gid(self) -> bytes:
+        """Return 16 bytes that identify one endpoint among all processes."""
+        return self._gid_prefix + next(self._gid_numbers).to_bytes(4, "big")
+
+    # change
+
+    @contextmanager
+    def _changing(self) -> Iterator[None]:
+        """Hold the lock; call what was put off (listeners, callbacks) when the outermost change is complete."""
+        calls: list[Callable[[], None]] = []
+        with self._lock:
+            self._depth += 1
+            try:
+                yield
+            finally:
+                self._depth -= 1
+                if self._depth == 0:
+                    calls, self._pending = self._pending, []
+        for call in calls:
+            call()
+
+    def _announce(self, change: Change, subject: Node | Endpoint) -> None:
+        event = GraphEvent(change, subject)
+        for listener in self._listeners:
+            self._pending.append(lambda listener=listener: listener(event))  # type: ignore[misc]
+
+    def add_listener(self, listener: Listener) -> Callable[[], None]:
+        """Call `listener` on every change from now on; returns the function that ends that."""
+        with self._lock:
+            self._listeners = (*self._listeners, listener)
+
+        def remove() -> None:
+            with self._lock:
+                self._listeners = tuple(each for each in self._listeners if each is not listener)
+
+        return remove
+
+    def create_node(self, name: str, namespace: str = "/", *, enclave: str = "/", origin: object | None = None) -> Node:
+        """Add a node. Names are taken as they are (rclpy validates and remaps first); equal names may exist twice."""
+        node = Node(self, name, namespace, enclave, origin)
+        with self._changing():
+            self._nodes = (*self._nodes, node)
+            self._announce(Change.NODE_ADDED, node)
+        return node
+
+    def remove_node(self, node: Node) -> None:
+        """Remove a node with its endpoints; a second call does nothing."""
+        with self._changing():
+            if node.destroyed:
+                return
+            for endpoint in node.endpoints:
+                self.remove_endpoint(endpoint)
+            node.destroyed = True
+            self._nodes = tuple(each for each in self._nodes if each is not node)
+            self._announce(Change.NODE_REMOVED, node)
+
+    def add_endpoint(self, endpoint: AnyEndpoint) -> AnyEndpoint:
+        """Put an endpoint into the graph and match it (the `create_*` methods of Node call this)."""
+        with self._changing():
+            endpoint.node.endpoints = (*endpoint.node.endpoints, endpoint)
+            peers = self._by_name.setdefault(self._key(endpoint), [])
+            peers.append(endpoint)
+            self._match(peers)
+            self._announce(Change.ENDPOINT_ADDED, endpoint)
+        return endpoint
+
+    def remove_endpoint(self, endpoint: Endpoint) -> None:
+        """Remove an endpoint; a second call does nothing."""
+        with self._changing():
+            if endpoint.destroyed:
+                return
+            endpoint.destroyed = True
+            node = endpoint.node
+            node.endpoints = tuple(each for each in node.endpoints if each is not endpoint)
+            key = self._key(endpoint)
+            peers = self._by_name[key]
+            peers.remove(endpoint)
+            self._match(peers)
+            if isinstance(endpoint, Publisher):
+                endpoint.matched = endpoint.remote_matched = ()
+            elif isinstance(endpoint, (Subscription, Service, Client)):
+                endpoint.matched = ()
+            if not peers:
+                del self._by_name[key]
+            self._announce(Change.ENDPOINT_REMOVED, endpoint)
+
+    @staticmethod
+    def _key(endpoint: Endpoint) -> tuple[bool, str]:
+        return endpoint.kind in (EndpointKind.SERVICE, EndpointKind.CLIENT), endpoint.topic
+
+    # matching
+
+    def _match(self, peers: list[Endpoint]) -> None:
+        publishers = [each for each in peers if isinstance(each, Publisher)]
+        subscriptions = [each for each in peers if isinstance(each, Subscription)]
+        for publisher in publishers:
+            self._match_publisher(publisher, subscriptions)
+        for subscription in subscriptions:
+            matched = tuple(p for p in publishers if subscription in p.matched or subscription in p.remote_matched)
+            self._count_matches(subscription, len(matched) - len(subscription.matched))
+            subscription.matched = matched
+        services = [each for each in peers if isinstance(each, Service)]
+        clients = [each for each in peers if isinstance(each, Client)]
+        for service in services:
+            service.matched = tuple(each for each in clients if each.type_name == service.type_name)
+        for client in clients:
+            client.matched = tuple(each for each in services if each.type_name == client.type_name)
+
+    def _match_publisher(self, publisher: Publisher, subscriptions: list[Subscription]) -> None:
+        fitting = [each for each in subscriptions if self._fit(publisher, each)]
+        here = publisher.origin is None
+        local = tuple(each for each in fitting if each.origin is None)
+        remote = tuple(each for each in fitting if each.origin is not None and here)
+        before = publisher.matched
+        self._count_matches(publisher, len(local) + len(remote) - publisher.subscription_count)
+        publisher.matched, publisher.remote_matched = local, remote
+        for subscription in local:
+            if subscription not in before:
+                publisher.replay(subscription)
+
+    def _fit(self, publisher: Publisher, subscription: Subscription) -> bool:
+        if publisher.origin is not None and subscription.origin is not None:
+            return False
+        policies = incompatible_policies(publisher.qos, subscription.qos)
+        same_type = publisher.type_name == subscription.type_name
+        if same_type and not policies:
+            return True
+        kind = EventKind.INCOMPATIBLE_QOS if same_type else EventKind.INCOMPATIBLE_TYPE
+        for endpoint, peer in ((publisher, subscription), (subscription, publisher)):
+            if peer.gid not in endpoint._incompatible:
+                endpoint._incompatible.add(peer.gid)
+                status = endpoint.events[kind]
+                status.add()
+                if policies:
+                    status.last_policy_kind = policies[-1]
+                self._raise(endpoint, kind)
+        return False
+
+    def _count_matches(self, endpoint: Endpoint, change: int) -> None:
+        if change:
+            status = endpoint.events[EventKind.MATCHED]
+            status.current_count += change
+            status.current_count_change += change
+            for _ in range(change):
+                status.add()
+            self._raise(endpoint, EventKind.MATCHED)
+
+    def _raise(self, endpoint: Endpoint, kind: EventKind) -> None:
+        def call() -> None:
+            if endpoint.on_event is not None:
+                endpoint.on_event(endpoint, kind)
+
+        self._pending.append(call)
+
+    # looking
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """All nodes in the order in which they appeared."""
+        return self._nodes
+
+    def find_nodes(self, name: str, namespace: str) -> list[Node]:
+        """Return the nodes of that name and namespace (several may share one)."""
+        return [node for node in self._nodes if node.name == name and node.namespace == namespace]
+
+    def endpoints(self, *kinds: EndpointKind, topic: str | None = None) -> list[Endpoint]:
+        """Return the endpoints of some kinds, of all topics or of one."""
+        with self._lock:
+            return [
+                endpoint
+                for (_, name), peers in self._by_name.items()
+                if topic is None or name == topic
+                for endpoint in peers
+                if endpoint.kind in kinds
+            ]
+
+    def names_and_types(self, *kinds: EndpointKind) -> list[tuple[str, list[str]]]:
+        """Return `(full name, sorted type names)` of the endpoints of some kinds, sorted by name."""
+        return _names_and_types(self.endpoints(*kinds))
+
+    def names_and_types_by_node(self, node: Node, kind: EndpointKind) -> list[tuple[str, list[str]]]:
+        """Return `(full name, sorted type names)` of one node's endpoints of one kind, sorted by name."""
+        return _names_and_types([endpoint for endpoint in node.endpoints if endpoint.kind == kind])
+
+
+def _names_and_types(endpoints: list[Endpoint]) -> list[tuple[str, list[str]]]:
+    found: dict[str, set[str]] = {}
+    for endpoint in endpoints:
+        found.setdefault(endpoint.topic, set()).add(endpoint.type_name)
+    return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+
+_graphs: dict[int, Graph] = {}
+_graphs_lock = threading.Lock()
+
+
+def graph_for_domain(domain_id: int) -> Graph:
+    """Return this process's graph of a domain, made on first use."""
+    with _graphs_lock:
+        return _graphs.setdefault(domain_id, Graph(domain_id))

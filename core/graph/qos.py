@@ -1,0 +1,123 @@
+"""Quality of service: the policies, a whole profile, and which offers satisfy which requests.
+
+Numbers are those of rmw/qos_policy_kind.h and rmw/types.h; the matching rules those of the DDS specification 1.4,
+§2.2.3.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple
+
+DURATION_UNSPECIFIED = 0
+"""0 ns in a profile means "not said", which DDS takes as infinite."""
+INFINITE_NS = 9223372036854775807
+
+KEEP_ALL_LIMIT = 5000
+"""Fast DDS's default resource limit: what KEEP_ALL really keeps."""
+
+
+class Reliability(IntEnum):
+    """rmw_qos_reliability_policy_t."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class Durability(IntEnum):
+    """rmw_qos_durability_policy_t."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class History(IntEnum):
+    """rmw_qos_history_policy_t."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class Liveliness(IntEnum):
+    """rmw_qos_liveliness_policy_t."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+class PolicyKind(IntEnum):
+    """rmw_qos_policy_kind_t: the name of a policy, as incompatible-QoS events carry it."""
+
+    INVALID = 1
+    DURABILITY = 2
+    DEADLINE = 4
+    LIVELINESS = 8
+    RELIABILITY = 16
+    HISTORY = 32
+    LIFESPAN = 64
+    DEPTH = 128
+    LIVELINESS_LEASE_DURATION = 256
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 512
+
+
+class QoS(NamedTuple):
+    """One endpoint's profile. Durations are nanoseconds, 0 means infinite."""
+
+    depth: int = 10
+    history: History = History.KEEP_LAST
+    reliability: Reliability = Reliability.RELIABLE
+    durability: Durability = Durability.VOLATILE
+    deadline: int = DURATION_UNSPECIFIED
+    lifespan: int = DURATION_UNSPECIFIED
+    liveliness: Liveliness = Liveliness.SYSTEM_DEFAULT
+    liveliness_lease_duration: int = DURATION_UNSPECIFIED
+    avoid_ros_namespace_conventions: bool = False
+
+    def resolved(self) -> QoS:
+        """Return the profile an endpoint really has: Fast DDS's choice where the program left one open."""
+        return self._replace(
+            history=History.KEEP_LAST if self.history == History.SYSTEM_DEFAULT else self.history,
+            depth=self.depth if self.depth > 0 else 1,
+            reliability=Reliability.RELIABLE if self.reliability == Reliability.SYSTEM_DEFAULT else self.reliability,
+            durability=Durability.VOLATILE if self.durability == Durability.SYSTEM_DEFAULT else self.durability,
+            liveliness=Liveliness.AUTOMATIC if self.liveliness == Liveliness.SYSTEM_DEFAULT else self.liveliness,
+        )
+
+    @property
+    def capacity(self) -> int:
+        """How many messages a queue or cache with this profile holds; the oldest goes first."""
+        return KEEP_ALL_LIMIT if self.history == History.KEEP_ALL else max(1, self.depth)
+
+
+def _finite(duration: int) -> int:
+    return INFINITE_NS if duration == DURATION_UNSPECIFIED else duration
+
+
+def incompatible_policies(offered: QoS, requested: QoS) -> list[PolicyKind]:
+    """Return the policies of a publisher's offer that do not satisfy a subscription's request (none = they match).
+
+    Both profiles are resolved ones. The last of the list is the "last policy kind" of an event.
+    """
+    found: list[PolicyKind] = []
+    if requested.durability == Durability.TRANSIENT_LOCAL and offered.durability == Durability.VOLATILE:
+        found.append(PolicyKind.DURABILITY)
+    if _finite(offered.deadline) > _finite(requested.deadline):
+        found.append(PolicyKind.DEADLINE)
+    manual_wanted = requested.liveliness == Liveliness.MANUAL_BY_TOPIC
+    lease_too_long = _finite(offered.liveliness_lease_duration) > _finite(requested.liveliness_lease_duration)
+    if (manual_wanted and offered.liveliness != Liveliness.MANUAL_BY_TOPIC) or lease_too_long:
+        found.append(PolicyKind.LIVELINESS)
+    if requested.reliability == Reliability.RELIABLE and offered.reliability == Reliability.BEST_EFFORT:
+        found.append(PolicyKind.RELIABILITY)
+    return found

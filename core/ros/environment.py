@@ -1,0 +1,47 @@
+"""Where the ROS side of day6-tui lies on disk, and the environment that makes a plain `python3 FILE` a ROS program."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+DISTRO = "jazzy"
+"""What ROS_DISTRO says; package layout and texts follow this distribution."""
+
+_HERE = Path(__file__).resolve().parent
+PYTHON_PATH = _HERE / "python"
+SHARE_PATH = _HERE / "share"
+
+_VARIABLES = {
+    "ROS_DISTRO": DISTRO,
+    "ROS_VERSION": "2",
+    "ROS_PYTHON_VERSION": "3",
+}
+
+
+def activate() -> None:
+    """Put `core/ros/python` on `sys.path` of this process, so that `import rclpy` and `import std_msgs.msg` are ours."""
+    path = str(PYTHON_PATH)
+    if path not in sys.path:
+        sys.path.insert(0, path)
+
+
+def is_foreign_ros(entry: str) -> bool:
+    """Say whether a PYTHONPATH entry belongs to a real ROS installation (its rclpy must not shadow ours)."""
+    folder = Path(entry)
+    return folder != PYTHON_PATH and (folder / "rclpy").is_dir()
+
+
+def program_environment(base: Mapping[str, str] | None = None) -> dict[str, str]:
+    """Return the variables for a student's process: ours first on PYTHONPATH, a sourced real ROS removed.
+
+    `base` is the environment to start from, by default that of this process. Other PYTHONPATH entries are kept.
+    """
+    env = dict(os.environ if base is None else base)
+    kept = [entry for entry in env.get("PYTHONPATH", "").split(os.pathsep) if entry and not is_foreign_ros(entry)]
+    ours = str(PYTHON_PATH)
+    env["PYTHONPATH"] = os.pathsep.join([ours, *(entry for entry in kept if entry != ours)])
+    env.update(_VARIABLES)
+    return env
