@@ -16,7 +16,7 @@ if importlib.util.find_spec("day6_tui") is None:
     namespace.__path__ = [str(ROOT)]
     sys.modules["day6_tui"] = namespace
 
-# Nothing a test starts may meet the desktop this developer has open: a link folder of its own, and no link unless asked.
+# Nothing a test starts may meet the desktop this developer has open: its own link folder, and no link unless asked.
 os.environ["DAY6_RUNTIME_DIR"] = tempfile.mkdtemp(prefix="day6-tests-")
 os.environ["DAY6_LINK"] = "off"
 os.environ.pop("ROS_DOMAIN_ID", None)

@@ -1,0 +1,42 @@
+"""Choosing the roomiest picture that fits a window."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from day6_tui.core.ros.programs.rqt_graph._drawing import measure
+from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge, Picture, layout
+
+_ATTEMPTS = ((True, 0), (True, 26), (False, 0), (False, 26), (False, 16))
+"""What is tried in turn: frames around boxes or not, and the longest label (0: any)."""
+
+
+def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…") -> Picture:
+    """Lay out a graph for a window of `width` x `height` cells.
+
+    Frames go first, then long labels are shortened in their middle. When nothing fits, the smallest attempt is returned
+    and the window scrolls.
+    """
+    smallest: Picture | None = None
+    for roomy, longest in _ATTEMPTS:
+        shortened = [replace(edge, label=elide(edge.label, longest, ellipsis)) for edge in edges] if longest else edges
+        picture = layout(list(boxes), list(shortened), measure, roomy=roomy)
+        if picture.width <= width and picture.height <= height:
+            return picture
+        if smallest is None or picture.width * picture.height < smallest.width * smallest.height:
+            smallest = picture
+    assert smallest is not None
+    return smallest
+
+
+def elide(name: str, longest: int, ellipsis: str) -> str:
+    """Shorten a topic name to `longest` cells: its first and last parts stay, the middle becomes an ellipsis."""
+    if measure(name) <= longest:
+        return name
+    parts = name.split("/")
+    for kept in range(len(parts) - 2, 0, -1):
+        short = "/".join([*parts[:2], ellipsis, *parts[-kept:]])
+        if kept < len(parts) - 2 and measure(short) <= longest:
+            return short
+    return ellipsis + name[len(name) - longest + len(ellipsis) :]

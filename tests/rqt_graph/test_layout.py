@@ -1,0 +1,117 @@
+"""The picture: nothing overlaps, every arrow ends at its box, and thirty nodes stay readable."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw, draw_pulse, measure
+from day6_tui.core.ros.programs.rqt_graph._fit import elide, fitted
+from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge, Picture, Rect, layout
+
+FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
+LESSON = (
+    [Box("/teleop_turtle", ("/teleop_turtle",), "node"), Box("/turtlesim", ("/turtlesim",), "node")],
+    [Edge("/teleop_turtle", "/turtlesim", "/turtle1/cmd_vel", "/turtle1/cmd_vel")],
+)
+BACK = Edge("/turtlesim", "/teleop_turtle", FEEDBACK, FEEDBACK, 0.1)
+
+
+def text(picture: Picture, glyphs: object = UNICODE) -> list[str]:
+    assert glyphs in (UNICODE, ASCII)
+    canvas = draw(picture, UNICODE if glyphs is UNICODE else ASCII)
+    return ["".join(run for run, _ in row).rstrip() for row in canvas.rows()]
+
+
+def test_the_picture_of_the_lesson() -> None:
+    assert text(layout(*LESSON, measure)) == [
+        " ╭──────────────╮                          ╭──────────╮",
+        "( /teleop_turtle )────/turtle1/cmd_vel───▶( /turtlesim )",
+        " ╰──────────────╯                          ╰──────────╯",
+    ]
+
+
+def test_the_same_picture_where_only_ascii_can_be_shown() -> None:
+    lines = text(layout(*LESSON, measure), ASCII)
+    assert lines[1] == "( /teleop_turtle )----/turtle1/cmd_vel--->( /turtlesim )"
+    assert all(line.isascii() for line in lines)
+
+
+def test_feedback_flows_back_without_turning_the_picture_round() -> None:
+    boxes, edges = LESSON
+    picture = layout(boxes, [*edges, BACK], measure)
+    lines = text(picture)
+    teleop, turtlesim = (picture.boxes[name][1] for name in ("/teleop_turtle", "/turtlesim"))
+    assert teleop.x < turtlesim.x
+    back = next(route for route in picture.routes if route.edge is BACK)
+    assert back.cells[0][0] > back.cells[-1][0]
+    assert "◀" in "".join(lines)
+
+
+def touches(rect: Rect, x: int, y: int) -> bool:
+    return rect.y <= y < rect.y + rect.height and x in (rect.x - 1, rect.x + rect.width)
+
+
+def inside(rect: Rect, x: int, y: int) -> bool:
+    return rect.x <= x < rect.x + rect.width and rect.y <= y < rect.y + rect.height
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("roomy", [True, False])
+def test_in_any_graph_boxes_stay_apart_and_edges_join_their_boxes(seed: int, roomy: bool) -> None:
+    pick = random.Random(seed)
+    boxes = [Box(f"n{i}", (f"/node_{i}",), "node") for i in range(15)]
+    boxes += [Box(f"t{i}", (f"/小车/topic_{i}",), "topic") for i in range(15)]
+    edges = []
+    for i in range(15):
+        edges.append(Edge(f"n{pick.randrange(15)}", f"t{i}", "", f"t{i}"))
+        edges += [Edge(f"t{i}", f"n{pick.randrange(15)}", "", f"t{i}") for _ in range(pick.randrange(1, 3))]
+    edges = list(dict.fromkeys(edges))
+    picture = layout(boxes, edges, measure, roomy=roomy)
+    rects = [rect for _, rect in picture.boxes.values()]
+    cells = [(x, y) for r in rects for x in range(r.x, r.x + r.width) for y in range(r.y, r.y + r.height)]
+    assert len(cells) == len(set(cells)), "boxes overlap"
+    for route in picture.routes:
+        start, end = picture.boxes[route.edge.start][1], picture.boxes[route.edge.end][1]
+        assert touches(start, *route.cells[0]), route.edge
+        assert touches(end, *route.cells[-1]), route.edge
+        steps = zip(route.cells, route.cells[1:], strict=False)
+        assert all(abs(a[0] - b[0]) + abs(a[1] - b[1]) <= 1 for a, b in steps), "a gap in the line"
+        for x, y in route.cells:
+            assert 0 <= x < picture.width and 0 <= y < picture.height
+            assert not any(inside(rect, x, y) for rect in rects), "a line runs through a box"
+
+
+def test_a_window_too_narrow_gets_shorter_labels() -> None:
+    boxes, edges = LESSON
+    wide = fitted(boxes, [*edges, BACK], 100, 20)
+    narrow = fitted(boxes, [*edges, BACK], 70, 20)
+    assert wide.width > 70 >= narrow.width
+    assert any(route.edge.label == "/turtle1/…/feedback" for route in narrow.routes)
+
+
+@pytest.mark.parametrize(
+    ("longest", "short"),
+    [(50, FEEDBACK), (28, "/turtle1/…/_action/feedback"), (20, "/turtle1/…/feedback"), (10, "…/feedback")],
+)
+def test_a_label_keeps_its_first_and_last_parts(longest: int, short: str) -> None:
+    assert elide(FEEDBACK, longest, "…") == short
+
+
+def test_a_pulse_runs_from_start_to_end() -> None:
+    picture = layout(*LESSON, measure)
+    (route,) = picture.routes
+    places = []
+    for progress in (0.0, 0.5, 0.999):
+        canvas = draw(picture, UNICODE)
+        draw_pulse(canvas, route, progress, UNICODE)
+        row = canvas.text[1]
+        places.append(row.index("●"))
+    assert places == sorted(set(places))
+
+
+def test_an_empty_graph_is_an_empty_picture() -> None:
+    picture = layout([], [], measure)
+    assert (picture.width, picture.height) == (0, 0)
+    assert fitted([], [], 10, 10).width == 0
