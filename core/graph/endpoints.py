@@ -92,18 +92,25 @@ class Endpoint:
 
     kind: EndpointKind
 
-    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes) -> None:
+    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None) -> None:
         self.node = node
         self.topic = topic
         self.type_name = type_name
         self.type_hash = type_hash
         self.qos = qos.resolved()
-        self.gid = gid
+        self._gid = gid
         self.entity_id = node.graph.next_entity_id()
         self.destroyed = False
         self.events: dict[EventKind, EventStatus] = {kind: EventStatus() for kind in EventKind}
         self.on_event: Callable[[Endpoint, EventKind], None] | None = None
         self._incompatible: set[bytes] = set()
+
+    @property
+    def gid(self) -> bytes:
+        """The 16 bytes that identify this endpoint among all processes (made when first asked for)."""
+        if self._gid is None:
+            return self.node.graph.give_gid(self)
+        return self._gid
 
     @property
     def origin(self) -> object | None:
@@ -129,12 +136,14 @@ class Publisher(Endpoint):
     kind = EndpointKind.PUBLISHER
 
     def __init__(
-        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy: Copier
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None, copy: Copier
     ) -> None:
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.copy = copy
         self.matched: tuple[Subscription, ...] = ()
         self.remote_matched: tuple[Subscription, ...] = ()
+        self.delivered = 0
+        """Messages that passed through this process; what a pulse in rqt_graph shows."""
         self._numbers = count(1)
         latched = self.qos.durability == Durability.TRANSIENT_LOCAL
         self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
@@ -155,6 +164,7 @@ class Publisher(Endpoint):
 
     def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
         """Hand copies to the subscriptions of this process (for a remote publisher: called by the link)."""
+        self.delivered += 1
         copy = self.copy
         if self.cache is not None:
             self.cache.append((copy(message), source_timestamp, number))
@@ -181,7 +191,7 @@ class Subscription(Endpoint):
 
     kind = EndpointKind.SUBSCRIPTION
 
-    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes) -> None:
+    def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None) -> None:
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.queue: deque[Sample] = deque(maxlen=self.qos.capacity)
         self.matched: tuple[Publisher, ...] = ()
@@ -230,7 +240,7 @@ class Service(Endpoint):
     kind = EndpointKind.SERVICE
 
     def __init__(
-        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy_response: Copier
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None, copy_response: Copier
     ) -> None:
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.copy_response = copy_response
@@ -271,7 +281,7 @@ class Client(Endpoint):
     kind = EndpointKind.CLIENT
 
     def __init__(
-        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes, copy_request: Copier
+        self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None, copy_request: Copier
     ) -> None:
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.copy_request = copy_request
@@ -335,7 +345,6 @@ class Node:
         self, topic: str, type_name: str, type_hash: str, qos: QoS, copy: Copier, *, gid: bytes | None = None
     ) -> Publisher:
         """Add a publisher of `topic`; `copy` must return an independent copy of a message."""
-        gid = gid or self.graph.new_gid()
         return self.graph.add_endpoint(Publisher(self, topic, type_name, type_hash, qos, gid, copy))
 
     def create_subscription(
@@ -349,7 +358,7 @@ class Node:
         on_ready: Callable[[Subscription], None] | None = None,
     ) -> Subscription:
         """Add a subscription of `topic`; what transient-local publishers kept is in its queue on return."""
-        subscription = Subscription(self, topic, type_name, type_hash, qos, gid or self.graph.new_gid())
+        subscription = Subscription(self, topic, type_name, type_hash, qos, gid)
         subscription.on_ready = on_ready
         return self.graph.add_endpoint(subscription)
 
@@ -357,14 +366,12 @@ class Node:
         self, name: str, type_name: str, type_hash: str, qos: QoS, copy_response: Copier, *, gid: bytes | None = None
     ) -> Service:
         """Add a server of the service `name`."""
-        gid = gid or self.graph.new_gid()
         return self.graph.add_endpoint(Service(self, name, type_name, type_hash, qos, gid, copy_response))
 
     def create_client(
         self, name: str, type_name: str, type_hash: str, qos: QoS, copy_request: Copier, *, gid: bytes | None = None
     ) -> Client:
         """Add a client of the service `name`."""
-        gid = gid or self.graph.new_gid()
         return self.graph.add_endpoint(Client(self, name, type_name, type_hash, qos, gid, copy_request))
 
     def destroy(self) -> None:

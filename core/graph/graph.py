@@ -63,13 +63,15 @@ class Graph:
     """The nodes and endpoints of one ROS domain, those of this process and, through the link, those of others.
 
     Thread-safe. Listeners and endpoint callbacks run on the thread that made the change, after the lock was released.
-    `now_ns` gives the time stamped on messages (epoch ns); `transport` is set by the link.
+    `now_ns` gives the time stamped on messages (epoch ns). The link sets `transport`, and `identify`, which gives an
+    endpoint the GID by which other processes know it.
     """
 
     def __init__(self, domain_id: int = 0) -> None:
         self.domain_id = domain_id
         self.now_ns: Callable[[], int] = time.time_ns
         self.transport: Transport | None = None
+        self.identify: Callable[[Endpoint], bytes] = lambda _: self.new_gid()
         self._lock = threading.RLock()
         self._nodes: tuple[Node, ...] = ()
         self._by_name: dict[tuple[bool, str], list[Endpoint]] = {}
@@ -89,6 +91,13 @@ class Graph:
     def new_gid(self) -> bytes:
         """Return 16 bytes that identify one endpoint among all processes."""
         return self._gid_prefix + next(self._gid_numbers).to_bytes(4, "big")
+
+    def give_gid(self, endpoint: Endpoint) -> bytes:
+        """Make the GID of an endpoint that was not asked for it before."""
+        with self._lock:
+            if endpoint._gid is None:
+                endpoint._gid = self.identify(endpoint)
+            return endpoint._gid
 
     # change
 

@@ -1,0 +1,53 @@
+"""`rqt_graph`: a node that looks at the graph and shows it in a window, or as text where there is no screen."""
+
+from __future__ import annotations
+
+from day6_tui.core.graph import GraphEvent
+from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw
+from day6_tui.core.ros.programs.rqt_graph._fit import fitted
+from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.session import Session
+
+REFRESH_SECONDS = 0.2
+"""At most this often is the graph looked at again while it changes."""
+
+SETTLE_SECONDS = 0.5
+"""Without a window: how long to let the graph be discovered before it is printed."""
+
+
+async def main(session: Session) -> int | None:
+    """Open the window and follow the graph until interrupted; without a display print the graph once."""
+    graph = session.graph
+    assert graph is not None
+    node = session.create_node(f"rqt_gui_py_node_{session.pid}")
+    model = RqtGraph(node, graph)
+    if session.display is None:
+        await session.sleep(SETTLE_SECONDS)
+        model.refresh()
+        _print(session, model)
+        return 0
+    changed = Signal()
+
+    def on_change(event: GraphEvent) -> None:
+        if model.auto_refresh:
+            changed.set()
+
+    session.defer(graph.add_listener(on_change))
+    model.on_request = changed.set
+    model.refresh()
+    session.display.open("rqt_graph", "rqt_graph", model)
+    session.spawn(session.spin(node))
+    while True:
+        await session.wait(changed)
+        changed.clear()
+        model.refresh()
+        await session.sleep(REFRESH_SECONDS)
+
+
+def _print(session: Session, model: RqtGraph) -> None:
+    encoding = (session.stdout.encoding or "ascii").lower()
+    glyphs = UNICODE if encoding.startswith("utf") else ASCII
+    picture = fitted(model.content.boxes, model.content.edges, session.stdout.columns, 1000)
+    for row in draw(picture, glyphs, model.content.trouble).rows():
+        session.print("".join(text for text, _ in row).rstrip())
