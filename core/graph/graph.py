@@ -99,6 +99,11 @@ class Graph:
                 endpoint._gid = self.identify(endpoint)
             return endpoint._gid
 
+    def renew_lock(self) -> None:
+        """In a forked child: make a lock that no thread of the parent holds."""
+        self._lock = threading.RLock()
+        self._depth = 0
+
     # change
 
     @contextmanager

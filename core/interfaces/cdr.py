@@ -1,0 +1,91 @@
+"""Messages to CDR bytes and back: XCDR version 1, little endian, 4-byte header, as rmw_fastrtps and rmw_zenoh do.
+
+The code per class is generated on first use by `cdr_write` and `cdr_read`. Alignment counts from after the header.
+"""
+
+from __future__ import annotations
+
+import struct
+
+from day6_tui.core.interfaces.cdr_read import DeserializationError, build_reader
+from day6_tui.core.interfaces.cdr_write import SerializationError, build_writer
+from day6_tui.core.interfaces.registry import type_name
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+HEADER = b"\x00\x01\x00\x00"
+_LITTLE_ENDIAN = 1
+
+__all__ = ["DeserializationError", "SerializationError", "deserialize", "serialize"]
+
+
+class _Writers(dict[type, "Callable[[bytearray, Any], None]"]):
+    """Generated writers by class; makes the missing ones."""
+
+    def __missing__(self, cls: Any) -> Callable[[bytearray, Any], None]:
+        self[cls] = writer = build_writer(_message_class(cls), self)
+        return writer
+
+
+class _Readers(dict[type, "Callable[[bytes, int, int], tuple[Any, int]]"]):
+    """Generated readers by class; makes the missing ones."""
+
+    def __missing__(self, cls: Any) -> Callable[[bytes, int, int], tuple[Any, int]]:
+        self[cls] = reader = build_reader(_message_class(cls), self)
+        return reader
+
+
+_writers = _Writers()
+_readers = _Readers()
+
+
+def _message_class(cls: Any) -> Any:
+    """Return the class made from the interface's text, for it or a class a program derived from it."""
+    name = type_name(cls)
+    plain = next(base for base in reversed(cls.__mro__[:-1]) if getattr(base, "_interface_name", "") == name)
+    if plain._structure is None:
+        raise TypeError(f"{cls!r} is not the class of a message")
+    return plain
+
+
+def serialize(message: Any) -> bytes:
+    """Return a message's CDR bytes with header.
+
+    Raises SerializationError where a value does not fit its field (possible with checks off, or inside lists),
+    TypeError for something that is no message.
+    """
+    writer = _writers[message.__class__]
+    buffer = bytearray(HEADER)
+    try:
+        writer(buffer, message)
+    except (struct.error, AttributeError, TypeError, ValueError, OverflowError) as error:
+        raise SerializationError(f"{type_name(message.__class__)} can not be serialized: {error}") from error
+    return bytes(buffer)
+
+
+def deserialize(data: bytes | bytearray | memoryview, cls: Any) -> Any:
+    """Return the message of class `cls` in CDR bytes with header; bytes after its end are ignored (real senders pad).
+
+    Raises DeserializationError where the bytes are no such message; counts are compared with the bytes that are left
+    before anything is allocated. Raises TypeError when `cls` is no message class.
+    """
+    reader = _readers[cls]
+    if data.__class__ is not bytes:
+        data = bytes(data)
+    if len(data) < 4 or data[0] != 0 or data[1] != _LITTLE_ENDIAN:
+        raise DeserializationError(f"{type_name(cls)}: {_header_problem(data)}")
+    try:
+        return reader(data, 4, len(data))[0]
+    except (struct.error, ValueError) as error:
+        raise DeserializationError(f"{type_name(cls)}: {len(data)} bytes are no such message: {error}") from error
+
+
+def _header_problem(data: bytes | bytearray | memoryview) -> str:
+    if len(data) < 4:
+        return f"{len(data)} bytes are too few for a CDR header of 4 bytes"
+    if data[0] == 0 and data[1] == 0:
+        return "big-endian CDR is not supported"
+    return f"unknown CDR encapsulation {data[0]:#04x} {data[1]:#04x}"

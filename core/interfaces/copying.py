@@ -1,0 +1,83 @@
+"""Copies messages deeply, with one generated function per class (made on first use)."""
+
+from __future__ import annotations
+
+from day6_tui.core.interfaces import checks
+from day6_tui.core.interfaces.definition import Structure
+from day6_tui.core.interfaces.fields import ARRAY, SINGLE
+from day6_tui.core.interfaces.registry import find_class, type_name
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+def copy_message(message: Any) -> Any:
+    """Return a message that shares nothing mutable with the given one.
+
+    What a subscriber gets of a published message: the plain message class even where a program derived one, lists where
+    it stored tuples, `_check_fields` as for a new message. Raises TypeError for something that is no message, and
+    AttributeError where a program has put something else into a nested message's place.
+    """
+    return _copiers[message.__class__](message)
+
+
+class _Copiers(dict[type, "Callable[[Any], Any]"]):
+    """Copy functions by class; makes the missing ones."""
+
+    def __missing__(self, cls: Any) -> Callable[[Any], Any]:
+        name = type_name(cls)
+        plain = next(base for base in reversed(cls.__mro__[:-1]) if getattr(base, "_interface_name", "") == name)
+        if plain._structure is None:
+            raise TypeError(f"{cls!r} is not the class of a message")
+        self[cls] = copier = _build(plain)
+        return copier
+
+
+_copiers = _Copiers()
+
+
+def _build(cls: Any) -> Callable[[Any], Any]:
+    names: dict[str, Any] = {"new": object.__new__, "check": checks.CHECK_FIELDS, "C": cls, "copiers": _copiers}
+    writer = _Writer(names)
+    writer.copy("C", "message", "made", cls._structure)
+    source = ["def copy(message):", *writer.lines, "    return made"]
+    exec(compile("\n".join(source), f"<copy {type_name(cls)}>", "exec"), names)
+    copier: Callable[[Any], Any] = names["copy"]
+    return copier
+
+
+class _Writer:
+    """Writes the body of a copy function; single nested messages are copied in place."""
+
+    def __init__(self, names: dict[str, Any]) -> None:
+        self.names = names
+        self.lines: list[str] = []
+        self.count = 0
+
+    def copy(self, class_name: str, source: str, target: str, structure: Structure) -> None:
+        """Append statements that make `target`, an object of the class, from the variable `source`."""
+        lines = self.lines
+        lines += [f"    {target} = new({class_name})", f"    {target}._check_fields = check"]
+        for field in structure.fields:
+            old, new = f"{source}._{field.name}", f"{target}._{field.name}"
+            type_ = field.type
+            if type_.nested:
+                self.count += 1
+                name = f"C{self.count}"
+                nested = self.names[name] = find_class(type_.base)
+                if type_.count == SINGLE:
+                    inner, made = f"s{self.count}", f"t{self.count}"
+                    lines.append(f"    {inner} = {old}")
+                    self.copy(name, inner, made, nested._structure)
+                    lines.append(f"    {new} = {made}")
+                else:
+                    self.names[name] = _copiers[nested]
+                    lines.append(f"    {new} = [{name}(item) for item in {old}]")
+            elif type_.count == SINGLE:
+                lines.append(f"    {new} = {old}")
+            elif type_.is_numeric_array():
+                lines.append(f"    {new} = {old}.copy()" if type_.count == ARRAY else f"    {new} = {old}[:]")
+            else:
+                lines.append(f"    {new} = [*{old}]")

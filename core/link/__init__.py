@@ -1,0 +1,106 @@
+"""Joins the graphs of several processes and machines over Eclipse Zenoh, in rmw_zenoh's wire format.
+
+Importing this costs nothing; Zenoh is imported by the first `join`. Callers look at DAY6_LINK=off first.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph import Graph
+    from day6_tui.core.link.link import Link
+
+__all__ = ["join", "leave"]
+
+_links: dict[Graph, Link] = {}
+_lock = threading.Lock()
+_prepared = False
+_forked = False
+
+
+def join(
+    graph: Graph,
+    *,
+    listen: str | Sequence[str] | None = None,
+    connect: str | Sequence[str] | None = None,
+    one_shot: bool = False,
+) -> Link:
+    """Join `graph` to those of this user's other processes on this machine and domain; returns the link it has.
+
+    Returns when the session is open and every present node and endpoint is announced (milliseconds); connections come
+    up meanwhile, `Link.wait_settled` waits for them. `one_shot` is for commands that ask and go: a client of the
+    meeting point that never keeps one. `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`) and the only way
+    to leave this machine. Never raises for want of a network: `Link.problem` says why there is none, and a warning is
+    logged. Every link is closed when the interpreter exits.
+    """
+    from day6_tui.core.link.link import Link
+    from day6_tui.core.link.paths import LinkError
+
+    with _lock:
+        link = _links.get(graph)
+        if link is not None and not link.closed:
+            return link
+        _prepare()
+        link = _links[graph] = Link(graph, listen=_names(listen), connect=_names(connect), one_shot=one_shot)
+        try:
+            if _forked:
+                raise LinkError("this process was forked from one that had joined already")
+            link.open()
+        except LinkError as error:
+            import logging
+
+            link.problem = str(error)
+            logging.getLogger("day6_tui.link").warning("other processes cannot be seen: %s", error)
+        return link
+
+
+def leave(graph: Graph) -> None:
+    """Close the link of `graph`, if it has one: its nodes vanish elsewhere, remote ones vanish here."""
+    with _lock:
+        link = _links.pop(graph, None)
+    if link is not None:
+        link.close()
+
+
+def _names(endpoints: str | Sequence[str] | None) -> Sequence[str]:
+    if endpoints is None:
+        return ()
+    return (endpoints,) if isinstance(endpoints, str) else tuple(endpoints)
+
+
+def _prepare() -> None:
+    global _prepared
+    if _prepared:
+        return
+    _prepared = True
+    import atexit
+    import os
+
+    # An open session can keep a process alive for minutes.
+    atexit.register(_leave_all)
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_after_fork)
+
+
+def _leave_all() -> None:
+    for graph in list(_links):
+        leave(graph)
+
+
+def _after_fork() -> None:
+    global _lock, _forked
+    links = list(_links.values())
+    _links.clear()
+    _lock = threading.Lock()
+    if not links:
+        return
+    _forked = True
+    import ctypes
+
+    for link in links:
+        # Its Zenoh objects would wait in their destructors for threads that this process does not have: never free it.
+        ctypes.pythonapi.Py_IncRef(ctypes.py_object(link))
+        link.abandon()

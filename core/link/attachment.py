@@ -1,0 +1,37 @@
+"""What accompanies every message, request and response: sequence number, source time and the sender's GID."""
+
+from __future__ import annotations
+
+from struct import Struct, error
+from typing import NamedTuple
+
+_WHOLE = Struct("<qqB16s")
+_TIMES = Struct("<qq")
+_GID_BYTES = 16
+
+
+class Attachment(NamedTuple):
+    """The three values; `source_timestamp` in epoch nanoseconds, `gid` 16 bytes."""
+
+    sequence_number: int
+    source_timestamp: int
+    gid: bytes
+
+
+def pack(sequence_number: int, source_timestamp: int, gid: bytes) -> bytes:
+    """Return the 33 bytes of Jazzy's and Kilted's rmw_zenoh: int64, int64, length of the GID, GID."""
+    return _WHOLE.pack(sequence_number, source_timestamp, _GID_BYTES, gid)
+
+
+def unpack(data: bytes) -> Attachment:
+    """Read an attachment, also one without the length byte (after Kilted); raises ValueError for anything else."""
+    try:
+        sequence_number, source_timestamp = _TIMES.unpack_from(data)
+    except error:
+        raise ValueError(f"an attachment of {len(data)} bytes") from None
+    gid = data[_TIMES.size :]
+    if len(gid) == _GID_BYTES + 1 and gid[0] == _GID_BYTES:
+        gid = gid[1:]
+    if len(gid) != _GID_BYTES:
+        raise ValueError(f"an attachment of {len(data)} bytes")
+    return Attachment(sequence_number, source_timestamp, gid)

@@ -1,0 +1,85 @@
+"""The Zenoh configurations of the three kinds of session: a process, the meeting point, a one-shot command."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from day6_tui.core.link.paths import Place, password
+
+if TYPE_CHECKING:
+    import zenoh
+
+_COMMON = {
+    "scouting/multicast/enabled": "false",
+    "scouting/gossip/enabled": "true",
+    # Of two processes that hear of each other at once only one calls: of two crossing calls both may be given up.
+    "scouting/gossip/autoconnect_strategy": '{peer: {to_router: "always", to_peer: "greater-zid"}}',
+    # Zenoh waits this long for others before `open` returns; ours connects while the program goes on.
+    "scouting/delay": "0",
+    "open/return_conditions": "{connect_scouted: false, declares: false}",
+    "connect/retry": "{period_init_ms: 50, period_max_ms: 250, period_increase_factor: 2}",
+    # Needed by the caches of transient-local publishers.
+    "timestamping/enabled": "true",
+    "transport/shared_memory/enabled": "false",
+}
+
+
+def process_config(place: Place, zid: str) -> zenoh.Config:
+    """Return the configuration of a process: a peer with a socket of its own, which keeps trying the meeting point."""
+    return _config(
+        place,
+        mode='"peer"',
+        id=json.dumps(zid),
+        listen__endpoints=json.dumps([place.own_endpoint(zid)]),
+        connect__endpoints=json.dumps([place.meeting_endpoint]),
+        connect__timeout_ms="-1",
+        connect__exit_on_failure="false",
+    )
+
+
+def command_config(place: Place, zid: str) -> zenoh.Config:
+    """Return the configuration of a one-shot command: a client; opening fails when there is no meeting point."""
+    return _config(
+        place,
+        mode='"client"',
+        id=json.dumps(zid),
+        connect__endpoints=json.dumps([place.meeting_endpoint]),
+        connect__timeout_ms="0",
+        connect__exit_on_failure="true",
+    )
+
+
+def meeting_config(place: Place) -> zenoh.Config:
+    """Return the configuration of the meeting point: a router that tells the processes of one another."""
+    return _config(place, mode='"router"', listen__endpoints=json.dumps([place.meeting_endpoint]))
+
+
+def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> zenoh.Config:
+    """Return the configuration of the router that joins the meeting point to other machines."""
+    return _config(
+        place,
+        asks_password=False,
+        mode='"router"',
+        listen__endpoints=json.dumps(list(listen)),
+        connect__endpoints=json.dumps([place.meeting_endpoint, *connect]),
+        connect__timeout_ms="-1",
+        connect__exit_on_failure="false",
+    )
+
+
+def _config(place: Place, *, asks_password: bool = True, **settings: str) -> zenoh.Config:
+    import zenoh
+
+    config: zenoh.Config = zenoh.Config()
+    for name, value in _COMMON.items():
+        config.insert_json5(name, value)
+    for name, value in settings.items():
+        config.insert_json5(name.replace("__", "/"), value)
+    if place.tcp:
+        config.insert_json5("transport/auth/usrpwd/user", '"day6"')
+        config.insert_json5("transport/auth/usrpwd/password", json.dumps(password(place)))
+        if asks_password:
+            config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(place.folder / "users")))
+    return config

@@ -1,0 +1,133 @@
+"""rmw_zenoh's key expressions: where data travels, and the liveliness tokens that say which nodes and endpoints exist.
+
+    0/chatter/std_msgs::msg::dds_::String_/RIHS01_…                             messages of a topic, calls of a service
+    @ros2_lv/0/<zid>/<node id>/<node id>/NN/%/%/talker                          a node: enclave, namespace, name
+    @ros2_lv/0/<zid>/<node id>/<entity id>/MP/%/%/talker/%chatter/<type>/<hash>/<qos>   an endpoint
+
+A slash inside a name is written %, so each part is one chunk of the key.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Node
+from day6_tui.core.graph.qos import QoS
+from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
+
+LIVELINESS_PREFIX = "@ros2_lv"
+SIGN_PREFIX = "@day6/"
+_NODE = "NN"
+_NO_HASH = "TypeHashNotSupported"
+_NODE_PARTS = 9
+_ENDPOINT_PARTS = 13
+
+
+class Announcement(NamedTuple):
+    """What a liveliness token says. The fields from `kind` on are empty for a node."""
+
+    zid: str
+    node_id: str
+    enclave: str
+    namespace: str
+    node_name: str
+    kind: EndpointKind | None = None
+    topic: str = ""
+    type_name: str = ""
+    type_hash: str = ""
+    qos: QoS = QoS()
+
+    @property
+    def node_key(self) -> tuple[str, str]:
+        """What is equal for a node and its endpoints, and for nothing else."""
+        return self.zid, self.node_id
+
+
+def all_tokens(domain_id: int) -> str:
+    """Return the key expression of every node and endpoint of a domain."""
+    return f"{LIVELINESS_PREFIX}/{domain_id}/**"
+
+
+def signs(domain_id: int) -> str:
+    """Return the key expression of everything this project's processes tell one another beside ROS."""
+    return f"{SIGN_PREFIX}{domain_id}/**"
+
+
+def sign(domain_id: int, kind: str, zid: str) -> str:
+    """Return the token of a process that has announced what it has (`here`), or of a meeting point (`meeting`)."""
+    return f"{SIGN_PREFIX}{domain_id}/{kind}/{zid}"
+
+
+def node_token(node: Node, zid: str) -> str:
+    """Return the token of a node of the session `zid`."""
+    return f"{_session_part(node, zid)}/{node.entity_id}/{_NODE}/{_node_part(node)}"
+
+
+def endpoint_token(endpoint: Endpoint, zid: str) -> str:
+    """Return the token of an endpoint of the session `zid`."""
+    node = endpoint.node
+    return (
+        f"{_session_part(node, zid)}/{endpoint.entity_id}/{endpoint.kind.value}/{_node_part(node)}"
+        f"/{mangled(endpoint.topic)}/{dds_type(endpoint.type_name)}/{endpoint.type_hash or _NO_HASH}"
+        f"/{qos_to_text(endpoint.qos)}"
+    )
+
+
+def data_key(endpoint: Endpoint) -> str:
+    """Return the key expression on which an endpoint's messages, or requests and responses, travel."""
+    domain_id = endpoint.node.graph.domain_id
+    type_hash = endpoint.type_hash or _NO_HASH
+    return f"{domain_id}/{endpoint.topic.strip('/')}/{dds_type(endpoint.type_name)}/{type_hash}"
+
+
+def parse_token(token: str) -> Announcement | None:
+    """Return what a token says, or None for one that no rmw_zenoh makes."""
+    parts = token.split("/")
+    if len(parts) < _NODE_PARTS or not all(parts):
+        return None
+    _, _, zid, node_id, _, kind, enclave, namespace, node_name, *topic_parts = parts
+    node = Announcement(zid, node_id, demangled(enclave), demangled(namespace), demangled(node_name))
+    if kind == _NODE:
+        return node
+    if len(parts) != _ENDPOINT_PARTS:
+        return None
+    topic, dds_name, type_hash, qos = topic_parts
+    try:
+        return node._replace(
+            kind=EndpointKind(kind),
+            topic=demangled(topic),
+            type_name=ros_type(dds_name),
+            type_hash="" if type_hash == _NO_HASH else type_hash,
+            qos=qos_from_text(qos),
+        )
+    except ValueError:
+        return None
+
+
+def mangled(name: str) -> str:
+    """Return a name as one chunk of a key: `/team/talker` → `%team%talker`, nothing → `%`."""
+    return name.replace("/", "%") or "%"
+
+
+def demangled(chunk: str) -> str:
+    """Return the name that `mangled` made a chunk of."""
+    return chunk.replace("%", "/")
+
+
+def dds_type(type_name: str) -> str:
+    """`std_msgs/msg/String` → `std_msgs::msg::dds_::String_`."""
+    package, _, name = type_name.rpartition("/")
+    return f"{package.replace('/', '::')}::dds_::{name}_"
+
+
+def ros_type(dds_name: str) -> str:
+    """`std_msgs::msg::dds_::String_` → `std_msgs/msg/String`."""
+    return demangled(dds_name).replace("::dds_::", "::").removesuffix("_").replace("::", "/")
+
+
+def _session_part(node: Node, zid: str) -> str:
+    return f"{LIVELINESS_PREFIX}/{node.graph.domain_id}/{zid}/{node.entity_id}"
+
+
+def _node_part(node: Node) -> str:
+    return f"{mangled(node.enclave)}/{mangled(node.namespace)}/{mangled(node.name)}"

@@ -1,0 +1,371 @@
+"""The link: one Zenoh session that joins a graph to those of the other processes."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections import defaultdict, deque
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import Client, Endpoint, Node, Publisher, RequestId, Service, Subscription
+from day6_tui.core.graph.graph import Graph, GraphEvent
+from day6_tui.core.link.config import command_config, gate_config, process_config
+from day6_tui.core.link.gid import gid_of
+from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, node_token, sign, signs
+from day6_tui.core.link.meeting import MeetingPoint
+from day6_tui.core.link.paths import (
+    LinkError,
+    Place,
+    close_inherited_sockets,
+    meeting_place,
+    neighbours,
+    remove_dead_sockets,
+    remove_if_deaf,
+)
+from day6_tui.core.link.remote import RemoteGraph
+from day6_tui.core.link.services import Services
+from day6_tui.core.link.topics import Topics
+
+if TYPE_CHECKING:
+    import zenoh
+
+_LOOK_AGAIN = 1.0
+"""Seconds between looks whether the meeting point needs a keeper; the end of its token makes it look at once."""
+_SEARCH_AGAIN = 0.05
+"""The same while no meeting point is known: a killed keeper's token may end before its lock does."""
+_MOST_PROBLEMS = 50
+
+
+class Link:
+    """Keeps one graph joined until `close()`. Made by `day6_tui.core.link.join`.
+
+    `problem` says why there is no link (None if there is); `problems` are the last things that went wrong on it.
+    """
+
+    def __init__(
+        self, graph: Graph, *, listen: Sequence[str] = (), connect: Sequence[str] = (), one_shot: bool = False
+    ) -> None:
+        self.graph = graph
+        self.zid = _new_zid()
+        self.problem: str | None = None
+        self.problems: deque[str] = deque(maxlen=_MOST_PROBLEMS)
+        self._one_shot = one_shot
+        self._listen, self._connect = tuple(listen), tuple(connect)
+        self._remote = RemoteGraph(graph, self.zid)
+        self._place: Place | None = None
+        self._meeting: MeetingPoint | None = None
+        self._session: zenoh.Session | None = None
+        self._gate: zenoh.Session | None = None
+        self._topics: Topics | None = None
+        self._services: Services | None = None
+        self._lock = threading.RLock()
+        self._declared: dict[Node | Endpoint, list[Any]] = {}
+        self._listeners: list[Any] = []
+        self._end_listening: Any = None
+        self._inbox: deque[tuple[bool, str] | threading.Event] = deque()
+        self._changed = threading.Condition()
+        self._signs: defaultdict[str, set[str]] = defaultdict(set)
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, name="day6-link", daemon=True)
+
+    # life
+
+    def open(self) -> None:
+        """Open the session and start the thread that follows the others. Raises LinkError."""
+        try:
+            import zenoh
+        except ImportError as error:
+            raise LinkError(f"no Zenoh here: {error}") from error
+        self._place = place = meeting_place(self.graph.domain_id)
+        try:
+            remove_dead_sockets(place)
+            if self._one_shot:
+                self._try_as_client()
+            else:
+                self._meeting = MeetingPoint(place, self.graph.domain_id)
+                self._meeting.try_to_keep()
+                self._attach(zenoh.open(process_config(place, self.zid)))
+                if self._listen or self._connect:
+                    self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
+        except (zenoh.ZError, OSError) as error:
+            self.close()
+            raise LinkError(f"{place.folder}: {error}") from error
+        self._thread.start()
+
+    def close(self) -> None:
+        """Leave: tell the others, remove remote nodes from the graph. A second call does nothing."""
+        with self._changed:
+            if self._closed:
+                return
+            self._closed = True
+            self._changed.notify_all()
+        if self._thread.is_alive() and threading.current_thread() is not self._thread:
+            self._thread.join(timeout=2.0)
+        if self._end_listening is not None:
+            self._end_listening()
+            self.graph.transport = None
+            self.graph.identify = lambda _: self.graph.new_gid()
+        for session in (self._session, self._gate):
+            if session is not None:
+                session.close()
+        if self._meeting is not None:
+            self._meeting.close()
+        if self._place is not None and self._place.tcp:
+            self._place.own_socket(self.zid).unlink(missing_ok=True)
+        self._remote.clear()
+
+    @property
+    def closed(self) -> bool:
+        """Say whether the link was closed."""
+        return self._closed
+
+    @property
+    def connected(self) -> bool:
+        """Say whether a session is open (a one-shot command has none until it finds a meeting point)."""
+        return self._session is not None and not self._closed
+
+    # what the graph asks (Transport)
+
+    def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
+        """Send a message of a local publisher to its remote subscriptions."""
+        if self._topics is not None:
+            self._sending(self._topics.publish, publisher, message, source_timestamp, number)
+
+    def send_request(self, client: Client, request: Any, number: int) -> None:
+        """Send a request of a local client to the remote servers."""
+        if self._services is not None:
+            self._sending(self._services.send_request, client, request, number)
+
+    def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
+        """Send the response of a local server to a remote client."""
+        if self._services is not None:
+            self._sending(self._services.send_response, service, request_id, response)
+
+    def _sending(self, send: Any, *arguments: Any) -> None:
+        import zenoh
+
+        try:
+            send(*arguments)
+        except zenoh.ZError as error:
+            # A program goes on when its network does not, as in ROS.
+            if not self._closed:
+                self._report("not sent", error)
+
+    # waiting
+
+    def wait_settled(self, timeout: float) -> bool:
+        """Wait until the graph holds what the processes of this machine announced; False if not within `timeout` s.
+
+        Processes are known by their sockets; each says by a token that it has announced what it had.
+        """
+        deadline = time.monotonic() + timeout
+        if self._place is None:
+            return True
+        while True:
+            missing = self._missing()
+            if not missing and (self._session is not None or not self._others()):
+                break
+            left = deadline - time.monotonic()
+            if left <= 0:
+                return False
+            with self._changed:
+                self._changed.wait(min(left, 0.02))
+        if self._session is None:
+            return True
+        return self._read_all_tokens(deadline)
+
+    def _others(self) -> list[Any]:
+        assert self._place is not None
+        return [each for each in neighbours(self._place) if each.zid != self.zid]
+
+    def _missing(self) -> bool:
+        return any(each.zid not in self._signs["here"] and not remove_if_deaf(each) for each in self._others())
+
+    def _read_all_tokens(self, deadline: float) -> bool:
+        import zenoh
+
+        read, taken = threading.Event(), threading.Event()
+        assert self._session is not None
+        handler = zenoh.handlers.Callback(self._on_reply, read.set, indirect=False)
+        self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
+        if not read.wait(max(0.0, deadline - time.monotonic())):
+            return False
+        self._put_in_inbox(taken)
+        return taken.wait(max(0.05, deadline - time.monotonic()))
+
+    # the session
+
+    def _try_as_client(self) -> None:
+        import zenoh
+
+        assert self._place is not None
+        if not self._place.tcp and not (self._place.folder / "meet").exists():
+            return
+        try:
+            session = zenoh.open(command_config(self._place, self.zid))
+        except zenoh.ZError as error:
+            self._report("no meeting point", error)
+            return
+        self._attach(session)
+
+    def _attach(self, session: zenoh.Session) -> None:
+        """Join the graph to an open session."""
+        import zenoh
+
+        domain_id = self.graph.domain_id
+        self._topics = Topics(session, self.zid, self._remote, self._report)
+        self._services = Services(session, self.zid, self._report)
+        self._session = session
+        liveliness = session.liveliness()
+        for key in (signs(domain_id), all_tokens(domain_id)):
+            handler = zenoh.handlers.Callback(self._on_token, indirect=False)
+            self._listeners.append(liveliness.declare_subscriber(key, handler, history=True))
+        self.graph.identify = self._identify
+        self.graph.transport = self
+        self._end_listening = self.graph.add_listener(self._on_graph_event)
+        for node in self.graph.nodes:
+            self._follow(node)
+            for endpoint in node.endpoints:
+                self._follow(endpoint)
+        assert self._place is not None
+        if not self._one_shot:
+            if self._place.tcp:
+                self._place.own_socket(self.zid).touch()
+            self._listeners.append(liveliness.declare_token(sign(domain_id, "here", self.zid)))
+
+    def _identify(self, endpoint: Endpoint) -> bytes:
+        return gid_of(endpoint_token(endpoint, self.zid))
+
+    # from the local graph to the others
+
+    def _on_graph_event(self, event: GraphEvent) -> None:
+        if event.subject.origin is None and not self._closed:
+            self._follow(event.subject)
+
+    def _follow(self, subject: Node | Endpoint) -> None:
+        """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order."""
+        import zenoh
+
+        if subject.origin is not None:
+            return
+        try:
+            with self._lock:
+                if subject.destroyed:
+                    self._withdraw(subject)
+                elif subject not in self._declared:
+                    self._declare(subject)
+        except zenoh.ZError as error:
+            if not self._closed:
+                self._report("not announced", error)
+
+    def _declare(self, subject: Node | Endpoint) -> None:
+        assert self._session is not None and self._topics is not None and self._services is not None
+        entries: list[Any] = []
+        # First what receives, then the token: who sees the token may send at once.
+        if isinstance(subject, Subscription):
+            entries.append(self._topics.subscribe(subject))
+        elif isinstance(subject, Service):
+            entries.append(self._services.serve(subject))
+        token = node_token(subject, self.zid) if isinstance(subject, Node) else endpoint_token(subject, self.zid)
+        entries.append(self._session.liveliness().declare_token(token))
+        self._declared[subject] = entries
+
+    def _withdraw(self, subject: Node | Endpoint) -> None:
+        for entry in reversed(self._declared.pop(subject, [])):
+            entry.undeclare()
+        assert self._topics is not None and self._services is not None
+        if isinstance(subject, Publisher):
+            self._topics.withdraw(subject)
+        elif isinstance(subject, (Service, Client)):
+            self._services.withdraw(subject)
+
+    # from the others to the local graph
+
+    def _on_token(self, sample: zenoh.Sample) -> None:
+        import zenoh
+
+        self._put_in_inbox((sample.kind == zenoh.SampleKind.PUT, str(sample.key_expr)))
+
+    def _on_reply(self, reply: zenoh.Reply) -> None:
+        if reply.ok is not None:
+            self._put_in_inbox((True, str(reply.ok.key_expr)))
+
+    def _put_in_inbox(self, entry: tuple[bool, str] | threading.Event) -> None:
+        # All that Zenoh's threads ever do with the graph's structure: they may hold locks of theirs.
+        with self._changed:
+            self._inbox.append(entry)
+            self._changed.notify_all()
+
+    def _run(self) -> None:
+        """Take what came in, look after the meeting point; the body of the link's thread."""
+        while True:
+            with self._changed:
+                if not self._inbox and not self._closed:
+                    self._changed.wait(self._patience())
+                if self._closed:
+                    return
+                entries = list(self._inbox)
+                self._inbox.clear()
+            try:
+                for entry in entries:
+                    self._take(entry)
+                self._look_after_connection()
+            except Exception as error:
+                # A listener of the graph failed, or the system refused a socket: the link goes on.
+                self._report("the link's thread", error)
+
+    def _take(self, entry: tuple[bool, str] | threading.Event) -> None:
+        if isinstance(entry, threading.Event):
+            entry.set()
+            return
+        present, key = entry
+        if not key.startswith(SIGN_PREFIX):
+            if present:
+                self._remote.appear(key)
+            else:
+                self._remote.vanish(key)
+            return
+        _, _, kind, zid = key.split("/")
+        with self._changed:
+            if present:
+                self._signs[kind].add(zid)
+            else:
+                self._signs[kind].discard(zid)
+            self._changed.notify_all()
+
+    def _patience(self) -> float | None:
+        if self._meeting is not None:
+            if self._meeting.kept_here:
+                return None
+            return _LOOK_AGAIN if self._signs["meeting"] else _SEARCH_AGAIN
+        return _SEARCH_AGAIN if self._session is None else None
+
+    def _look_after_connection(self) -> None:
+        if self._meeting is not None:
+            self._meeting.try_to_keep()
+        elif self._session is None:
+            self._try_as_client()
+
+    # trouble
+
+    def abandon(self) -> None:
+        """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""
+        self._closed = True
+        if self._meeting is not None:
+            self._meeting.release_copy()
+        self.graph.transport = None
+        self.graph.identify = lambda _: self.graph.new_gid()
+        self.graph.renew_lock()
+        if self._place is not None and not self._place.tcp:
+            close_inherited_sockets(self._place)
+
+    def _report(self, what: str, error: Exception) -> None:
+        self.problems.append(f"{what}: {error}")
+
+
+def _new_zid() -> str:
+    """Return a session id: 16 hexadecimal digits that do not begin with 0, which Zenoh would leave out."""
+    number = int.from_bytes(os.urandom(8), "little") | 1 << 63
+    return f"{number:016x}"

@@ -1,0 +1,78 @@
+"""A QoS profile as the text that rmw_zenoh puts at the end of an endpoint's liveliness token.
+
+`reliability:durability:history,depth:deadline s,ns:lifespan s,ns:liveliness,lease s,ns`, where an empty field stands
+for rmw_zenoh's default (reliable, volatile, keep last 42, infinite durations, automatic). Numbers are rmw's.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import TypeVar
+
+from day6_tui.core.graph.qos import (
+    DURATION_UNSPECIFIED,
+    INFINITE_NS,
+    Durability,
+    History,
+    Liveliness,
+    QoS,
+    Reliability,
+)
+
+DEFAULT_DEPTH = 42
+_SECOND = 1_000_000_000
+
+Policy = TypeVar("Policy", bound=IntEnum)
+
+
+def qos_to_text(qos: QoS) -> str:
+    """Return the text of a resolved profile. The depth is always written, as others do whose default differs."""
+    reliability = _unless(qos.reliability, Reliability.RELIABLE)
+    durability = _unless(qos.durability, Durability.VOLATILE)
+    history = _unless(qos.history, History.KEEP_LAST)
+    liveliness = _unless(qos.liveliness, Liveliness.AUTOMATIC)
+    return (
+        f"{reliability}:{durability}:{history},{qos.depth}:{_duration(qos.deadline)}:{_duration(qos.lifespan)}"
+        f":{liveliness},{_duration(qos.liveliness_lease_duration)}"
+    )
+
+
+def qos_from_text(text: str) -> QoS:
+    """Return the profile a text stands for; raises ValueError for anything that is none."""
+    fields = [field.split(",") for field in text.split(":")]
+    if [len(field) for field in fields] != [1, 1, 2, 2, 2, 3]:
+        raise ValueError(f"not a QoS profile: {text!r}")
+    (reliability,), (durability,), (history, depth), deadline, lifespan, (liveliness, *lease) = fields
+    return QoS(
+        depth=int(depth) if depth else DEFAULT_DEPTH,
+        history=_policy(history, History.KEEP_LAST),
+        reliability=_policy(reliability, Reliability.RELIABLE),
+        durability=_policy(durability, Durability.VOLATILE),
+        deadline=_nanoseconds(deadline),
+        lifespan=_nanoseconds(lifespan),
+        liveliness=_policy(liveliness, Liveliness.AUTOMATIC),
+        liveliness_lease_duration=_nanoseconds(lease),
+    )
+
+
+def _unless(policy: IntEnum, default: IntEnum) -> str:
+    return "" if policy == default else str(int(policy))
+
+
+def _duration(nanoseconds: int) -> str:
+    if nanoseconds == DURATION_UNSPECIFIED or nanoseconds >= INFINITE_NS:
+        return ","
+    seconds, rest = divmod(nanoseconds, _SECOND)
+    return f"{seconds},{rest}"
+
+
+def _policy(text: str, default: Policy) -> Policy:
+    return type(default)(int(text)) if text else default
+
+
+def _nanoseconds(parts: list[str]) -> int:
+    seconds, rest = parts
+    if not seconds and not rest:
+        return DURATION_UNSPECIFIED
+    total = int(seconds or 0) * _SECOND + int(rest or 0)
+    return DURATION_UNSPECIFIED if total >= INFINITE_NS else total

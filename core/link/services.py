@@ -1,0 +1,153 @@
+"""Requests and responses between a local endpoint and Zenoh.
+
+A server is a queryable; a request is a query to all of them, identified by the client's GID and its sequence number,
+and each response is a reply with the same two.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import Client, RequestId, Service
+from day6_tui.core.interfaces import deserialize, get_service, serialize
+from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.gid import gid_of
+from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.topics import Report
+
+if TYPE_CHECKING:
+    import zenoh
+
+_FOREVER = 10 * 365 * 24 * 3600.0
+"""Seconds. A service may take as long as it likes (an action's result does), but Zenoh wants a limit."""
+_MOST_OPEN_QUESTIONS = 5000
+"""Of one server. The oldest go first: their clients never hear of them, as with a lost request."""
+
+
+class Services:
+    """Carries requests to remote servers and to local ones, and the responses back."""
+
+    def __init__(self, session: zenoh.Session, zid: str, report: Report) -> None:
+        self._session = session
+        self._zid = zid
+        self._report = report
+        self._lock = threading.Lock()
+        self._questions: dict[Service, dict[RequestId, zenoh.Query]] = {}
+        self._clients: dict[Client, tuple[bytes, zenoh.CancellationToken]] = {}
+
+    def serve(self, service: Service) -> Any:
+        """Take requests for a local server from now on; `undeclare()` of what is returned ends it."""
+        import zenoh
+
+        self._questions[service] = {}
+        return self._session.declare_queryable(
+            data_key(service),
+            zenoh.handlers.Callback(self._asked(service), indirect=False),
+            complete=True,
+            allowed_origin=zenoh.Locality.REMOTE,
+        )
+
+    def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
+        """Answer a question that came by Zenoh; another, or one answered before, is passed over."""
+        with self._lock:
+            query = self._questions.get(service, {}).pop(request_id, None)
+        if query is None:
+            return
+        attachment = pack(request_id.sequence_number, service.node.graph.now_ns(), request_id.client_gid)
+        with query:
+            query.reply(data_key(service), serialize(response), attachment=attachment)
+
+    def send_request(self, client: Client, request: Any, number: int) -> None:
+        """Ask all remote servers; their responses arrive at `client`."""
+        import zenoh
+
+        gid, cancellation = self._open_client(client)
+        self._session.get(
+            data_key(client),
+            zenoh.handlers.Callback(self._answered(client), indirect=False),
+            target=zenoh.QueryTarget.ALL_COMPLETE,
+            consolidation=zenoh.ConsolidationMode.NONE,
+            congestion_control=zenoh.CongestionControl.BLOCK,
+            timeout=_FOREVER,
+            payload=serialize(request),
+            attachment=pack(number, client.node.graph.now_ns(), gid),
+            allowed_destination=zenoh.Locality.REMOTE,
+            cancellation_token=cancellation,
+        )
+
+    def withdraw(self, endpoint: Service | Client) -> None:
+        """Forget a server with its open questions, or a client with its open requests."""
+        if isinstance(endpoint, Client):
+            with self._lock:
+                opened = self._clients.pop(endpoint, None)
+            if opened is not None:
+                opened[1].cancel()
+            return
+        with self._lock:
+            questions = self._questions.pop(endpoint, {})
+        for query in questions.values():
+            query.drop()
+
+    def _open_client(self, client: Client) -> tuple[bytes, zenoh.CancellationToken]:
+        import zenoh
+
+        with self._lock:
+            opened = self._clients.get(client)
+            if opened is None:
+                gid = gid_of(endpoint_token(client, self._zid))
+                opened = self._clients[client] = (gid, zenoh.CancellationToken())
+            return opened
+
+    def _asked(self, service: Service) -> Callable[[zenoh.Query], None]:
+        request_class: type | None = None
+
+        def receive(query: zenoh.Query) -> None:
+            # Runs on Zenoh's thread: nothing here may wait, and nothing may get out.
+            nonlocal request_class
+            try:
+                if query.attachment is None or query.payload is None:
+                    query.drop()
+                    return
+                number, _, gid = unpack(query.attachment.to_bytes())
+                if request_class is None:
+                    request_class = get_service(service.type_name).Request
+                request = deserialize(query.payload.to_bytes(), request_class)
+                request_id = RequestId(gid, number)
+                if self._remember(service, request_id, query):
+                    service.receive(request, request_id)
+            except Exception as error:
+                self._report(f"a request to {service.topic} was lost", error)
+
+        return receive
+
+    def _remember(self, service: Service, request_id: RequestId, query: zenoh.Query) -> bool:
+        """Keep a question until it is answered; say whether it is a new one."""
+        oldest = None
+        with self._lock:
+            questions = self._questions.get(service)
+            new = questions is not None and request_id not in questions
+            if questions is not None and new:
+                if len(questions) >= _MOST_OPEN_QUESTIONS:
+                    oldest = questions.pop(next(iter(questions)))
+                questions[request_id] = query
+        if oldest is not None:
+            oldest.drop()
+        if not new:
+            query.drop()
+        return new
+
+    def _answered(self, client: Client) -> Callable[[zenoh.Reply], None]:
+        def receive(reply: zenoh.Reply) -> None:
+            try:
+                sample = reply.ok
+                if sample is None or sample.attachment is None or client.destroyed:
+                    return
+                number, _, _ = unpack(sample.attachment.to_bytes())
+                response_class = get_service(client.type_name).Response
+                client.receive(deserialize(sample.payload.to_bytes(), response_class), number)
+            except Exception as error:
+                self._report(f"a response of {client.topic} was lost", error)
+
+        return receive

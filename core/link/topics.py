@@ -1,0 +1,122 @@
+"""Messages between a local endpoint and Zenoh."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import Publisher, Subscription
+from day6_tui.core.graph.qos import Durability, Reliability
+from day6_tui.core.interfaces import deserialize, get_message, serialize
+from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.gid import gid_of
+from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.remote import RemoteGraph
+
+if TYPE_CHECKING:
+    import zenoh
+
+Report = Callable[[str, Exception], None]
+
+
+class Topics:
+    """Carries the messages of local publishers out and those of remote publishers in."""
+
+    def __init__(self, session: zenoh.Session, zid: str, remote: RemoteGraph, report: Report) -> None:
+        self._session = session
+        self._zid = zid
+        self._remote = remote
+        self._report = report
+        self._lock = threading.Lock()
+        self._outlets: dict[Publisher, tuple[Any, bytes]] = {}
+
+    def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
+        """Send one message. The Zenoh publisher is declared with the first."""
+        outlet = self._outlets.get(publisher)
+        if outlet is None:
+            outlet = self._open_outlet(publisher)
+        put, gid = outlet
+        put(serialize(message), attachment=pack(number, source_timestamp, gid))
+
+    def subscribe(self, subscription: Subscription) -> Any:
+        """Receive for a local subscription from now on; `undeclare()` of what is returned ends it.
+
+        Each subscription has a Zenoh subscriber of its own: so each late joiner gets what publishers kept, and no
+        volatile one does.
+        """
+        import zenoh
+
+        handler = zenoh.handlers.Callback(self._receiver(subscription), indirect=False)
+        if subscription.qos.durability != Durability.TRANSIENT_LOCAL:
+            return self._session.declare_subscriber(
+                data_key(subscription), handler, allowed_origin=zenoh.Locality.REMOTE
+            )
+        from zenoh.ext import HistoryConfig, declare_advanced_subscriber
+
+        return declare_advanced_subscriber(
+            self._session,
+            data_key(subscription),
+            handler,
+            allowed_origin=zenoh.Locality.REMOTE,
+            history=HistoryConfig(detect_late_publishers=True, max_samples=subscription.qos.capacity),
+        )
+
+    def withdraw(self, publisher: Publisher) -> None:
+        """Forget a publisher that was destroyed."""
+        with self._lock:
+            outlet = self._outlets.pop(publisher, None)
+        if outlet is not None:
+            outlet[0].__self__.undeclare()
+
+    def _open_outlet(self, publisher: Publisher) -> tuple[Any, bytes]:
+        with self._lock:
+            outlet = self._outlets.get(publisher)
+            if outlet is None:
+                gid = gid_of(endpoint_token(publisher, self._zid))
+                outlet = self._outlets[publisher] = (self._declare(publisher).put, gid)
+            return outlet
+
+    def _declare(self, publisher: Publisher) -> Any:
+        import zenoh
+
+        reliable = publisher.qos.reliability == Reliability.RELIABLE
+        control = zenoh.CongestionControl.BLOCK if reliable else zenoh.CongestionControl.DROP
+        remote = zenoh.Locality.REMOTE
+        if publisher.cache is None:
+            return self._session.declare_publisher(
+                data_key(publisher), congestion_control=control, allowed_destination=remote
+            )
+        from zenoh.ext import CacheConfig, declare_advanced_publisher
+
+        return declare_advanced_publisher(
+            self._session,
+            data_key(publisher),
+            congestion_control=control,
+            allowed_destination=remote,
+            cache=CacheConfig(max_samples=publisher.qos.capacity),
+            publisher_detection=True,
+        )
+
+    def _receiver(self, subscription: Subscription) -> Callable[[zenoh.Sample], None]:
+        message_class: type | None = None
+
+        def receive(sample: zenoh.Sample) -> None:
+            # Runs on Zenoh's thread: nothing here may wait, and nothing may get out.
+            nonlocal message_class
+            try:
+                if subscription.destroyed or sample.attachment is None:
+                    return
+                number, source_timestamp, gid = unpack(sample.attachment.to_bytes())
+                publisher = self._remote.publisher_for(gid, subscription)
+                if publisher is None:
+                    return
+                if message_class is None:
+                    message_class = get_message(subscription.type_name)
+                message = deserialize(sample.payload.to_bytes(), message_class)
+                publisher.delivered += 1
+                subscription.receive((message, source_timestamp, number, publisher))
+            except Exception as error:
+                self._report(f"a message on {subscription.topic} was lost", error)
+
+        return receive

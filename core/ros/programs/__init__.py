@@ -1,0 +1,38 @@
+"""The executables of our packages: `programs/<package>/<executable>.py` with `async def main(session)`.
+
+Finding them needs no import of theirs. Modules of a package that are no executables (a program's model) define no such `main`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Main
+
+_HERE = Path(__file__).resolve().parent
+_MAIN = re.compile(r"^async def main\(", re.MULTILINE)
+
+
+def packages() -> list[str]:
+    """The packages that have executables here, sorted."""
+    return sorted(folder.name for folder in _HERE.iterdir() if executables(folder.name))
+
+
+def executables(package: str) -> list[str]:
+    """The executables of a package, sorted; empty for a package that is not ours."""
+    folder = _HERE / package
+    if not package.isidentifier() or not folder.is_dir():
+        return []
+    return sorted(file.stem for file in folder.glob("[!_]*.py") if _MAIN.search(file.read_text(encoding="utf-8")))
+
+
+def load(package: str, executable: str) -> Main:
+    """Return the `main` of an executable. Raises LookupError when there is no such package or executable."""
+    if executable not in executables(package):
+        raise LookupError(f"{package}/{executable}")
+    main: Main = importlib.import_module(f"{__name__}.{package}.{executable}").main
+    return main

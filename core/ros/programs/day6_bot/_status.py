@@ -1,0 +1,120 @@
+"""The plain words beside the car, what is missing or odd: (id, parameters) for the catalogue, and the English text."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass
+
+TEXTS = {
+    "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
+    "car.loading": "reading the robot description",
+    "car.bad_description": "the robot description is broken: {text}",
+    "car.no_wheels": "this robot has no wheels: nothing that turns about a level axis",
+    "car.no_joint_states": "nobody publishes /joint_states: the wheels do not turn",
+    "car.wrong_type": "/joint_states has type {type}, sensor_msgs/msg/JointState is needed",
+    "car.unknown_joint": "joint {joint} is not in the URDF",
+    "car.unknown_joint_near": "joint {joint} is not in the URDF; did you mean {nearest}?",
+    "car.no_transform": "no transform from {link} to {frame}",
+    "car.no_transform_more": "no transform from {count} more links to {frame}",
+    "car.many_publishers": "{count} publishers on /joint_states: {nodes}",
+    "car.slow": "/joint_states comes only {rate} times a second: the eye needs about 20",
+    "car.silent": "nothing on /joint_states for {seconds} s",
+}
+"""English texts by id. Topic, type, joint and frame names stand in the parameters as they are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """One line; `level` is 'info', 'warning' or 'error'."""
+
+    level: str
+    id: str
+    parameters: tuple[tuple[str, object], ...] = ()
+
+    @property
+    def text(self) -> str:
+        return TEXTS[self.id].format(**dict(self.parameters))
+
+
+def status(level: str, key: str, **parameters: object) -> Status:
+    return Status(level, key, tuple(parameters.items()))
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """What is known when the lines are written. `publishers` are node names and types of /joint_states."""
+
+    described: bool
+    loading: bool
+    problem: str
+    joints: frozenset[str]
+    wheels: int
+    missing: tuple[str, ...]
+    root: str
+    publishers: tuple[tuple[str, str], ...]
+    heard_joints: tuple[str, ...]
+    rate: float | None
+    silent_s: float | None
+
+
+JOINT_STATE = "sensor_msgs/msg/JointState"
+SLOW_HZ = 10.0
+SILENT_S = 1.5
+NAMED_LINKS = 4
+
+
+def status_lines(facts: Facts) -> tuple[Status, ...]:
+    """Return the lines, the cause before its effects."""
+    if facts.problem:
+        return (status("error", "car.bad_description", text=facts.problem),)
+    if facts.loading:
+        return (status("info", "car.loading"),)
+    if not facts.described:
+        return (status("warning", "car.waiting_for_description"),)
+    lines = [] if facts.wheels else [status("warning", "car.no_wheels")]
+    lines += _publisher_lines(facts)
+    for joint in facts.heard_joints:
+        if joint not in facts.joints:
+            lines.append(_unknown_joint(joint, facts.joints))
+    return (*lines, *_transform_lines(facts))
+
+
+def _transform_lines(facts: Facts) -> list[Status]:
+    named, more = facts.missing[:NAMED_LINKS], len(facts.missing) - NAMED_LINKS
+    lines = [status("error", "car.no_transform", link=link, frame=facts.root) for link in named]
+    if more > 0:
+        lines.append(status("error", "car.no_transform_more", count=more, frame=facts.root))
+    return lines
+
+
+def _publisher_lines(facts: Facts) -> list[Status]:
+    lines = []
+    for kind in sorted({kind for _, kind in facts.publishers if kind != JOINT_STATE}):
+        lines.append(status("error", "car.wrong_type", type=kind))
+    nodes = [node for node, kind in facts.publishers if kind == JOINT_STATE]
+    if not facts.publishers:
+        lines.append(status("warning", "car.no_joint_states"))
+    elif len(nodes) > 1:
+        lines.append(status("warning", "car.many_publishers", count=len(nodes), nodes=", ".join(sorted(nodes))))
+    if nodes and facts.silent_s is not None and facts.silent_s >= SILENT_S:
+        lines.append(status("warning", "car.silent", seconds=int(facts.silent_s)))
+    elif nodes and facts.rate is not None and facts.rate < SLOW_HZ:
+        lines.append(status("warning", "car.slow", rate=f"{facts.rate:.1f}"))
+    return lines
+
+
+def _unknown_joint(joint: str, joints: frozenset[str]) -> Status:
+    near = nearest_name(joint, sorted(joints))
+    if near is None:
+        return status("error", "car.unknown_joint", joint=joint)
+    return status("error", "car.unknown_joint_near", joint=joint, nearest=near)
+
+
+def nearest_name(name: str, candidates: list[str]) -> str | None:
+    """Return the candidate a person most likely meant: the same words in another order, else the most alike."""
+    words = sorted(name.split("_"))
+    for candidate in candidates:
+        if sorted(candidate.split("_")) == words:
+            return candidate
+    alike = difflib.get_close_matches(name, candidates, 1, 0.7)
+    return alike[0] if alike else None

@@ -1,0 +1,83 @@
+"""car_view: shows the robot of /robot_description from above, turning as /tf says; as text where there is no screen.
+
+The parameter `tf_prefix` is what robot_state_publisher's `frame_prefix` puts before every frame.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs.day6_bot._model import CarModel
+from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.threads import in_thread
+from day6_tui.urdf.load import RobotError, load_robot
+from day6_tui.urdf.topview import render_top
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from day6_tui.urdf.model import Robot
+
+REFRESH_SECONDS = 0.5
+"""How often to look at who publishes /joint_states; the picture itself follows every message."""
+
+SETTLE_SECONDS = 2.0
+"""Without a screen: how long to wait for a robot that is whole before it is printed as it is."""
+
+
+async def main(session: Session) -> int:
+    """Follow the robot until interrupted; without a display print it once, status 1 if there is none."""
+    node = session.create_node("car_view")
+    model = CarModel(node)
+    session.spawn(_read_descriptions(session, model))
+    if session.display is None:
+        session.spawn(session.spin(node))
+        return await _print(session, model)
+    session.display.open("car", "car_view", model)
+    session.spawn(_refresh(session, model))
+    await session.spin(node)
+    return 0
+
+
+async def _read_descriptions(session: Session, model: CarModel) -> None:
+    """Read every description that comes, in a thread: the first one loads yourdfpy."""
+    arrived = Signal()
+    model.on_description = arrived.set
+    while True:
+        await session.wait(arrived)
+        arrived.clear()
+        text = model.waiting_description
+        if text is not None:
+            robot, problem = await in_thread(lambda text=text: _read(text))  # type: ignore[misc]
+            if not arrived.is_set():
+                model.show(robot, problem)
+
+
+def _read(text: str) -> tuple[Robot | None, str]:
+    try:
+        robot = load_robot(text)
+    except RobotError as error:
+        return None, str(error)
+    loop = robot.loop
+    return (None, f"the links form a loop: {' -> '.join(loop)}") if loop else (robot, "")
+
+
+async def _refresh(session: Session, model: CarModel) -> None:
+    async for _ in session.every(REFRESH_SECONDS):
+        model.refresh()
+
+
+async def _print(session: Session, model: CarModel) -> int:
+    async for step in session.every(0.1):
+        model.refresh()
+        moment = model.snapshot()
+        whole = moment.robot is not None and len(moment.transforms) == len(moment.robot.links)
+        if (whole and moment.rate is not None) or step * 0.1 >= SETTLE_SECONDS:
+            break
+    moment = model.snapshot()
+    if moment.robot is not None:
+        columns = max(min(session.stdout.columns, 80), 20)
+        for row in render_top(moment.robot, moment.transforms, columns, columns * 3 // 10, labels=moment.labels()):
+            session.print("".join(text for text, _ in row).rstrip())
+    for line in moment.status:
+        session.print(line.text)
+    return 0 if moment.robot is not None else 1

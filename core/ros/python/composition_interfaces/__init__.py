@@ -1,0 +1,1 @@
+"""The ROS package composition_interfaces; its interface texts are in core/ros/share/composition_interfaces."""

@@ -1,0 +1,44 @@
+"""Questions about a program's callbacks, answered without importing `inspect` for plain functions and methods."""
+
+from __future__ import annotations
+
+from types import FunctionType, MethodType
+from typing import Any
+
+_CO_VARARGS = 0x04
+_CO_COROUTINE = 0x80
+
+
+def is_coroutine_function(function: Any) -> bool:
+    """Say what `inspect.iscoroutinefunction` says."""
+    plain = function.__func__ if isinstance(function, MethodType) else function
+    if isinstance(plain, FunctionType):
+        return bool(plain.__code__.co_flags & _CO_COROUTINE)
+    import inspect
+
+    return inspect.iscoroutinefunction(function)
+
+
+def accepts(function: Any, arguments: int) -> bool:
+    """Say whether a function can be called with that many positional arguments.
+
+    Raises ValueError for built-in functions that do not tell, as `inspect.signature` does.
+    """
+    bound = isinstance(function, MethodType)
+    plain = function.__func__ if bound else function
+    if isinstance(plain, FunctionType) and not hasattr(plain, "__wrapped__"):
+        code = plain.__code__
+        given = arguments + bound
+        if given > code.co_argcount and not code.co_flags & _CO_VARARGS:
+            return False
+        if given < code.co_argcount - len(plain.__defaults__ or ()):
+            return False
+        required = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
+        return set(required) <= set(plain.__kwdefaults__ or ())
+    import inspect
+
+    try:
+        inspect.signature(function).bind(*[None] * arguments)
+    except TypeError:
+        return False
+    return True

@@ -1,0 +1,100 @@
+"""What executors run: entities of nodes, and the scope that says to which executor a node belongs just now.
+
+An entity that has something to do announces itself once (`_notify`, from any thread); it goes into its executor's inbox, or
+waits in its scope while the node has no executor. Whether there really is something to do is seen only when it is processed,
+so an announcement too many does no harm and none is lost.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from itertools import count
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+
+# The order in which real rclpy's executor runs what is ready at the same time: first waitables of all nodes, then node by node.
+WAITABLE = 0
+TIMER = 1
+SUBSCRIPTION = 2
+GUARD = 3
+CLIENT = 4
+SERVICE = 5
+
+NOTHING: Any = object()
+"""What `_process` returns when there was nothing to do after all."""
+
+_numbers = count()
+
+
+class Scope:
+    """One node as executors see it; all its entities share it, so that moving a node is one assignment."""
+
+    __slots__ = ("executor", "number", "stash")
+
+    def __init__(self) -> None:
+        self.executor: Executor | None = None
+        self.stash: deque[Entity] = deque()
+        self.number = next(_numbers)
+
+    def put_aside(self, entity: Entity) -> None:
+        """Keep an entity until the node gets an executor."""
+        self.stash.append(entity)
+        if self.executor is not None:
+            self.hand_over()
+
+    def hand_over(self) -> None:
+        """Move what was kept to the executor."""
+        executor = self.executor
+        while executor is not None and self.stash:
+            try:
+                entity = self.stash.popleft()
+            except IndexError:
+                return
+            executor._enqueue(entity)
+
+
+class Entity:
+    """Base of everything an executor runs."""
+
+    _kind: ClassVar[int] = WAITABLE
+    _scope: Scope | None = None
+    _queued = False
+    """True while it lies in an inbox, a round, a stash or waits for its callback group."""
+    _order: tuple[int, int, int, int] = (0, 0, 0, 0)
+    callback_group: CallbackGroup | None
+
+    def _enter(self, scope: Scope) -> None:
+        """Become an entity of the node whose scope that is."""
+        kind = self._kind
+        self._order = (kind != WAITABLE, scope.number, kind, next(_numbers))
+        self._scope = scope
+        if self._pending():
+            self._notify()
+
+    def _notify(self, _endpoint: object = None) -> None:
+        """Say that there is something to do."""
+        scope = self._scope
+        if scope is not None and not self._queued:
+            self._queued = True
+            executor = scope.executor
+            if executor is None:
+                scope.put_aside(self)
+                return
+            executor._inbox.append(self)
+            hook = executor._hook
+            if hook is not None:
+                hook()
+
+    def _pending(self) -> bool:
+        """Say whether there is something to do."""
+        return False
+
+    def _process(self) -> Any:
+        """Do one piece of work: take what came, run the callback.
+
+        Returns NOTHING if there was nothing to do, a coroutine that remains to be awaited, or None.
+        """
+        raise NotImplementedError

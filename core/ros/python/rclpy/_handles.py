@@ -1,0 +1,142 @@
+"""Handles: what `node.handle`, `publisher.handle` … return. They know the graph's object and whether it may still be used."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph import Endpoint, names
+from day6_tui.core.graph import Node as GraphNode
+from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph.names import RemapRule
+    from rclpy._entity import Scope
+    from rclpy.context import Context
+    from rclpy.impl.rcutils_logger import RcutilsLogger
+
+INVALID_NODE = "rcl node's context is invalid, at /project/src/rcl/node.c:401"
+_INVALID_PUBLISHER = "publisher's context is invalid, at /project/src/rcl/publisher.c:427"
+
+
+class NodeHandle(Destroyable):
+    """A node in the graph, with what its endpoints need of it."""
+
+    def __init__(
+        self, context: Context, node: GraphNode, rules: list[RemapRule], logger: RcutilsLogger, scope: Scope
+    ) -> None:
+        super().__init__()
+        self.context = context
+        self.node = node
+        self.name = node.name
+        self.namespace = node.namespace
+        self.rules = rules
+        self.logger = logger
+        self.scope = scope
+
+    def __repr__(self) -> str:
+        # Part of the texts for arguments of a wrong type.
+        return f"<rclpy._rclpy_pybind11.Node object at {id(self):#x}>"
+
+    def check(self) -> None:
+        """Raise InvalidHandle for a destroyed node."""
+        if self._destroyed:
+            raise InvalidHandle(DESTROYED)
+
+    def check_valid(self, what: str) -> None:
+        """Raise InvalidHandle for a destroyed node, RCLError (`what` first) if its context was shut down."""
+        if self._destroyed:
+            raise InvalidHandle(DESTROYED)
+        if not self.context._valid:
+            raise RCLError(f"{what}: {INVALID_NODE}")
+
+    def get_node_name(self) -> str:
+        """Return the node's name."""
+        return self.name
+
+    def get_namespace(self) -> str:
+        """Return the node's namespace."""
+        return self.namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+        return names.full_name(self.namespace, self.name)
+
+    def logger_name(self) -> str:
+        """Return the name of the node's logger."""
+        return self.logger.name
+
+    def claim_topic(self, topic: str, type_name: str, what: str, place: str) -> None:
+        """Note that the context uses a topic with a type; RCLError if it does so with another type already.
+
+        Fast DDS has one type per topic and participant, and the participant is the context's.
+        """
+        known = self.context._topic_types.get(topic)
+        if known is None:
+            self.context._topic_types[topic] = [type_name, 1]
+            return
+        if known[0] != type_name:
+            package, kind, name = type_name.split("/")
+            raise RCLError(
+                f"Failed to create {what}: create_{what}() called for existing topic name rt{topic} with incompatible "
+                f"type {package}::{kind}::dds_::{name}_, at {place}"
+            )
+        known[1] += 1
+
+    def release_topic(self, topic: str) -> None:
+        """Take back what `claim_topic` noted."""
+        known = self.context._topic_types.get(topic)
+        if known is not None:
+            known[1] -= 1
+            if known[1] <= 0:
+                del self.context._topic_types[topic]
+
+    def destroy_when_not_in_use(self) -> None:
+        """Take the node out of the graph."""
+        if not self._destroyed:
+            self._destroyed = True
+            self.node.destroy()
+
+
+class EndpointHandle(Destroyable):
+    """A publisher, subscription, service or client in the graph."""
+
+    def __init__(self, node: NodeHandle, endpoint: Any, *, is_topic: bool) -> None:
+        super().__init__()
+        self._node = node
+        self._endpoint: Any = endpoint
+        self._is_topic = is_topic
+
+    def get_logger(self) -> RcutilsLogger:
+        """Return the logger of the endpoint's node."""
+        return self._node.logger
+
+    def get_logger_name(self) -> str:
+        """Return the name of the logger of the endpoint's node."""
+        return self._node.logger.name
+
+    def check(self) -> None:
+        """Raise InvalidHandle for a destroyed endpoint."""
+        if self._destroyed:
+            raise InvalidHandle(DESTROYED)
+
+    def check_publisher(self, what: str) -> None:
+        """Raise InvalidHandle for a destroyed publisher, RCLError (`what` first) if its context was shut down."""
+        if self._destroyed:
+            raise InvalidHandle(DESTROYED)
+        if not self._node.context._valid:
+            raise RCLError(f"{what}: {_INVALID_PUBLISHER}")
+
+    def get_topic_name(self) -> str:
+        """Return the full name of the topic."""
+        endpoint: Endpoint = self._endpoint
+        return endpoint.topic
+
+    service_name = name = property(get_topic_name)
+
+    def destroy_when_not_in_use(self) -> None:
+        """Take the endpoint out of the graph."""
+        if not self._destroyed:
+            self._destroyed = True
+            self._endpoint.destroy()
+            if self._is_topic:
+                self._node.release_topic(self._endpoint.topic)

@@ -1,0 +1,121 @@
+"""Where log messages go and which of them: levels, console format, colours, /rosout (rcutils/logging.c, rcl/logging_rosout.c).
+
+A process has one set of settings, as real ROS has; a program inside day6-tui has its own.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from rclpy._time_source import MACHINE_TIME, TimeSource
+
+if TYPE_CHECKING:
+    from rclpy._rosout import RosoutPublisher
+
+NAMES = {0: "UNSET", 10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
+INFO = 20
+DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
+_RESET = "\033[0m"
+_COLOURS = {10: "\033[32m", 20: _RESET, 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
+
+
+class LoggingSettings:
+    """Levels and outputs. `write` takes whole lines; None is stderr (stdout with RCUTILS_LOGGING_USE_STDOUT=1)."""
+
+    def __init__(self, time_source: TimeSource = MACHINE_TIME, env: Mapping[str, str] | None = None) -> None:
+        self.time = time_source
+        self.write: Callable[[str], Any] | None = None
+        self.to_console = True
+        self.to_rosout = True
+        self.levels: dict[str, int] = {}
+        self.default_level = INFO
+        self.publishers: dict[str, RosoutPublisher] = {}
+        """logger name -> the /rosout publisher its messages go out by"""
+        self._effective: dict[str, int] = {}
+        self._env = os.environ if env is None else env
+        self._format: str | None = None
+
+    # levels
+
+    def set_level(self, name: str, level: int) -> None:
+        """Set the level of a logger; '' is the default of all."""
+        if name:
+            self.levels[name] = level
+        else:
+            self.default_level = level or INFO
+        self._effective.clear()
+
+    def level(self, name: str) -> int:
+        """Return the level set for exactly that logger, 0 if none is."""
+        return self.levels.get(name, 0) if name else self.default_level
+
+    def effective_level(self, name: str) -> int:
+        """Return the level that counts for a logger: its own, else that of the nearest parent, else the default."""
+        level = self._effective.get(name)
+        if level is None:
+            level = self._effective[name] = self._find_level(name)
+        return level
+
+    def _find_level(self, name: str) -> int:
+        while name:
+            level = self.levels.get(name, 0)
+            if level:
+                return level
+            name = name.rpartition(".")[0]
+        return self.default_level
+
+    def reset(self) -> None:
+        """Forget all levels."""
+        self.levels.clear()
+        self._effective.clear()
+        self.default_level = INFO
+        self._format = None
+
+    # output
+
+    def emit(self, severity: int, name: str, message: str, function: str, file: str, line: int) -> None:
+        """Write one message to the console and hand it to /rosout; the level has been looked at."""
+        stamp = self.time.now_ns()
+        if self.to_console:
+            self._print(severity, name, message, function, file, line, stamp)
+        if self.to_rosout:
+            publisher = self.publishers.get(name)
+            if publisher is not None:
+                publisher.log(stamp, severity, name, message, file, function, line)
+
+    def _print(
+        self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int
+    ) -> None:
+        form = self._format
+        if form is None:
+            form = self._format = self._env.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT
+        if form is DEFAULT_FORMAT:
+            seconds, rest = divmod(stamp, 1_000_000_000)
+            text = f"[{NAMES[severity]}] [{seconds}.{rest:09}] [{name}]: {message}"
+        else:
+            from rclpy._console_format import expand
+
+            text = expand(form, severity, name, message, function, file, line, stamp)
+        write, stream = self.write, None
+        if write is None:
+            stream = sys.stdout if self._env.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
+            if stream is None:
+                return
+            write = stream.write
+        if self._colours(stream if stream is not None else getattr(write, "__self__", None)):
+            text = f"{_COLOURS[severity]}{text}{_RESET}"
+        write(f"{text}\n")
+
+    def _colours(self, stream: Any) -> bool:
+        wish = self._env.get("RCUTILS_COLORIZED_OUTPUT")
+        if wish in ("0", "1"):
+            return wish == "1"
+        isatty = getattr(stream, "isatty", None)
+        return isatty is not None and isatty()
+
+
+PROCESS = LoggingSettings()
+"""The settings of this process."""

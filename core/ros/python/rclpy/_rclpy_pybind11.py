@@ -1,0 +1,179 @@
+"""What programs expect from rclpy's C++ half: its exceptions, enumerations and a few constants.
+
+In real ROS this module is compiled; here the graph (`day6_tui.core.graph`) does its work. Exceptions keep their module name,
+because it is part of every traceback a student sees.
+"""
+
+from __future__ import annotations
+
+import builtins
+from enum import Enum
+
+RCL_DEFAULT_DOMAIN_ID = 18446744073709551615
+RMW_DURATION_INFINITE = 9223372036854775807
+RMW_QOS_DEADLINE_BEST_AVAILABLE = 9223372036854775806
+RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = 9223372036854775806
+
+DESTROYED = "cannot use Destroyable because destruction was requested"
+
+
+class RCLError(RuntimeError):
+    """An error reported by rcl."""
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """The ROS arguments could not be parsed."""
+
+
+class UnknownROSArgsError(RuntimeError):
+    """Something between `--ros-args` and `--` is no ROS argument."""
+
+
+class NodeNameNonExistentError(RCLError):
+    """A graph query named a node that does not exist."""
+
+
+class UnsupportedEventTypeError(RCLError):
+    """The middleware has no event of that type."""
+
+
+class TimerCancelledError(RCLError):
+    """A cancelled timer was called."""
+
+
+class NotImplementedError(RCLError, builtins.NotImplementedError):  # type: ignore[misc] # noqa: A001
+    """The middleware does not offer this."""
+
+
+class RCUtilsError(RuntimeError):
+    """An error reported by rcutils."""
+
+
+class RMWError(RuntimeError):
+    """An error reported by the middleware."""
+
+
+class InvalidHandle(RuntimeError):
+    """An entity was used after it had been destroyed."""
+
+
+class _NumberedEnum(Enum):
+    """An enumeration as pybind11 makes them: members are no integers, but can be turned into one."""
+
+    def __int__(self) -> int:
+        return int(self.value)
+
+    def __index__(self) -> int:
+        return int(self.value)
+
+
+class ClockType(_NumberedEnum):
+    """rcl_clock_type_t."""
+
+    UNINITIALIZED = 0
+    ROS_TIME = 1
+    SYSTEM_TIME = 2
+    STEADY_TIME = 3
+
+
+class ClockChange(_NumberedEnum):
+    """rcl_clock_change_t: what a time jump did to the source of a ROS clock."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+
+class GoalEvent(_NumberedEnum):
+    """rcl_action_goal_event_t."""
+
+    EXECUTE = 0
+    CANCEL_GOAL = 1
+    SUCCEED = 2
+    ABORT = 3
+    CANCELED = 4
+
+
+class SignalHandlerOptions(_NumberedEnum):
+    """Which signals rclpy handles."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+class QoSCompatibility(_NumberedEnum):
+    """rmw_qos_compatibility_type_t."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
+
+
+class ServiceIntrospectionState(_NumberedEnum):
+    """rcl_service_introspection_state_t."""
+
+    OFF = 0
+    METADATA = 1
+    CONTENTS = 2
+
+
+class rmw_qos_policy_kind_t(_NumberedEnum):
+    """The QoS policy an incompatible-QoS event names."""
+
+    RMW_QOS_POLICY_INVALID = 1
+    RMW_QOS_POLICY_DURABILITY = 2
+    RMW_QOS_POLICY_DEADLINE = 4
+    RMW_QOS_POLICY_LIVELINESS = 8
+    RMW_QOS_POLICY_RELIABILITY = 16
+    RMW_QOS_POLICY_HISTORY = 32
+    RMW_QOS_POLICY_LIFESPAN = 64
+    RMW_QOS_POLICY_DEPTH = 128
+    RMW_QOS_POLICY_LIVELINESS_LEASE_DURATION = 256
+    RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS = 512
+
+
+class rcl_publisher_event_type_t(_NumberedEnum):
+    """Events a publisher can raise."""
+
+    RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
+    RCL_PUBLISHER_LIVELINESS_LOST = 1
+    RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 2
+    RCL_PUBLISHER_INCOMPATIBLE_TYPE = 3
+    RCL_PUBLISHER_MATCHED = 4
+
+
+class rcl_subscription_event_type_t(_NumberedEnum):
+    """Events a subscription can raise."""
+
+    RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
+    RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
+    RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2
+    RCL_SUBSCRIPTION_MESSAGE_LOST = 3
+    RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
+    RCL_SUBSCRIPTION_MATCHED = 5
+
+
+class Destroyable:
+    """A handle: usable until destruction was asked for; entering a destroyed one raises InvalidHandle."""
+
+    def __init__(self) -> None:
+        self._destroyed = False
+
+    @property
+    def pointer(self) -> int:
+        """A number that is this handle's alone while it lives."""
+        return id(self)
+
+    def __enter__(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle(DESTROYED)
+
+    def __exit__(self, exc_type: object, exc_value: object, traceback: object) -> None:
+        pass
+
+    def destroy_when_not_in_use(self) -> None:
+        """Make every later use raise InvalidHandle."""
+        self._destroyed = True

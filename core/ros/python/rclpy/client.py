@@ -1,0 +1,193 @@
+"""Service clients."""
+
+from __future__ import annotations
+
+import threading
+import time
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from rclpy._entity import CLIENT, NOTHING, Entity
+from rclpy._handles import INVALID_NODE
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.qos import QoSProfile
+from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from rclpy._handles import EndpointHandle
+    from rclpy._introspection import Introspection
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+    from rclpy.context import Context
+
+SrvRequestT = TypeVar("SrvRequestT")
+SrvResponseT = TypeVar("SrvResponseT")
+SrvType = TypeVar("SrvType")
+SrvTypeRequest = TypeVar("SrvTypeRequest")
+SrvTypeResponse = TypeVar("SrvTypeResponse")
+
+
+class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
+    """Asks a service; made by `Node.create_client`."""
+
+    _kind = CLIENT
+
+    def __init__(
+        self,
+        context: Context,
+        client_impl: EndpointHandle,
+        srv_type: Any,
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+    ) -> None:
+        self.context = context
+        self._handle = client_impl
+        self._endpoint = client_impl._endpoint
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.qos_profile = qos_profile
+        self._pending_requests: dict[int, Future[Any]] = {}
+        self.callback_group = callback_group
+        self._executor_event = False
+        self._lock = threading.Lock()
+        self._introspection: Introspection | None = None
+        self._endpoint.on_ready = self._notify
+
+    def _pending(self) -> bool:
+        return bool(self._endpoint.queue)
+
+    def _process(self) -> Any:
+        self._queued = False
+        taken = self._endpoint.take()
+        if taken is None or self._handle._destroyed:
+            return NOTHING
+        if self._endpoint.queue:
+            self._notify()
+        response, number = taken
+        if self._introspection is not None:
+            self._introspection.response_received(response, number)
+        with self._lock:
+            future = self._pending_requests.pop(number, None)
+        if future is not None:
+            scope = self._scope
+            future._set_executor(None if scope is None else scope.executor)
+            future.set_result(response)
+        return None
+
+    def call(self, request: SrvRequestT, timeout_sec: float | None = None) -> Any:
+        """Ask and block until the answer is there; another thread has to spin the node.
+
+        TypeError for what is no request of the service's type, TimeoutError after `timeout_sec` seconds.
+        """
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError
+        answered = threading.Event()
+        future = self.call_async(request)
+        future._watch(answered.set)
+        if not answered.wait(timeout_sec):
+            self.remove_pending_request(future)
+            raise TimeoutError
+        return future.result()
+
+    def call_async(self, request: SrvRequestT) -> Future[Any]:
+        """Ask and return the future of the answer. TypeError for what is no request of the service's type."""
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError
+        self._handle.check()
+        future: Future[Any] = Future()
+        with self._lock:
+            number = self._endpoint.send_request(request)
+            self._pending_requests[number] = future
+        if self._introspection is not None:
+            self._introspection.request_sent(request, number)
+        return future
+
+    def get_pending_request(self, sequence_number: int) -> Future[Any]:
+        """Return the future of a request; KeyError if it is not pending."""
+        with self._lock:
+            return self._pending_requests[sequence_number]
+
+    def remove_pending_request(self, future: Future[Any]) -> None:
+        """Wait no longer for the answer of that future."""
+        with self._lock:
+            for number, pending in self._pending_requests.items():
+                if pending is future:
+                    del self._pending_requests[number]
+                    return
+
+    def service_is_ready(self) -> bool:
+        """Say whether somebody serves the service."""
+        self._handle.check()
+        if not self.context._valid:
+            raise RCLError(f"failed to check service availability: {INVALID_NODE}")
+        ready: bool = self._endpoint.service_is_ready()
+        return ready
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Block until somebody serves the service, or `timeout_sec` is over; says whether somebody does."""
+        if not self.service_is_ready():
+            self._wait_for_match(timeout_sec)
+        return self.service_is_ready()
+
+    def _wait_for_match(self, timeout_sec: float | None) -> None:
+        changed = threading.Event()
+        graph = self._endpoint.node.graph
+        remove = graph.add_listener(lambda _event: changed.set())
+        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        try:
+            while self.context._valid and not self._endpoint.service_is_ready():
+                left = None if end is None else end - time.monotonic()
+                if left is not None and left <= 0:
+                    return
+                # Somebody may shut the context down, which is no change of the graph.
+                changed.wait(0.1 if left is None else min(left, 0.1))
+                changed.clear()
+        finally:
+            remove()
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish requests and responses on `<service>/_service_event`: not at all, metadata only, or with contents."""
+        from rclpy._introspection import Introspection
+
+        self._handle.check()
+        self._introspection = Introspection.configured(
+            self._introspection, self._handle, self.srv_type, clock, service_event_qos_profile, introspection_state
+        )
+
+    @property
+    def handle(self) -> EndpointHandle:
+        """The handle."""
+        return self._handle
+
+    @property
+    def service_name(self) -> str:
+        """The full name of the service."""
+        self._handle.check()
+        return self._handle.get_topic_name()
+
+    @property
+    def logger_name(self) -> str:
+        """The name of the logger of the client's node."""
+        self._handle.check()
+        return self._handle.get_logger_name()
+
+    def destroy(self) -> None:
+        """Take the client out of the graph; prefer `Node.destroy_client`."""
+        if self._introspection is not None:
+            self._introspection.destroy()
+        self._handle.destroy_when_not_in_use()
+
+    def __enter__(self) -> Client[SrvRequestT, SrvResponseT]:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()

@@ -1,0 +1,282 @@
+"""Contexts: what lies between init() and shutdown()."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import sys
+import threading
+import warnings
+import weakref
+from collections.abc import Callable, Mapping
+from inspect import ismethod
+from types import MethodType, TracebackType
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph import Graph, graph_for_domain
+from rclpy._logging_settings import PROCESS, LoggingSettings
+from rclpy._rclpy_pybind11 import Destroyable, RCLError
+from rclpy._time_source import MACHINE_TIME, TimeSource
+
+if TYPE_CHECKING:
+    from rclpy._arguments import RosArguments
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+
+_Callback = Callable[[], None]
+
+_living: weakref.WeakSet[Context]
+_linked: list[Graph] = []
+
+
+class _ContextHandle(Destroyable):
+    """What `Context.handle` returns once the context was initialised."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__()
+        self._context = weakref.ref(context)
+
+    def ok(self) -> bool:
+        """Say whether the context was not shut down."""
+        context = self._context()
+        return context is not None and context.ok()
+
+    def get_domain_id(self) -> int:
+        """Return the domain the context's nodes live in."""
+        context = self._context()
+        return 0 if context is None else context.get_domain_id()
+
+
+class Context:
+    """One initialisation of ROS: arguments, domain, and the nodes made with it.
+
+    A context is initialised once and shut down once. Unlike a real one it needs no middleware: its nodes live in the graph
+    of its domain in this process, joined to other processes by the link.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self._callbacks: list[weakref.WeakMethod[MethodType] | _Callback] = []
+        self._handle: _ContextHandle | None = None
+        self._valid = False
+        self._nodes: list[weakref.ReferenceType[Node]] = []
+        self._executors: weakref.WeakSet[Executor] = weakref.WeakSet()
+        self._graph: Graph | None = None
+        self._domain_id = 0
+        self._arguments: RosArguments | None = None
+        self._topic_types: dict[str, list[Any]] = {}
+        """topic -> [type name, number of endpoints] of this context: one participant has one type per topic"""
+        self._time: TimeSource = MACHINE_TIME
+        self._logging: LoggingSettings = PROCESS
+        self._uses_link = True
+
+    @classmethod
+    def _for_session(
+        cls,
+        graph: Graph,
+        time_source: TimeSource,
+        args: list[str] | None = None,
+        env: Mapping[str, str] | None = None,
+    ) -> Context:
+        """Return an initialised context on `graph` whose clocks read `time_source`; it has no link and touches no signal.
+
+        `args` are its global arguments (default: none), `env` the environment its logging looks at (default: this
+        process's). Its log levels and its logging output are its own.
+        """
+        context = cls()
+        context._graph = graph
+        context._time = time_source
+        context._uses_link = False
+        context._logging = LoggingSettings(time_source, env)
+        context.init(args if args is not None else [], domain_id=graph.domain_id)
+        return context
+
+    @property
+    def _log_write(self) -> Callable[[str], Any] | None:
+        """Where log lines of this context's nodes go; None is stderr."""
+        return self._logging.write
+
+    @_log_write.setter
+    def _log_write(self, write: Callable[[str], Any] | None) -> None:
+        self._logging.write = write
+
+    @property
+    def handle(self) -> _ContextHandle | None:
+        """The handle of an initialised context, None before init()."""
+        return self._handle
+
+    def destroy(self) -> None:
+        """Give the handle up."""
+        if self._handle is not None:
+            self._handle.destroy_when_not_in_use()
+
+    def init(
+        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
+    ) -> None:
+        """Initialise the context.
+
+        `args` are command line arguments, by default `sys.argv`; `domain_id` by default that of ROS_DOMAIN_ID, else 0.
+        Raises RuntimeError for a second call or a negative domain, RCLError and UnknownROSArgsError for bad arguments.
+        """
+        from rclpy._arguments import parse_global_arguments
+
+        with self._lock:
+            if domain_id is not None and domain_id < 0:
+                raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+            if self._handle is not None:
+                raise RuntimeError("Context.init() must only be called once")
+            self._arguments = parse_global_arguments(sys.argv if args is None else args)
+            self._domain_id = _domain_from_environment() if domain_id is None else domain_id
+            if self._graph is None:
+                self._graph = graph_for_domain(self._domain_id)
+            self._handle = _ContextHandle(self)
+            self._valid = True
+            if initialize_logging:
+                self._arguments.apply_levels(self._logging)
+            _living.add(self)
+
+    def track_node(self, node: Node) -> None:
+        """Remember a node, to destroy it at shutdown."""
+        with self._lock:
+            self._nodes.append(weakref.ref(node))
+
+    def untrack_node(self, node: Node) -> None:
+        """Forget a node that was destroyed."""
+        with self._lock:
+            for index, reference in enumerate(self._nodes):
+                if reference() is node:
+                    del self._nodes[index]
+                    return
+
+    def ok(self) -> bool:
+        """Say whether the context is initialised and not shut down."""
+        return self._valid
+
+    def _invalidate(self) -> None:
+        """Make the context invalid without destroying its nodes: what a signal does."""
+        self._valid = False
+        for executor in list(self._executors):
+            executor.wake()
+
+    def _call_on_shutdown_callbacks(self) -> None:
+        for each in self._callbacks:
+            callback = each() if isinstance(each, weakref.WeakMethod) else each
+            if callback is not None:
+                callback()
+        self._callbacks = []
+
+    def _cleanup(self) -> None:
+        for reference in list(self._nodes):
+            node = reference()
+            if node is not None:
+                node.destroy_node()
+        self._invalidate()
+        self._call_on_shutdown_callbacks()
+        if self._uses_link and self._graph is not None and not any(c._graph is self._graph for c in _valid_contexts()):
+            _leave(self._graph)
+
+    def shutdown(self) -> None:
+        """Shut the context down: destroy its nodes, call the shutdown callbacks. RuntimeError before init()."""
+        if self._handle is None:
+            raise RuntimeError("Context must be initialized before it can be shutdown")
+        with self._lock:
+            self._cleanup()
+
+    def try_shutdown(self) -> None:
+        """Shut the context down unless that was done, or init() never was."""
+        if self._handle is None:
+            return
+        with self._lock:
+            if self._valid:
+                self._cleanup()
+
+    def _remove_callback(self, callback: weakref.WeakMethod[MethodType]) -> None:
+        if callback in self._callbacks:
+            self._callbacks.remove(callback)
+
+    def on_shutdown(self, callback: _Callback) -> None:
+        """Call `callback` at shutdown, or now if that has been. Methods are held weakly."""
+        if not callable(callback):
+            raise TypeError("callback should be a callable, got {}", type(callback))
+        with self._lock:
+            if self._handle is not None and not self._valid:
+                callback()
+            elif ismethod(callback):
+                self._callbacks.append(weakref.WeakMethod(callback, self._remove_callback))
+            else:
+                self._callbacks.append(callback)
+
+    def get_domain_id(self) -> int:
+        """Return the ROS domain; RuntimeError before init()."""
+        if self._handle is None:
+            raise RuntimeError("Context must be initialized before it can have a domain id")
+        return self._domain_id
+
+    def _join_link(self) -> None:
+        """Join the graph with those of other processes; called for the first node of a context."""
+        graph = self._graph
+        if not self._uses_link or graph is None or graph in _linked or os.environ.get("DAY6_LINK") == "off":
+            return
+        _linked.append(graph)
+        try:
+            from day6_tui.core.link import join
+
+            join(graph)
+        except Exception as error:
+            # The program is worth more than the connection: it runs alone, and says so.
+            print(f"day6-tui: no link to other programs ({type(error).__name__}: {error})", file=sys.stderr)
+
+    def __enter__(self) -> Context:
+        if self._handle is None:
+            warnings.warn(
+                "init() must be called on a Context before using it in a Python context manager. "
+                "Calling init() with no arguments, this usage is deprecated",
+                stacklevel=2,
+            )
+            self.init()
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.try_shutdown()
+
+
+_living = weakref.WeakSet()
+
+
+def _valid_contexts() -> list[Context]:
+    return [context for context in list(_living) if context._valid]
+
+
+def _domain_from_environment() -> int:
+    """Read ROS_DOMAIN_ID as rcl does: unset or empty is 0, anything else must be a number (RCLError)."""
+    text = os.environ.get("ROS_DOMAIN_ID", "")
+    if not text:
+        return 0
+    if not text.isdigit():
+        raise RCLError(
+            "Failed to get environment variable 'ROS_DOMAIN_ID': ROS_DOMAIN_ID is not an integral number, "
+            "at /project/src/rcl/domain_id.c:50"
+        )
+    return int(text)
+
+
+def _leave(graph: Graph) -> None:
+    if graph in _linked:
+        _linked.remove(graph)
+        try:
+            from day6_tui.core.link import leave
+        except ImportError:
+            # Joining failed for the same reason and said so.
+            return
+        leave(graph)
+
+
+@atexit.register
+def _leave_all() -> None:
+    for graph in list(_linked):
+        _leave(graph)

@@ -1,0 +1,296 @@
+"""Events of publishers and subscriptions: QoS that does not fit, matches, and so on."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import Endpoint, EventKind, EventStatus
+from rclpy._callables import is_coroutine_function
+from rclpy._entity import NOTHING
+from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
+from rclpy._rclpy_pybind11 import rcl_publisher_event_type_t, rcl_subscription_event_type_t, rmw_qos_policy_kind_t
+from rclpy.qos import qos_policy_name_from_kind
+from rclpy.waitable import NumberOfEntities, Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+
+QoSPublisherEventType = rcl_publisher_event_type_t
+QoSSubscriptionEventType = rcl_subscription_event_type_t
+
+
+class _Info:
+    """Counters of one kind of event, as its callback gets them."""
+
+    __slots__ = ("total_count", "total_count_change")
+
+    def __init__(self, status: EventStatus | None = None) -> None:
+        self.total_count = 0 if status is None else status.total_count
+        self.total_count_change = 0 if status is None else status.total_count_change
+
+
+class QoSRequestedDeadlineMissedInfo(_Info):
+    """A subscription's deadline was missed."""
+
+    __slots__ = ()
+
+
+class QoSLivelinessChangedInfo:
+    """Publishers of a subscription came to life or died."""
+
+    __slots__ = ("alive_count", "alive_count_change", "not_alive_count", "not_alive_count_change")
+
+    def __init__(self, status: EventStatus | None = None) -> None:
+        self.alive_count = 0 if status is None else status.current_count
+        self.alive_count_change = 0 if status is None else status.current_count_change
+        self.not_alive_count = 0
+        self.not_alive_count_change = 0
+
+
+class QoSMessageLostInfo(_Info):
+    """Messages were lost on the way to a subscription."""
+
+    __slots__ = ()
+
+
+class QoSRequestedIncompatibleQoSInfo(_Info):
+    """Endpoints of a topic do not fit together; `last_policy_kind` names the policy that did not fit last."""
+
+    __slots__ = ("last_policy_kind",)
+
+    def __init__(self, status: EventStatus | None = None) -> None:
+        super().__init__(status)
+        self.last_policy_kind = rmw_qos_policy_kind_t(1 if status is None else int(status.last_policy_kind))
+
+
+class QoSSubscriptionMatchedInfo(_Info):
+    """Endpoints matched or unmatched."""
+
+    __slots__ = ("current_count", "current_count_change")
+
+    def __init__(self, status: EventStatus | None = None) -> None:
+        super().__init__(status)
+        self.current_count = 0 if status is None else status.current_count
+        self.current_count_change = 0 if status is None else status.current_count_change
+
+
+class QoSOfferedDeadlineMissedInfo(_Info):
+    """A publisher missed its own deadline."""
+
+    __slots__ = ()
+
+
+class QoSLivelinessLostInfo(_Info):
+    """A publisher did not show in time that it lives."""
+
+    __slots__ = ()
+
+
+class IncompatibleTypeInfo(_Info):
+    """Endpoints of a topic have different types."""
+
+    __slots__ = ()
+
+
+QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo
+QoSPublisherMatchedInfo = QoSSubscriptionMatchedInfo
+EventHandlerData = Any
+
+# What the graph raises, by type of event; the others never happen here (messages are neither lost nor late on this graph).
+_KINDS: dict[Any, tuple[EventKind | None, type[Any]]] = {
+    rcl_publisher_event_type_t.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: (None, QoSOfferedDeadlineMissedInfo),
+    rcl_publisher_event_type_t.RCL_PUBLISHER_LIVELINESS_LOST: (None, QoSLivelinessLostInfo),
+    rcl_publisher_event_type_t.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: (
+        EventKind.INCOMPATIBLE_QOS,
+        QoSOfferedIncompatibleQoSInfo,
+    ),
+    rcl_publisher_event_type_t.RCL_PUBLISHER_INCOMPATIBLE_TYPE: (EventKind.INCOMPATIBLE_TYPE, IncompatibleTypeInfo),
+    rcl_publisher_event_type_t.RCL_PUBLISHER_MATCHED: (EventKind.MATCHED, QoSPublisherMatchedInfo),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: (None, QoSRequestedDeadlineMissedInfo),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: (EventKind.MATCHED, QoSLivelinessChangedInfo),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: (
+        EventKind.INCOMPATIBLE_QOS,
+        QoSRequestedIncompatibleQoSInfo,
+    ),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MESSAGE_LOST: (EventKind.MESSAGE_LOST, QoSMessageLostInfo),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: (
+        EventKind.INCOMPATIBLE_TYPE,
+        IncompatibleTypeInfo,
+    ),
+    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MATCHED: (EventKind.MATCHED, QoSSubscriptionMatchedInfo),
+}
+
+
+class EventHandler(Waitable[Any]):
+    """Calls a function when one kind of event happens to a publisher or subscription.
+
+    `parent_impl` is the handle of the publisher or subscription.
+    """
+
+    def __init__(
+        self, *, callback_group: CallbackGroup, callback: Callable[..., Any], event_type: Any, parent_impl: Any
+    ) -> None:
+        super().__init__(callback_group)
+        self.event_type = event_type
+        self.callback = callback
+        self._event_kind, self._info_class = _KINDS[event_type]
+        self._endpoint: Endpoint = parent_impl._endpoint
+        self._seen = EventStatus()
+        self._destroyed = False
+
+    def _pending(self) -> bool:
+        if self._event_kind is None:
+            return False
+        status, seen = self._endpoint.events[self._event_kind], self._seen
+        return status.total_count != seen.total_count or status.current_count != seen.current_count
+
+    def _process(self) -> Any:
+        self._queued = False
+        if self._destroyed or self._event_kind is None or not self._pending():
+            return NOTHING
+        status, seen = self._endpoint.events[self._event_kind], self._seen
+        # Several handlers may look at the same counters, so each has its own idea of what is new.
+        status.total_count_change = status.total_count - seen.total_count
+        status.current_count_change = status.current_count - seen.current_count
+        self._seen = status.take()
+        result = self.callback(self._info_class(self._seen))
+        return result if is_coroutine_function(self.callback) else None
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return one event."""
+        return NumberOfEntities(num_events=1)
+
+    def destroy(self) -> None:
+        """Call back no more."""
+        self._destroyed = True
+
+
+class QoSEventHandler(EventHandler):
+    """The old name of EventHandler."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        warnings.warn(
+            "QoSEventHandler is deprecated, use EventHandler instead.", DeprecationWarning, stacklevel=2
+        )
+        super().__init__(*args, **kwargs)
+
+
+class SubscriptionEventCallbacks:
+    """What to call when something happens to a subscription. By default incompatible QoS and types are logged."""
+
+    def __init__(
+        self,
+        *,
+        deadline: Callable[[QoSRequestedDeadlineMissedInfo], None] | None = None,
+        incompatible_qos: Callable[[QoSRequestedIncompatibleQoSInfo], None] | None = None,
+        liveliness: Callable[[QoSLivelinessChangedInfo], None] | None = None,
+        message_lost: Callable[[QoSMessageLostInfo], None] | None = None,
+        incompatible_type: Callable[[IncompatibleTypeInfo], None] | None = None,
+        matched: Callable[[QoSSubscriptionMatchedInfo], None] | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        self.deadline = deadline
+        self.incompatible_qos = incompatible_qos
+        self.liveliness = liveliness
+        self.message_lost = message_lost
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def create_event_handlers(
+        self, callback_group: CallbackGroup, subscription: Any, topic_name: str
+    ) -> list[EventHandler]:
+        """Make the handlers of a subscription, given by its handle."""
+        types = rcl_subscription_event_type_t
+        qos, type_ = self.incompatible_qos, self.incompatible_type
+        if self.use_default_callbacks:
+            qos = qos or _qos_warning(
+                subscription,
+                f"New publisher discovered on topic '{topic_name}', offering incompatible QoS. "
+                "No messages will be received from it. Last incompatible policy: ",
+            )
+            type_ = type_ or _type_warning(subscription, topic_name)
+        return _make_handlers(
+            callback_group,
+            subscription,
+            (
+                (self.deadline, types.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED),
+                (qos, types.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS),
+                (self.liveliness, types.RCL_SUBSCRIPTION_LIVELINESS_CHANGED),
+                (self.message_lost, types.RCL_SUBSCRIPTION_MESSAGE_LOST),
+                (type_, types.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE),
+                (self.matched, types.RCL_SUBSCRIPTION_MATCHED),
+            ),
+        )
+
+
+class PublisherEventCallbacks:
+    """What to call when something happens to a publisher. By default incompatible QoS and types are logged."""
+
+    def __init__(
+        self,
+        *,
+        deadline: Callable[[QoSOfferedDeadlineMissedInfo], None] | None = None,
+        liveliness: Callable[[QoSLivelinessLostInfo], None] | None = None,
+        incompatible_qos: Callable[[QoSRequestedIncompatibleQoSInfo], None] | None = None,
+        incompatible_type: Callable[[IncompatibleTypeInfo], None] | None = None,
+        matched: Callable[[QoSPublisherMatchedInfo], None] | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def create_event_handlers(
+        self, callback_group: CallbackGroup, publisher: Any, topic_name: str
+    ) -> list[EventHandler]:
+        """Make the handlers of a publisher, given by its handle."""
+        types = rcl_publisher_event_type_t
+        qos, type_ = self.incompatible_qos, self.incompatible_type
+        if self.use_default_callbacks:
+            qos = qos or _qos_warning(
+                publisher,
+                f"New subscription discovered on topic '{topic_name}', requesting incompatible QoS. "
+                "No messages will be sent to it. Last incompatible policy: ",
+            )
+            type_ = type_ or _type_warning(publisher, topic_name)
+        return _make_handlers(
+            callback_group,
+            publisher,
+            (
+                (self.deadline, types.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED),
+                (self.liveliness, types.RCL_PUBLISHER_LIVELINESS_LOST),
+                (qos, types.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS),
+                (type_, types.RCL_PUBLISHER_INCOMPATIBLE_TYPE),
+                (self.matched, types.RCL_PUBLISHER_MATCHED),
+            ),
+        )
+
+
+def _qos_warning(parent: Any, text: str) -> Callable[[QoSRequestedIncompatibleQoSInfo], None]:
+    def warn(event: QoSRequestedIncompatibleQoSInfo) -> None:
+        parent.get_logger().warning(text + qos_policy_name_from_kind(event.last_policy_kind))
+
+    return warn
+
+
+def _type_warning(parent: Any, topic_name: str) -> Callable[[IncompatibleTypeInfo], None]:
+    def warn(_event: IncompatibleTypeInfo) -> None:
+        parent.get_logger().warning(f"Incompatible type on topic '{topic_name}', no messages will be sent to it.")
+
+    return warn
+
+
+def _make_handlers(
+    group: CallbackGroup, parent: Any, wanted: tuple[tuple[Callable[..., Any] | None, Any], ...]
+) -> list[EventHandler]:
+    return [
+        EventHandler(callback_group=group, callback=callback, event_type=event_type, parent_impl=parent)
+        for callback, event_type in wanted
+        if callback
+    ]

@@ -1,0 +1,71 @@
+"""Guard conditions: events a program triggers itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Coroutine
+from typing import TYPE_CHECKING, Any
+
+from rclpy._callables import is_coroutine_function
+from rclpy._entity import GUARD, NOTHING, Entity
+from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle
+from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
+
+GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
+
+
+class GuardCondition(Entity):
+    """Runs its callback in the executor each time it was triggered; made by `Node.create_guard_condition`.
+
+    RuntimeError if the context is not initialised.
+    """
+
+    _kind = GUARD
+
+    def __init__(
+        self,
+        callback: GuardConditionCallbackType | None,
+        callback_group: CallbackGroup | None,
+        context: Context | None = None,
+    ) -> None:
+        super().__init__()
+        self._context = get_default_context() if context is None else context
+        if self._context.handle is None:
+            raise RuntimeError("Context must be initialized a GuardCondition can be created")
+        self._handle = Destroyable()
+        self.callback = callback
+        self.callback_group = callback_group
+        self._executor_event = False
+        self._executor_triggered = False
+
+    def trigger(self) -> None:
+        """Make the executor run the callback soon; InvalidHandle after `destroy`."""
+        if self._handle._destroyed:
+            raise InvalidHandle(DESTROYED)
+        self._executor_triggered = True
+        self._notify()
+
+    def _process(self) -> Any:
+        self._queued = False
+        if not self._executor_triggered:
+            return NOTHING
+        self._executor_triggered = False
+        if self.callback is None:
+            return None
+        result = self.callback()
+        return result if is_coroutine_function(self.callback) else None
+
+    def _pending(self) -> bool:
+        return self._executor_triggered
+
+    @property
+    def handle(self) -> Destroyable:
+        """The handle."""
+        return self._handle
+
+    def destroy(self) -> None:
+        """Make the guard condition unusable; prefer `Node.destroy_guard_condition`."""
+        self._handle.destroy_when_not_in_use()

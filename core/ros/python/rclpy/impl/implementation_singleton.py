@@ -1,0 +1,5 @@
+"""`rclpy_implementation`: where rclpy's exceptions and enumerations are reached by their low-level names."""
+
+from rclpy import _rclpy_pybind11 as rclpy_implementation
+
+__all__ = ["rclpy_implementation"]

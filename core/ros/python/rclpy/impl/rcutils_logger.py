@@ -1,0 +1,275 @@
+"""The logger of rclpy, with its filters once, throttle and skip_first."""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from types import FrameType
+from typing import Any, NamedTuple
+
+from rclpy._logging_settings import PROCESS, LoggingSettings
+from rclpy.clock import Clock
+from rclpy.impl.logging_severity import LoggingSeverity
+
+_INTERNAL_FILES: frozenset[str] = frozenset(
+    (__file__, os.path.join(os.path.dirname(os.path.dirname(__file__)), "logging.py"))
+)
+_absolute: dict[str, str] = {}
+
+
+def _find_caller(frame: FrameType | None) -> FrameType:
+    """Return the nearest frame that is no logging code."""
+    while frame is not None and frame.f_code.co_filename in _INTERNAL_FILES:
+        frame = frame.f_back
+    if frame is None:
+        raise ValueError("Cannot get frame info if frame is None")
+    return frame
+
+
+class CallerId(NamedTuple):
+    """The place of one logging call."""
+
+    function_name: str
+    file_path: str
+    line_number: int
+    last_index: int
+
+    @staticmethod
+    def of(frame: FrameType) -> CallerId:
+        """Return the place where a frame is just now."""
+        code = frame.f_code
+        path = _absolute.get(code.co_filename)
+        if path is None:
+            path = _absolute[code.co_filename] = os.path.abspath(code.co_filename)
+        return CallerId(code.co_name, path, frame.f_lineno, frame.f_lasti)
+
+
+class LoggingFilter:
+    """Base of the filters: `params` are its arguments and their defaults (None: it has to be given)."""
+
+    params: dict[str, Any] = {}
+
+    @classmethod
+    def initialize_context(cls, context: dict[str, Any], **kwargs: Any) -> None:
+        """Put the filter's arguments into the memory of a logging call."""
+        for name, default in cls.params.items():
+            value = kwargs.get(name, default)
+            if value is None:
+                raise TypeError(f'Required parameter "{name}" was not specified for logging filter "{cls.__name__}"')
+            context[name] = value
+
+    @staticmethod
+    def should_log(context: dict[str, Any]) -> bool:
+        """Say whether the call may log now."""
+        return True
+
+
+class Once(LoggingFilter):
+    """Lets a call log the first time only."""
+
+    params = {"once": None}
+
+    @staticmethod
+    def should_log(context: dict[str, Any]) -> bool:
+        """Say whether this is the first time."""
+        first = not context.get("has_been_logged_once")
+        context["has_been_logged_once"] = True
+        return first
+
+
+class Throttle(LoggingFilter):
+    """Lets a call log at most once in some seconds."""
+
+    params = {"throttle_duration_sec": None, "throttle_time_source_type": Clock()}
+
+    @classmethod
+    def initialize_context(cls, context: dict[str, Any], **kwargs: Any) -> None:
+        """Note duration and clock; ValueError for something that is no clock."""
+        super().initialize_context(context, **kwargs)
+        context["throttle_last_logged"] = 0
+        clock = context["throttle_time_source_type"]
+        if not isinstance(clock, Clock):
+            raise ValueError(f'Received throttle_time_source_type of "{clock}" is not a clock instance')
+
+    @staticmethod
+    def should_log(context: dict[str, Any]) -> bool:
+        """Say whether the duration is over."""
+        now = context["throttle_time_source_type"].now().nanoseconds
+        if now < context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9:
+            return False
+        context["throttle_last_logged"] = now
+        return True
+
+
+class SkipFirst(LoggingFilter):
+    """Lets a call log from the second time on."""
+
+    params = {"skip_first": None}
+
+    @staticmethod
+    def should_log(context: dict[str, Any]) -> bool:
+        """Say whether this is not the first time."""
+        skipped: bool = context.get("first_has_been_skipped", False)
+        context["first_has_been_skipped"] = True
+        return skipped
+
+
+supported_filters: dict[str, type[LoggingFilter]] = {"throttle": Throttle, "skip_first": SkipFirst, "once": Once}
+
+
+def get_filters_from_kwargs(**kwargs: Any) -> list[str]:
+    """Return the names of the filters some arguments ask for; TypeError for unknown or missing arguments."""
+    detected = [
+        name for name, each in supported_filters.items() if any(kwargs.get(argument) for argument in each.params)
+    ]
+    for name in detected:
+        for argument, default in supported_filters[name].params.items():
+            if argument not in kwargs and default is None:
+                raise TypeError(
+                    f'required parameter "{argument}" not specified but is required for the the logging filter "{name}"'
+                )
+    known = [argument for each in supported_filters.values() for argument in each.params]
+    for argument in kwargs:
+        if argument not in known:
+            raise TypeError(f'parameter "{argument}" is not one of the recognized logging options "{known}"')
+    return detected
+
+
+class _Call:
+    """The memory of one logging call: what it logged with the first time."""
+
+    __slots__ = ("context", "filters", "name", "severity")
+
+    def __init__(self, severity: int, name: str, filters: list[str], kwargs: dict[str, Any]) -> None:
+        self.severity = severity
+        self.name = name
+        self.filters = filters
+        self.context: dict[str, Any] = {}
+        for each in filters:
+            supported_filters[each].initialize_context(self.context, **kwargs)
+
+    def check(self, severity: int, name: str, filters: list[str], kwargs: dict[str, Any]) -> None:
+        """Raise ValueError if the same call asks for something else than the first time."""
+        if severity != self.severity:
+            raise ValueError("Logger severity cannot be changed between calls.")
+        if name != self.name:
+            raise ValueError("Logger name cannot be changed between calls.")
+        if filters != self.filters:
+            raise ValueError("Requested logging filters cannot be changed between calls.")
+        for each in filters:
+            for argument, default in supported_filters[each].params.items():
+                if self.context[argument] != kwargs.get(argument, default):
+                    raise ValueError("Logging filter parameters cannot be changed between calls.")
+
+
+class RcutilsLogger:
+    """A named logger. Levels are those of the name, else of its parents, else the default."""
+
+    def __init__(self, name: str = "") -> None:
+        self.name = name
+        self.contexts: dict[tuple[Any, int], _Call] = {}
+        self._settings: LoggingSettings = PROCESS
+        self._registered = False
+
+    @classmethod
+    def _of_node(cls, name: str, settings: LoggingSettings) -> RcutilsLogger:
+        logger = cls(name)
+        logger._settings = settings
+        return logger
+
+    def __del__(self) -> None:
+        if self._registered:
+            self._settings.publishers.pop(self.name, None)
+
+    def get_child(self, name: str) -> RcutilsLogger:
+        """Return the logger `<this name>.<name>`; ValueError for an empty name."""
+        if not name:
+            raise ValueError("Child logger name must not be empty.")
+        logger = RcutilsLogger._of_node(f"{self.name}.{name}" if self.name else name, self._settings)
+        publisher = self._settings.publishers.get(self.name) if self.name else None
+        if publisher is not None and logger.name not in self._settings.publishers:
+            self._settings.publishers[logger.name] = publisher
+            logger._registered = True
+        return logger
+
+    def set_level(self, level: int | LoggingSeverity) -> None:
+        """Set this logger's level; ValueError for a number that is no level."""
+        self._settings.set_level(self.name, int(LoggingSeverity(level)))
+
+    def get_effective_level(self) -> LoggingSeverity:
+        """Return the level that counts for this logger."""
+        return LoggingSeverity(self._settings.effective_level(self.name))
+
+    def is_enabled_for(self, severity: int | LoggingSeverity) -> bool:
+        """Say whether messages of that level are logged."""
+        return self._settings.effective_level(self.name) <= LoggingSeverity(severity)
+
+    def log(self, message: str, severity: int | LoggingSeverity, name: str | None = None, **kwargs: Any) -> bool:
+        """Log a message; the keyword arguments are those of the filters.
+
+        Returns whether it was logged. TypeError for a message that is no str and for unknown arguments, ValueError when the
+        same call changes its level, name or filters.
+        """
+        if severity.__class__ is not LoggingSeverity:
+            severity = LoggingSeverity(severity)
+        settings = self._settings
+        if settings.effective_level(self.name) > severity:
+            return False
+        if name is None:
+            name = self.name
+        frame = _find_caller(sys._getframe(1))
+        filters = get_filters_from_kwargs(**kwargs) if kwargs else []
+        place = (frame.f_code, frame.f_lasti)
+        call = self.contexts.get(place)
+        if call is None:
+            self.contexts[place] = call = _Call(severity, name, filters, kwargs)
+        elif severity != call.severity or name != call.name or filters or call.filters:
+            call.check(severity, name, filters, kwargs)
+        for each in call.filters:
+            if not supported_filters[each].should_log(call.context):
+                return False
+        caller = CallerId.of(frame)
+        if message is None:
+            message = "(null)"
+        elif not isinstance(message, str):
+            raise TypeError(_wrong_message(severity, name, message, caller))
+        settings.emit(severity, name, message, caller.function_name, caller.file_path, caller.line_number)
+        return True
+
+    def debug(self, message: str, **kwargs: Any) -> bool:
+        """Log with level DEBUG; see `log`."""
+        return self.log(message, LoggingSeverity.DEBUG, **kwargs)
+
+    def info(self, message: str, **kwargs: Any) -> bool:
+        """Log with level INFO; see `log`."""
+        return self.log(message, LoggingSeverity.INFO, **kwargs)
+
+    def warning(self, message: str, **kwargs: Any) -> bool:
+        """Log with level WARN; see `log`."""
+        return self.log(message, LoggingSeverity.WARN, **kwargs)
+
+    def warn(self, message: str, **kwargs: Any) -> bool:
+        """Log with level WARN: the old name of `warning`."""
+        warnings.warn(
+            "Deprecated in favor of :py:classmethod:RcutilsLogger.warning:.", DeprecationWarning, stacklevel=2
+        )
+        return self.warning(message, **kwargs)
+
+    def error(self, message: str, **kwargs: Any) -> bool:
+        """Log with level ERROR; see `log`."""
+        return self.log(message, LoggingSeverity.ERROR, **kwargs)
+
+    def fatal(self, message: str, **kwargs: Any) -> bool:
+        """Log with level FATAL; see `log`."""
+        return self.log(message, LoggingSeverity.FATAL, **kwargs)
+
+
+def _wrong_message(severity: Any, name: str, message: object, caller: CallerId) -> str:
+    """Return what real rclpy says for a message that is no str; its binding prints the whole call."""
+    return (
+        "rclpy_logging_rcutils_log(): incompatible function arguments. The following argument types are supported:\n"
+        "    1. (arg0: typing.SupportsInt, arg1: str, arg2: str, arg3: str, arg4: str, arg5: typing.SupportsInt) -> None"
+        f"\n\nInvoked with: {severity!r}, {name!r}, {message!r}, {caller.function_name!r}, {caller.file_path!r}, "
+        f"{caller.line_number!r}"
+    )

@@ -1,0 +1,65 @@
+"""Loggers and their levels."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from rclpy._logging_settings import PROCESS
+from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
+from rclpy.impl.rcutils_logger import RcutilsLogger
+
+_root_logger = RcutilsLogger()
+
+
+def get_logger(name: str) -> RcutilsLogger:
+    """Return a logger by name; parts of the name are separated by dots. ValueError for an empty name."""
+    if not name:
+        raise ValueError("Logger name must not be empty.")
+    return _root_logger.get_child(name)
+
+
+def initialize() -> None:
+    """Make logging ready (it always is)."""
+
+
+def shutdown() -> None:
+    """Forget the levels that were set."""
+    PROCESS.reset()
+
+
+def clear_config() -> None:
+    """Put levels and format back to what they were at the start."""
+    shutdown()
+    initialize()
+
+
+def set_logger_level(name: str, level: int | LoggingSeverity, detailed_error: bool = False) -> None:
+    """Set a logger's level. ValueError for a number that is no level."""
+    PROCESS.set_level(name, int(LoggingSeverity(level)))
+
+
+def get_logger_effective_level(name: str) -> LoggingSeverity:
+    """Return the level that counts for a logger, its own or that of a parent."""
+    return LoggingSeverity(PROCESS.effective_level(name))
+
+
+def get_logger_level(name: str) -> LoggingSeverity:
+    """Return the level set for exactly that logger, UNSET if none is."""
+    return LoggingSeverity(PROCESS.level(name))
+
+
+def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
+    """Return the level of a name in any case; RuntimeError if there is none."""
+    try:
+        return LoggingSeverity[log_severity.upper()]
+    except KeyError:
+        raise RuntimeError("Failed to get severity name") from None
+
+
+def get_logging_directory() -> Path:
+    """Return the folder where real ROS puts log files (ROS_LOG_DIR, else log in ROS_HOME, else ~/.ros/log)."""
+    folder = os.environ.get("ROS_LOG_DIR")
+    if folder:
+        return Path(folder).expanduser()
+    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"

@@ -1,0 +1,106 @@
+"""Publishers."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from rclpy._endpoint_events import EventSource
+from rclpy.duration import Duration
+from rclpy.qos import QoSProfile
+
+if TYPE_CHECKING:
+    from rclpy._handles import EndpointHandle
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.event_handler import PublisherEventCallbacks
+
+MsgT = TypeVar("MsgT")
+MsgType = TypeVar("MsgType")
+
+
+class Publisher(EventSource, Generic[MsgT]):
+    """Sends messages to a topic; made by `Node.create_publisher`."""
+
+    def __init__(
+        self,
+        publisher_impl: EndpointHandle,
+        msg_type: type[MsgT],
+        topic: str,
+        qos_profile: QoSProfile,
+        event_callbacks: PublisherEventCallbacks | None,
+        callback_group: CallbackGroup,
+    ) -> None:
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.callback_group = None
+        self._context = publisher_impl._node.context
+        self._send = publisher_impl._endpoint.publish
+        self._set_up_events(publisher_impl, event_callbacks, callback_group, topic, "PublisherEventCallbacks")
+
+    def publish(self, msg: MsgT | bytes) -> None:
+        """Send a message, given as an object of the topic's type or as its CDR bytes.
+
+        TypeError for anything else; InvalidHandle after destruction, RCLError when the context was shut down.
+        """
+        if self._handle._destroyed or not self._context._valid:
+            self._handle.check_publisher("Failed to publish")
+        if isinstance(msg, self.msg_type):
+            self._send(msg)
+        elif isinstance(msg, bytes):
+            from rclpy.serialization import deserialize_message
+
+            self._send(deserialize_message(msg, self.msg_type))
+        else:
+            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+
+    def get_subscription_count(self) -> int:
+        """Return how many subscriptions match."""
+        self._handle.check_publisher("failed to get subscription count")
+        count: int = self._handle._endpoint.subscription_count
+        return count
+
+    @property
+    def topic_name(self) -> str:
+        """The full name of the topic."""
+        self._handle.check()
+        return self._handle.get_topic_name()
+
+    @property
+    def handle(self) -> EndpointHandle:
+        """The handle."""
+        return self._handle
+
+    @property
+    def logger_name(self) -> str:
+        """The name of the logger of the publisher's node."""
+        self._handle.check()
+        return self._handle.get_logger_name()
+
+    def destroy(self) -> None:
+        """Take the publisher out of the graph; prefer `Node.destroy_publisher`."""
+        self._destroy_events()
+        self._handle.destroy_when_not_in_use()
+
+    def assert_liveliness(self) -> None:
+        """Show that the publisher lives (for the liveliness MANUAL_BY_TOPIC)."""
+        self._handle.check_publisher("Failed to assert liveliness on the Publisher")
+
+    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008
+        """Wait until every subscription has every message: they have it when `publish` returns."""
+        self._handle.check_publisher("Failed to wait for all acknowledged")
+        return True
+
+    def __enter__(self) -> Publisher[MsgT]:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
+
+    def _process(self) -> Any:
+        raise NotImplementedError("a publisher has nothing to process")

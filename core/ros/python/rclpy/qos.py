@@ -1,0 +1,412 @@
+"""Quality of service: the policies, profiles and the predefined profiles."""
+
+from __future__ import annotations
+
+import warnings
+from enum import Enum, IntEnum
+from typing import Any, TypeVar
+
+from day6_tui.core.graph import QoS
+from day6_tui.core.graph import qos as graph_qos
+from rclpy._rclpy_pybind11 import RMW_QOS_DEADLINE_BEST_AVAILABLE, RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE
+from rclpy._rclpy_pybind11 import QoSCompatibility as QoSCompatibility
+from rclpy.duration import Duration
+
+
+class QoSPolicyKind(IntEnum):
+    """The policies; numbers of rmw_qos_policy_kind_t."""
+
+    INVALID = 1 << 0
+    DURABILITY = 1 << 1
+    DEADLINE = 1 << 2
+    LIVELINESS = 1 << 3
+    RELIABILITY = 1 << 4
+    HISTORY = 1 << 5
+    LIFESPAN = 1 << 6
+    DEPTH = 1 << 7
+    LIVELINESS_LEASE_DURATION = 1 << 8
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
+
+
+def qos_policy_name_from_kind(policy_kind: Any) -> str:
+    """Return the name of a policy given by number or by member of rmw_qos_policy_kind_t."""
+    return QoSPolicyKind(int(policy_kind)).name
+
+
+class InvalidQoSProfileException(Exception):
+    """A profile was made without what it needs at least."""
+
+    def __init__(self, message: str) -> None:
+        # Real rclpy forgets to put its prefix into the exception; the text programs see is the bare message.
+        super().__init__(message)
+
+
+_Policy = TypeVar("_Policy", bound="QoSPolicyEnum")
+
+
+class QoSPolicyEnum(IntEnum):
+    """Base of the policies that are a choice."""
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """Return the choices in lower case, as command lines name them."""
+        return [name.lower() for name in cls.__members__ if not name.startswith("RMW")]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> int:
+        """Return the number of a choice named in any case; KeyError if there is none."""
+        value: int = cls[name.upper()].value
+        return value
+
+    @property
+    def short_key(self) -> str:
+        """This choice's name in lower case."""
+        return self.name.lower()
+
+
+class _OldName:
+    """A name of a choice from before ROS 2 Foxy: still works, with a warning."""
+
+    def __init__(self, old: str, new: str) -> None:
+        self._old = old
+        self._new = new
+
+    def __get__(self, instance: object, owner: type[_Policy]) -> _Policy:
+        name = owner.__name__
+        warnings.warn(f"{name}.{self._old} is deprecated. Use {name}.{self._new} instead.", stacklevel=2)
+        return owner[self._new]
+
+
+class HistoryPolicy(QoSPolicyEnum):
+    """How many messages are kept."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class ReliabilityPolicy(QoSPolicyEnum):
+    """Whether lost messages are sent again."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class DurabilityPolicy(QoSPolicyEnum):
+    """Whether late joiners get older messages."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class LivelinessPolicy(QoSPolicyEnum):
+    """How a publisher shows that it lives."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+_OLD_NAMES: tuple[tuple[type[QoSPolicyEnum], str, tuple[str, ...]], ...] = (
+    (HistoryPolicy, "HISTORY", ("SYSTEM_DEFAULT", "KEEP_LAST", "KEEP_ALL", "UNKNOWN")),
+    (ReliabilityPolicy, "RELIABILITY", ("SYSTEM_DEFAULT", "RELIABLE", "BEST_EFFORT", "UNKNOWN")),
+    (DurabilityPolicy, "DURABILITY", ("SYSTEM_DEFAULT", "TRANSIENT_LOCAL", "VOLATILE", "UNKNOWN")),
+    (LivelinessPolicy, "LIVELINESS", ("SYSTEM_DEFAULT", "AUTOMATIC", "MANUAL_BY_TOPIC")),
+)
+for _class, _prefix, _names in _OLD_NAMES:
+    for _name in _names:
+        setattr(_class, f"RMW_QOS_POLICY_{_prefix}_{_name}", _OldName(f"RMW_QOS_POLICY_{_prefix}_{_name}", _name))
+# A slip of real rclpy that programs could rely on: the unknown liveliness carries the name of durability.
+LivelinessPolicy.RMW_QOS_POLICY_DURABILITY_UNKNOWN = _OldName("RMW_QOS_POLICY_DURABILITY_UNKNOWN", "UNKNOWN")
+
+QoSHistoryPolicy = HistoryPolicy
+QoSReliabilityPolicy = ReliabilityPolicy
+QoSDurabilityPolicy = DurabilityPolicy
+QoSLivelinessPolicy = LivelinessPolicy
+
+_NO_TIME = Duration()
+
+
+class QoSProfile:
+    """All policies of one endpoint.
+
+    At least `depth`, or `history` with `depth` for KEEP_LAST, has to be given, else InvalidQoSProfileException is raised;
+    values of a wrong type raise AssertionError, numbers that are no choice ValueError.
+    """
+
+    __slots__ = (
+        "_avoid_ros_namespace_conventions",
+        "_deadline",
+        "_depth",
+        "_durability",
+        "_history",
+        "_lifespan",
+        "_liveliness",
+        "_liveliness_lease_duration",
+        "_reliability",
+    )
+    _ORDER = (
+        "history",
+        "depth",
+        "reliability",
+        "durability",
+        "lifespan",
+        "deadline",
+        "liveliness",
+        "liveliness_lease_duration",
+        "avoid_ros_namespace_conventions",
+    )
+
+    def __init__(
+        self,
+        history: QoSHistoryPolicy | int | None = None,
+        depth: int | None = None,
+        reliability: QoSReliabilityPolicy | int | None = None,
+        durability: QoSDurabilityPolicy | int | None = None,
+        lifespan: Duration | None = None,
+        deadline: Duration | None = None,
+        liveliness: QoSLivelinessPolicy | int | None = None,
+        liveliness_lease_duration: Duration | None = None,
+        avoid_ros_namespace_conventions: bool | None = None,
+    ) -> None:
+        if history is None:
+            if depth is None:
+                raise InvalidQoSProfileException("History and/or depth settings are required.")
+            history = HistoryPolicy.KEEP_LAST
+        self.history = history  # type: ignore[assignment]
+        if depth is None and self._history == HistoryPolicy.KEEP_LAST:
+            raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
+        self.depth = 10 if depth is None else depth
+        self.reliability = ReliabilityPolicy.RELIABLE if reliability is None else reliability  # type: ignore[assignment]
+        self.durability = DurabilityPolicy.VOLATILE if durability is None else durability  # type: ignore[assignment]
+        self.lifespan = _NO_TIME if lifespan is None else lifespan
+        self.deadline = _NO_TIME if deadline is None else deadline
+        self.liveliness = LivelinessPolicy.SYSTEM_DEFAULT if liveliness is None else liveliness  # type: ignore[assignment]
+        self.liveliness_lease_duration = _NO_TIME if liveliness_lease_duration is None else liveliness_lease_duration
+        bare_name = avoid_ros_namespace_conventions
+        self.avoid_ros_namespace_conventions = False if bare_name is None else bare_name
+
+    @property
+    def history(self) -> QoSHistoryPolicy:
+        """How many messages are kept."""
+        return self._history
+
+    @history.setter
+    def history(self, value: QoSHistoryPolicy | int) -> None:
+        assert isinstance(value, int)
+        self._history = HistoryPolicy(value)
+
+    @property
+    def depth(self) -> int:
+        """Length of the queue for KEEP_LAST."""
+        return self._depth
+
+    @depth.setter
+    def depth(self, value: int) -> None:
+        assert isinstance(value, int)
+        if value == 0 and self._history == HistoryPolicy.KEEP_LAST:
+            warnings.warn(
+                "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                "This will be interpreted as SYSTEM_DEFAULT",
+                stacklevel=1,
+            )
+        self._depth = value
+
+    @property
+    def reliability(self) -> QoSReliabilityPolicy:
+        """Whether lost messages are sent again."""
+        return self._reliability
+
+    @reliability.setter
+    def reliability(self, value: QoSReliabilityPolicy | int) -> None:
+        assert isinstance(value, int)
+        self._reliability = ReliabilityPolicy(value)
+
+    @property
+    def durability(self) -> QoSDurabilityPolicy:
+        """Whether late joiners get older messages."""
+        return self._durability
+
+    @durability.setter
+    def durability(self, value: QoSDurabilityPolicy | int) -> None:
+        assert isinstance(value, int)
+        self._durability = DurabilityPolicy(value)
+
+    @property
+    def lifespan(self) -> Duration:
+        """How long a message is worth delivering."""
+        return self._lifespan
+
+    @lifespan.setter
+    def lifespan(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._lifespan = value
+
+    @property
+    def deadline(self) -> Duration:
+        """The longest time between two messages."""
+        return self._deadline
+
+    @deadline.setter
+    def deadline(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._deadline = value
+
+    @property
+    def liveliness(self) -> QoSLivelinessPolicy:
+        """How a publisher shows that it lives."""
+        return self._liveliness
+
+    @liveliness.setter
+    def liveliness(self, value: QoSLivelinessPolicy | int) -> None:
+        assert isinstance(value, int)
+        self._liveliness = LivelinessPolicy(value)
+
+    @property
+    def liveliness_lease_duration(self) -> Duration:
+        """The longest time between two signs of life."""
+        return self._liveliness_lease_duration
+
+    @liveliness_lease_duration.setter
+    def liveliness_lease_duration(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._liveliness_lease_duration = value
+
+    @property
+    def avoid_ros_namespace_conventions(self) -> bool:
+        """Whether the topic's name goes to the middleware as it is."""
+        return self._avoid_ros_namespace_conventions
+
+    @avoid_ros_namespace_conventions.setter
+    def avoid_ros_namespace_conventions(self, value: bool) -> None:
+        assert isinstance(value, bool)
+        self._avoid_ros_namespace_conventions = value
+
+    def get_c_qos_profile(self) -> QoS:
+        """Return the profile as the graph holds it."""
+        return QoS(
+            self._depth,
+            graph_qos.History(self._history),
+            graph_qos.Reliability(self._reliability),
+            graph_qos.Durability(self._durability),
+            self._deadline.nanoseconds,
+            self._lifespan.nanoseconds,
+            graph_qos.Liveliness(self._liveliness),
+            self._liveliness_lease_duration.nanoseconds,
+            self._avoid_ros_namespace_conventions,
+        )
+
+    @classmethod
+    def _from_graph(cls, qos: QoS, *, known_history: bool) -> QoSProfile:
+        """Make a profile of one of the graph; discovery in DDS does not carry history and depth."""
+        return cls(
+            history=int(qos.history) if known_history else HistoryPolicy.UNKNOWN,
+            depth=qos.depth if known_history else 0,
+            reliability=int(qos.reliability),
+            durability=int(qos.durability),
+            lifespan=_discovered(qos.lifespan),
+            deadline=_discovered(qos.deadline),
+            liveliness=int(qos.liveliness),
+            liveliness_lease_duration=_discovered(qos.liveliness_lease_duration),
+            avoid_ros_namespace_conventions=qos.avoid_ros_namespace_conventions,
+        )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, QoSProfile):
+            return False
+        return all(getattr(self, name) == getattr(other, name) for name in self._ORDER)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __str__(self) -> str:
+        # str() of the choices is their number on every Python; IntEnum prints names before 3.11.
+        values = ((name, getattr(self, name)) for name in self._ORDER)
+        shown = (f"{name}={int(value) if isinstance(value, QoSPolicyEnum) else value}" for name, value in values)
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+
+def _discovered(nanoseconds: int) -> Duration:
+    return Duration(nanoseconds=nanoseconds or graph_qos.INFINITE_NS)
+
+
+DeadlineBestAvailable = Duration(nanoseconds=RMW_QOS_DEADLINE_BEST_AVAILABLE)
+LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE)
+
+# rmw/qos_profiles.h, rcl_action/default_qos.h and rcl/logging_rosout.h
+qos_profile_unknown = QoSProfile(
+    history=HistoryPolicy.UNKNOWN,
+    depth=0,
+    reliability=ReliabilityPolicy.UNKNOWN,
+    durability=DurabilityPolicy.UNKNOWN,
+    liveliness=LivelinessPolicy.UNKNOWN,
+)
+qos_profile_default = QoSProfile(depth=10)
+qos_profile_system_default = QoSProfile(
+    history=HistoryPolicy.SYSTEM_DEFAULT,
+    depth=0,
+    reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
+    durability=DurabilityPolicy.SYSTEM_DEFAULT,
+)
+qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
+qos_profile_services_default = QoSProfile(depth=10)
+qos_profile_parameters = QoSProfile(depth=1000)
+qos_profile_parameter_events = QoSProfile(depth=1000)
+qos_profile_best_available = QoSProfile(
+    depth=10,
+    reliability=ReliabilityPolicy.BEST_AVAILABLE,
+    durability=DurabilityPolicy.BEST_AVAILABLE,
+    deadline=DeadlineBestAvailable,
+    liveliness=LivelinessPolicy.BEST_AVAILABLE,
+    liveliness_lease_duration=LivelinessLeaseDurationeBestAvailable,
+)
+qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+qos_profile_rosout_default = QoSProfile(
+    depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)
+)
+
+
+class QoSPresetProfiles(Enum):
+    """The predefined profiles by name."""
+
+    UNKNOWN = qos_profile_unknown
+    DEFAULT = qos_profile_default
+    SYSTEM_DEFAULT = qos_profile_system_default
+    SENSOR_DATA = qos_profile_sensor_data
+    SERVICES_DEFAULT = qos_profile_services_default
+    PARAMETERS = qos_profile_parameters
+    PARAMETER_EVENTS = qos_profile_parameter_events
+    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+    BEST_AVAILABLE = qos_profile_best_available
+    ROSOUT_DEFAULT = qos_profile_rosout_default
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """Return the names in lower case, as command lines name them."""
+        return [name.lower() for name in cls.__members__ if not name.startswith("RMW")]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSProfile:
+        """Return the profile of a name in any case; KeyError if there is none."""
+        profile: QoSProfile = cls[name.upper()].value
+        return profile
+
+
+def qos_check_compatible(
+    publisher_qos: QoSProfile, subscription_qos: QoSProfile
+) -> tuple[QoSCompatibility, str]:
+    """Say whether messages would flow between two profiles, and if not certainly so, why.
+
+    The answer is OK, WARNING (a policy is not decided yet, for instance SYSTEM_DEFAULT) or ERROR, with a reason.
+    """
+    from rclpy._qos_compatibility import check
+
+    return check(publisher_qos, subscription_qos)

@@ -1,0 +1,142 @@
+"""Service servers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from day6_tui.core.graph import RequestId
+from rclpy._callables import is_coroutine_function
+from rclpy._entity import NOTHING, SERVICE, Entity
+from rclpy.qos import QoSProfile
+from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+
+if TYPE_CHECKING:
+    from rclpy._handles import EndpointHandle
+    from rclpy._introspection import Introspection
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+
+SrvRequestT = TypeVar("SrvRequestT")
+SrvResponseT = TypeVar("SrvResponseT")
+SrvType = TypeVar("SrvType")
+SrvTypeRequest = TypeVar("SrvTypeRequest")
+SrvTypeResponse = TypeVar("SrvTypeResponse")
+
+
+class Service(Entity, Generic[SrvRequestT, SrvResponseT]):
+    """Answers requests; made by `Node.create_service`."""
+
+    _kind = SERVICE
+
+    def __init__(
+        self,
+        service_impl: EndpointHandle,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+    ) -> None:
+        self._handle = service_impl
+        self._endpoint = service_impl._endpoint
+        self._srv_type = srv_type
+        self.srv_name = srv_name
+        self.callback = callback
+        self.callback_group = callback_group
+        self._executor_event = False
+        self.qos_profile = qos_profile
+        self._introspection: Introspection | None = None
+        self._endpoint.on_ready = self._notify
+
+    @property
+    def srv_type(self) -> Any:
+        """The service's class."""
+        srv_type = self._srv_type
+        if isinstance(srv_type, str):
+            # A node's own services: their classes are made when somebody asks.
+            from day6_tui.core.interfaces import get_service
+
+            srv_type = self._srv_type = get_service(srv_type)
+        return srv_type
+
+    @srv_type.setter
+    def srv_type(self, value: Any) -> None:
+        self._srv_type = value
+
+    def _pending(self) -> bool:
+        return bool(self._endpoint.queue)
+
+    def _process(self) -> Any:
+        self._queued = False
+        taken = self._endpoint.take()
+        if taken is None or self._handle._destroyed:
+            return NOTHING
+        if self._endpoint.queue:
+            self._notify()
+        request, request_id = taken
+        if self._introspection is not None:
+            self._introspection.request_received(request, request_id)
+        result = self.callback(request, self.srv_type.Response())
+        if is_coroutine_function(self.callback):
+            return self._answer_later(result, request_id)
+        self.send_response(result, request_id)
+        return None
+
+    async def _answer_later(self, coroutine: Any, request_id: RequestId) -> None:
+        self.send_response(await coroutine, request_id)
+
+    def send_response(self, response: SrvResponseT, header: RequestId) -> None:
+        """Answer the request of that header. TypeError for what is no response of the service's type."""
+        if not isinstance(response, self.srv_type.Response) or not isinstance(header, RequestId):
+            raise TypeError
+        self._handle.check()
+        if self._introspection is not None:
+            self._introspection.response_sent(response, header)
+        self._endpoint.send_response(header, response)
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish requests and responses on `<service>/_service_event`: not at all, metadata only, or with contents."""
+        from rclpy._introspection import Introspection
+
+        self._handle.check()
+        self._introspection = Introspection.configured(
+            self._introspection, self._handle, self.srv_type, clock, service_event_qos_profile, introspection_state
+        )
+
+    @property
+    def handle(self) -> EndpointHandle:
+        """The handle."""
+        return self._handle
+
+    @property
+    def service_name(self) -> str:
+        """The full name of the service."""
+        self._handle.check()
+        return self._handle.get_topic_name()
+
+    @property
+    def logger_name(self) -> str:
+        """The name of the logger of the service's node."""
+        self._handle.check()
+        return self._handle.get_logger_name()
+
+    def destroy(self) -> None:
+        """Take the service out of the graph; prefer `Node.destroy_service`."""
+        if self._introspection is not None:
+            self._introspection.destroy()
+        self._handle.destroy_when_not_in_use()
+
+    def __enter__(self) -> Service[SrvRequestT, SrvResponseT]:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()

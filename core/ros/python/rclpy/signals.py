@@ -1,0 +1,83 @@
+"""SIGINT and SIGTERM: what rclpy does about them.
+
+As in real rclpy the handler makes every context invalid (so that spin ends) and then calls whatever handler was there before:
+for Ctrl-C that is Python's, which raises KeyboardInterrupt; for SIGTERM there is none, and spin raises
+ExternalShutdownException.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
+from rclpy.guard_condition import GuardCondition
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
+_Handler = Callable[[int, FrameType | None], Any] | int | None
+
+_current = SignalHandlerOptions.NO
+_previous: dict[int, _Handler] = {}
+
+
+def _on_signal(number: int, frame: FrameType | None) -> None:
+    from rclpy.context import _valid_contexts
+
+    for context in _valid_contexts():
+        context._invalidate()
+    previous = _previous.get(number)
+    if callable(previous) and not isinstance(previous, int):
+        previous(number, frame)
+
+
+def _install(number: int) -> None:
+    if number not in _previous:
+        _previous[number] = signal.getsignal(number)
+        signal.signal(number, _on_signal)
+
+
+def _uninstall(number: int) -> None:
+    if number in _previous:
+        previous = _previous.pop(number)
+        # A handler the program set meanwhile stays.
+        if signal.getsignal(number) is _on_signal:
+            signal.signal(number, signal.SIG_DFL if previous is None else previous)
+
+
+def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
+    """Install handlers for SIGINT, SIGTERM, both or none.
+
+    Python allows this only in the main thread; elsewhere nothing is installed (real rclpy can).
+    """
+    global _current
+    if threading.current_thread() is not threading.main_thread():
+        return
+    wanted = int(options)
+    for bit, number in ((1, signal.SIGINT), (2, signal.SIGTERM)):
+        if wanted & bit:
+            _install(number)
+        else:
+            _uninstall(number)
+    _current = options
+
+
+def get_current_signal_handlers_options() -> SignalHandlerOptions:
+    """Return which handlers are installed."""
+    return _current
+
+
+def uninstall_signal_handlers() -> None:
+    """Put back the handlers that were there before."""
+    install_signal_handlers(SignalHandlerOptions.NO)
+
+
+class SignalHandlerGuardCondition(GuardCondition):
+    """A guard condition that is triggered by a signal."""
+
+    def __init__(self, context: Context | None = None) -> None:
+        super().__init__(callback=None, callback_group=None, context=context)

@@ -1,0 +1,250 @@
+"""Futures, and tasks that executors run."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import warnings
+import weakref
+from collections.abc import Callable, Coroutine, Generator
+from enum import Enum
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from rclpy._callables import is_coroutine_function
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+
+T = TypeVar("T")
+
+_running = threading.local()
+"""`task` is the task whose coroutine runs on this thread just now."""
+
+
+class FutureState(Enum):
+    """What can have become of a future."""
+
+    PENDING = "PENDING"
+    CANCELLED = "CANCELLED"
+    FINISHED = "FINISHED"
+
+
+_PENDING = FutureState.PENDING
+_FINISHED = FutureState.FINISHED
+_CANCELLED = FutureState.CANCELLED
+
+
+class Future(Generic[T]):
+    """The outcome of something that has not happened yet. Can be awaited in coroutines that an executor runs."""
+
+    def __init__(self, *, executor: Executor | None = None) -> None:
+        self._state = _PENDING
+        self._result: T | None = None
+        self._exception: Exception | None = None
+        self._exception_fetched = False
+        self._callbacks: list[Callable[[Future[T]], Any]] = []
+        self._watchers: list[Callable[[], None]] = []
+        """Called at once, on whatever thread, when the outcome is there: executors and tasks that wait for it."""
+        self._lock = threading.Lock()
+        self._executor: weakref.ReferenceType[Executor] | None = None if executor is None else weakref.ref(executor)
+
+    def __del__(self) -> None:
+        if self._exception is not None and not self._exception_fetched:
+            print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
+
+    def __await__(self) -> Generator[None, None, T | None]:
+        while self._state is _PENDING:
+            # The yield itself is bare, as in real rclpy, so that a future can be awaited under asyncio too.
+            task = getattr(_running, "task", None)
+            if task is not None:
+                task._awaited = self
+            yield
+        return self.result()
+
+    def _pending(self) -> bool:
+        return self._state is _PENDING
+
+    def cancel(self) -> None:
+        """Cancel the future unless it is done."""
+        with self._lock:
+            if self._state is not _PENDING:
+                return
+            self._state = _CANCELLED
+        self._schedule_or_invoke_done_callbacks()
+
+    def cancelled(self) -> bool:
+        """Say whether the future was cancelled."""
+        return self._state is _CANCELLED
+
+    def done(self) -> bool:
+        """Say whether there is a result or an exception (a cancelled future is not done)."""
+        return self._state is _FINISHED
+
+    def result(self) -> T | None:
+        """Return the result, None if there is none yet; raise the exception if it was one."""
+        exception = self.exception()
+        if exception is not None:
+            raise exception
+        return self._result
+
+    def exception(self) -> Exception | None:
+        """Return the exception, None if there is none."""
+        self._exception_fetched = True
+        return self._exception
+
+    def set_result(self, result: T) -> None:
+        """Give the future its result."""
+        with self._lock:
+            self._result = result
+            self._state = _FINISHED
+        if self._callbacks or self._watchers:
+            self._schedule_or_invoke_done_callbacks()
+
+    def set_exception(self, exception: Exception) -> None:
+        """Give the future an exception as its outcome."""
+        with self._lock:
+            self._exception = exception
+            self._exception_fetched = False
+            self._state = _FINISHED
+        self._schedule_or_invoke_done_callbacks()
+
+    def _schedule_or_invoke_done_callbacks(self) -> None:
+        with self._lock:
+            executor = None if self._executor is None else self._executor()
+            callbacks, self._callbacks = self._callbacks, []
+            watchers, self._watchers = self._watchers, []
+        for watcher in watchers:
+            watcher()
+        for callback in callbacks:
+            if executor is not None:
+                executor.create_task(callback, self)
+                continue
+            try:
+                callback(self)
+            except Exception as error:
+                warnings.warn(f"Unhandled exception in done callback: {error}", stacklevel=2)
+
+    def _set_executor(self, executor: Executor | None) -> None:
+        with self._lock:
+            self._executor = None if executor is None else weakref.ref(executor)
+
+    def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
+        """Call `callback(future)` when there is an outcome: as a task of the executor if the future has one, else at once."""
+        with self._lock:
+            if self._state is _PENDING:
+                self._callbacks.append(callback)
+                return
+            executor = None if self._executor is None else self._executor()
+        if executor is not None:
+            executor.create_task(callback, self)
+        else:
+            callback(self)
+
+    def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> bool:
+        """Forget a callback; False if it was not there."""
+        with self._lock:
+            if callback not in self._callbacks:
+                return False
+            self._callbacks.remove(callback)
+            return True
+
+    def _watch(self, watcher: Callable[[], None]) -> None:
+        """Call `watcher()` once, at once when there is an outcome."""
+        with self._lock:
+            if self._state is _PENDING:
+                self._watchers.append(watcher)
+                return
+        watcher()
+
+
+class Task(Future[T]):
+    """A function or coroutine to be run by calling the task; its return value is the future's result.
+
+    A coroutine runs until it awaits something that is not there; each further call goes on from there.
+    """
+
+    def __init__(
+        self,
+        handler: Callable[..., Coroutine[Any, Any, T]] | Callable[..., T],
+        args: tuple[Any, ...] | None = None,
+        kwargs: dict[str, Any] | None = None,
+        executor: Executor | None = None,
+    ) -> None:
+        super().__init__(executor=executor)
+        self._args = args or ()
+        self._kwargs = kwargs or {}
+        self._coroutine: Coroutine[Any, Any, T] | None = None
+        self._function: Callable[..., Any] | None = None
+        if is_coroutine_function(handler):
+            self._coroutine = handler(*self._args, **self._kwargs)  # type: ignore[assignment]
+        else:
+            self._function = handler
+        self._executing = False
+        self._awaited: Future[Any] | None = None
+        self._task_lock = threading.Lock()
+
+    @classmethod
+    def _of_coroutine(cls, coroutine: Coroutine[Any, Any, T], executor: Executor) -> Task[T]:
+        task: Task[T] = cls(_no_function, executor=executor)
+        task._coroutine, task._function = coroutine, None
+        return task
+
+    def __call__(self) -> None:
+        """Run the function, or the coroutine up to its next await."""
+        if self._state is not _PENDING or self._executing or not self._task_lock.acquire(blocking=False):
+            return
+        try:
+            if self._state is not _PENDING:
+                return
+            self._executing = True
+            try:
+                if self._coroutine is not None:
+                    self._resume(self._coroutine)
+                elif self._function is not None:
+                    self._run(self._function)
+            finally:
+                self._executing = False
+        finally:
+            self._task_lock.release()
+
+    def _run(self, function: Callable[..., Any]) -> None:
+        try:
+            self.set_result(function(*self._args, **self._kwargs))
+        except Exception as error:
+            self.set_exception(error)
+        self._complete_task()
+
+    def _resume(self, coroutine: Coroutine[Any, Any, T]) -> None:
+        outer = getattr(_running, "task", None)
+        _running.task = self
+        self._awaited = None
+        try:
+            coroutine.send(None)
+        except StopIteration as stop:
+            self.set_result(stop.value)
+            self._complete_task()
+        except Exception as error:
+            self.set_exception(error)
+            self._complete_task()
+        finally:
+            _running.task = outer
+
+    def _complete_task(self) -> None:
+        self._coroutine = None
+        self._function = None
+        self._args = ()
+        self._kwargs = {}
+
+    def executing(self) -> bool:
+        """Say whether the task is running just now."""
+        return self._executing
+
+    def cancel(self) -> None:
+        """Cancel the task; a coroutine is closed where it waits."""
+        if self._state is _PENDING and self._coroutine is not None:
+            self._coroutine.close()
+        super().cancel()
+
+
+def _no_function() -> None:
+    """Stand in for the function of a task made of a coroutine."""

@@ -1,0 +1,105 @@
+"""Waitables: things an executor runs that are no plain topic, service or timer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from rclpy._entity import WAITABLE, Entity
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.task import Future
+
+T = TypeVar("T")
+
+
+class NumberOfEntities:
+    """How many entities of each kind a waitable consists of."""
+
+    __slots__ = ("num_clients", "num_events", "num_guard_conditions", "num_services", "num_subscriptions", "num_timers")
+    _ORDER = (
+        "num_subscriptions",
+        "num_guard_conditions",
+        "num_timers",
+        "num_clients",
+        "num_services",
+        "num_events",
+    )
+
+    def __init__(
+        self,
+        num_subs: int = 0,
+        num_gcs: int = 0,
+        num_timers: int = 0,
+        num_clients: int = 0,
+        num_services: int = 0,
+        num_events: int = 0,
+    ) -> None:
+        self.num_subscriptions = num_subs
+        self.num_guard_conditions = num_gcs
+        self.num_timers = num_timers
+        self.num_clients = num_clients
+        self.num_services = num_services
+        self.num_events = num_events
+
+    def __add__(self, other: NumberOfEntities) -> NumberOfEntities:
+        return self.__class__(*(getattr(self, name) + getattr(other, name) for name in self._ORDER))
+
+    def __iadd__(self, other: NumberOfEntities) -> NumberOfEntities:
+        for name in self._ORDER:
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        return self
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(str(getattr(self, name)) for name in self._ORDER)
+        return f"<{self.__class__.__name__}({numbers})>"
+
+
+class Waitable(Entity, Generic[T]):
+    """Base of what an executor runs beside topics, services, timers and guard conditions.
+
+    A derived class of a program implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute`,
+    as in real rclpy; `rclpy._wait_set` then stands in for rcl's wait set.
+    """
+
+    _kind = WAITABLE
+
+    def __init__(self, callback_group: CallbackGroup) -> None:
+        self.callback_group: CallbackGroup = callback_group
+        callback_group.add_entity(self)
+        self._executor_event = False
+        self._futures: list[Future[Any]] = []
+
+    def __enter__(self) -> None:
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def __exit__(self, exc_type: object, exc_value: object, traceback: object) -> None:
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def add_future(self, future: Future[Any]) -> None:
+        """Add a future that belongs to the waitable."""
+        self._futures.append(future)
+
+    def remove_future(self, future: Future[Any]) -> None:
+        """Forget a future."""
+        self._futures.remove(future)
+
+    def is_ready(self, wait_set: Any) -> bool:
+        """Say whether there is something to take."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def take_data(self) -> T:
+        """Take what makes the waitable ready."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    async def execute(self, taken_data: T) -> None:
+        """Do the work for what was taken."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many entities `add_to_wait_set` adds."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        """Add entities to a wait set."""
+        raise NotImplementedError("Must be implemented by subclass")

@@ -1,0 +1,84 @@
+"""Which interfaces exist on the search path, and where their definitions lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from ament_index_python.packages import get_packages_with_prefixes
+
+_KINDS = ("msg", "srv", "action")
+
+
+def get_interface_packages() -> dict[str, str]:
+    """Return `{package: prefix}` of the packages that define interfaces."""
+    prefixes = get_packages_with_prefixes()
+    return {name: prefix for name, prefix in prefixes.items() if _definitions(Path(prefix), name, _KINDS)}
+
+
+def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """Return `{package: ['msg/String', …]}` of some packages or of all; LookupError for a package that is not there."""
+    return _interfaces(package_names, _KINDS)
+
+
+def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As `get_interfaces`, messages only."""
+    return _interfaces(package_names, ("msg",))
+
+
+def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As `get_interfaces`, services only."""
+    return _interfaces(package_names, ("srv",))
+
+
+def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+    """As `get_interfaces`, actions only."""
+    return _interfaces(package_names, ("action",))
+
+
+def get_interface_path(interface_name: str) -> str:
+    """Return the file that defines `package/kind/Name` (a suffix may be given).
+
+    Raises ValueError for a malformed name, LookupError for an unknown package or interface.
+    """
+    parts = interface_name.split("/")
+    if len(parts) < 2:
+        raise ValueError(f"Invalid name '{interface_name}'. Expected at least two parts separated by '/'")
+    if not all(parts):
+        raise ValueError(f"Invalid name '{interface_name}'. Must not contain empty parts")
+    if ".." in parts:
+        raise ValueError(f"Invalid name '{interface_name}'. Must not contain '..'")
+    prefix = get_packages_with_prefixes().get(parts[0])
+    if prefix is None:
+        raise LookupError(f"Unknown package '{parts[0]}'")
+    path = Path(prefix, "share", *parts)
+    if "." in parts[-1]:
+        candidates = [path]
+    else:
+        candidates = [path.with_name(f"{parts[-1]}.{parts[-2]}"), path.with_name(f"{parts[-1]}.idl")]
+    for candidate in candidates:
+        if candidate.exists():
+            return str(candidate)
+    raise LookupError(f"Could not find the interface '{candidates[-1]}'")
+
+
+def _interfaces(package_names: Iterable[str], kinds: tuple[str, ...]) -> dict[str, list[str]]:
+    prefixes = get_packages_with_prefixes()
+    found: dict[str, list[str]] = {}
+    for name in list(package_names) or prefixes:
+        if name not in prefixes:
+            raise LookupError(f"Unknown package '{name}'")
+        definitions = _definitions(Path(prefixes[name]), name, kinds)
+        if definitions:
+            found[name] = definitions
+    return found
+
+
+def _definitions(prefix: Path, package: str, kinds: tuple[str, ...]) -> list[str]:
+    names = set()
+    for kind in kinds:
+        for path in (prefix / "share" / package / kind).glob("*"):
+            # Names with an underscore are the parts of services and actions: nobody's own interfaces.
+            if path.suffix in (f".{kind}", ".idl") and "_" not in path.stem:
+                names.add(f"{kind}/{path.stem}")
+    return sorted(names)

@@ -1,0 +1,101 @@
+"""Interface classes by their names (`std_msgs/msg/String`, and for the three specific functions also `std_msgs/String`)."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, NamedTuple
+
+
+class _Name(NamedTuple):
+    """What `import_message` needs of a type's description."""
+
+    namespaces: list[str]
+    name: str
+
+
+def get_interface(identifier: str) -> Any:
+    """Return the class of a message, service or action by its full name.
+
+    Raises ValueError for a malformed name, ModuleNotFoundError for an unknown package, AttributeError for an unknown type.
+    """
+    return _imported(_parts(identifier, None))
+
+
+def get_message(identifier: str) -> Any:
+    """Return a message class; raises as `get_interface`, and ValueError if it is not a message."""
+    found = _imported(_parts(identifier, "msg"))
+    if not is_message(found):
+        raise ValueError(f"Expected the full name of a message, got '{identifier}'")
+    return found
+
+
+def get_service(identifier: str) -> Any:
+    """Return a service class; raises as `get_interface`, and ValueError if it is not a service."""
+    found = _imported(_parts(identifier, "srv"))
+    if not is_service(found):
+        raise ValueError(f"Expected the full name of a service, got '{identifier}'")
+    return found
+
+
+def get_action(identifier: str) -> Any:
+    """Return an action class; raises as `get_interface`, and ValueError if it is not an action."""
+    found = _imported(_parts(identifier, "action"))
+    if not is_action(found):
+        raise ValueError(f"Expected the full name of an action, got '{identifier}'")
+    return found
+
+
+def get_namespaced_type(identifier: str) -> Any:
+    """Return the `NamespacedType` of a full name."""
+    return _namespaced(identifier, None)
+
+
+def get_message_namespaced_type(identifier: str) -> Any:
+    """Return the `NamespacedType` of a message's name."""
+    return _namespaced(identifier, "msg")
+
+
+def get_service_namespaced_type(identifier: str) -> Any:
+    """Return the `NamespacedType` of a service's name."""
+    return _namespaced(identifier, "srv")
+
+
+def get_action_namespaced_type(identifier: str) -> Any:
+    """Return the `NamespacedType` of an action's name."""
+    return _namespaced(identifier, "action")
+
+
+def is_message(interface: Any) -> bool:
+    """Say whether a class is a message."""
+    return hasattr(interface, "SLOT_TYPES")
+
+
+def is_service(interface: Any) -> bool:
+    """Say whether a class is a service."""
+    return hasattr(interface, "Request") and hasattr(interface, "Response")
+
+
+def is_action(interface: Any) -> bool:
+    """Say whether a class is an action."""
+    return all(hasattr(interface, part) for part in ("Goal", "Result", "Feedback"))
+
+
+def _parts(identifier: str, default_kind: str | None) -> _Name:
+    *namespaces, name = identifier.split("/")
+    if len(namespaces) == 1 and default_kind is not None:
+        namespaces.append(default_kind)
+    return _Name(namespaces, name)
+
+
+def _imported(parts: _Name) -> Any:
+    from rosidl_runtime_py.import_message import import_message_from_namespaced_type
+
+    if parts.namespaces and not all(part.isidentifier() for part in parts.namespaces):
+        # `import_module` would take '..x' and dotted names for what they mean in Python.
+        raise ModuleNotFoundError(f"No module named {'.'.join(parts.namespaces)!r}")
+    return import_message_from_namespaced_type(parts)
+
+
+def _namespaced(identifier: str, default_kind: str | None) -> Any:
+    parts = _parts(identifier, default_kind)
+    return import_module("rosidl_parser.definition").NamespacedType(parts.namespaces, parts.name)

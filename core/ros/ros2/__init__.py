@@ -1,0 +1,33 @@
+"""The `ros2` command. A folder or module here is a command (`topic`, `run`), a module in such a folder a verb (`topic/list.py`).
+
+`cli` holds what they share. A verb has `SUMMARY`, `add_arguments(parser)` and `async def main(session, args)`; names with
+an underscore in front are not verbs. The texts are those of ros2cli 0.36.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    """Run `ros2 …` from `session.argv`; returns the exit status."""
+    from day6_tui.core.ros.ros2.cli.run import run_command
+
+    return await run_command(session)
+
+
+async def settle(session: Session, timeout: float = 1.0) -> None:
+    """Wait until the link, if there is one, has told this process's graph what the others have."""
+    from day6_tui.core.ros.ros2.cli.node import settle as wait
+
+    await wait(session, timeout)
+
+
+def complete(words: list[str], session: Session) -> list[str]:
+    """Return the possible last words of a command line that begins `ros2 …`; `words[-1]` is what has been typed of it."""
+    from day6_tui.core.ros.ros2.cli.completion import complete_words
+
+    return complete_words(words, session)

@@ -1,0 +1,3 @@
+"""`ros2 action …`."""
+
+SUMMARY = "Various action related sub-commands"

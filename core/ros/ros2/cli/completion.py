@@ -1,0 +1,233 @@
+"""Tab completion: which words can stand where the cursor is."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+class Typed(NamedTuple):
+    """What a completer knows: the session, the arguments before the cursor by their names, the word begun."""
+
+    session: Session
+    values: dict[str, str]
+    prefix: str
+
+
+Completer = Callable[[Typed], Iterable[str]]
+
+
+def complete_words(words: list[str], session: Session) -> list[str]:
+    """Return the possible last words of `words` (which begins with 'ros2'), sorted; see `ros2.complete`."""
+    from day6_tui.core.ros import environment
+    from day6_tui.core.ros.ros2.cli.tree import build_parser
+
+    environment.activate()
+    prefix = words[-1]
+    before = words[1:-1]
+    walk = _Walk(build_parser(session, before))
+    for word in before:
+        walk.take(word)
+    candidates = walk.candidates(session, prefix)
+    return sorted({candidate for candidate in candidates if candidate.startswith(prefix)})
+
+
+class _Walk:
+    """Follows a command line word by word through the parsers and knows what may come next."""
+
+    def __init__(self, parser: argparse.ArgumentParser) -> None:
+        self.values: dict[str, str] = {}
+        self._enter(parser)
+
+    def _enter(self, parser: argparse.ArgumentParser) -> None:
+        self._parser = parser
+        self._positionals = [action for action in parser._actions if not action.option_strings]
+        self._pending: argparse.Action | None = None
+
+    def take(self, word: str) -> None:
+        if self._pending is not None:
+            self.values[self._pending.dest] = word
+            self._pending = None
+            return
+        if word.startswith("-") and not self._in_remainder():
+            option = self._parser._option_string_actions.get(word)
+            if option is not None and option.nargs != 0:
+                self._pending = option
+            return
+        if not self._positionals:
+            return
+        action = self._positionals[0]
+        if isinstance(action, argparse._SubParsersAction):
+            parser = action.choices.get(word)
+            if isinstance(parser, argparse.ArgumentParser):
+                self._enter(parser)
+            else:
+                self._positionals = []
+            return
+        self.values[action.dest] = word
+        if action.nargs not in (argparse.REMAINDER, "+", "*"):
+            self._positionals.pop(0)
+
+    def candidates(self, session: Session, prefix: str) -> Iterable[str]:
+        if self._pending is not None:
+            return self._values_of(self._pending, session, prefix)
+        if prefix.startswith("-") and not self._in_remainder():
+            return [option for option in self._parser._option_string_actions if option.startswith("--") or len(prefix) < 2]
+        return self._values_of(self._positionals[0], session, prefix) if self._positionals else []
+
+    def _in_remainder(self) -> bool:
+        return bool(self._positionals) and self._positionals[0].nargs == argparse.REMAINDER
+
+    def _values_of(self, action: argparse.Action, session: Session, prefix: str) -> Iterable[str]:
+        if action.choices is not None:
+            from day6_tui.core.ros.ros2.cli.later import HIDDEN
+
+            return [str(choice) for choice in action.choices if str(choice) not in HIDDEN]
+        completer: Any = getattr(action, "completer", None)
+        return completer(Typed(session, self.values, prefix)) if completer is not None else []
+
+
+def topic_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of a topic; hidden ones once an underscore was typed."""
+    return _names(typed, "MP", "MS")
+
+
+def service_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of a service; hidden ones once an underscore was typed."""
+    return _names(typed, "SS")
+
+
+def action_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of an action."""
+    mark = "/_action/"
+    return sorted({name.partition(mark)[0] for name, _ in _all_names(typed, "SS", "MP") if mark in name})
+
+
+def node_names(typed: Typed) -> Iterable[str]:
+    """Complete the full name of a node; hidden ones once an underscore was typed."""
+    graph = typed.session.graph
+    found = [f"{node.namespace.rstrip('/')}/{node.name}" for node in graph.nodes] if graph is not None else []
+    return [name for name in found if _shown(name, typed.prefix)]
+
+
+def topic_types(typed: Typed) -> Iterable[str]:
+    """Complete a message type: the topic's own if the topic named before exists, else any."""
+    own = dict(_all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""))
+    return own or message_types(typed)
+
+
+def service_types_of_service(typed: Typed) -> Iterable[str]:
+    """Complete a service type: the service's own if the one named before exists, else any."""
+    own = dict(_all_names(typed, "SS")).get(typed.values.get("service_name", ""))
+    return own or service_types(typed)
+
+
+def action_types_of_action(typed: Typed) -> Iterable[str]:
+    """Complete an action type: the action's own if the one named before exists, else any."""
+    own = dict(_all_names(typed, "SS")).get(f"{typed.values.get('action_name', '')}/_action/send_goal")
+    return [each.removesuffix("_SendGoal") for each in own] if own else action_types(typed)
+
+
+def message_types(typed: Typed) -> Iterable[str]:
+    """Complete a message type."""
+    return _types("msg")
+
+
+def service_types(typed: Typed) -> Iterable[str]:
+    """Complete a service type."""
+    return _types("srv")
+
+
+def action_types(typed: Typed) -> Iterable[str]:
+    """Complete an action type."""
+    return _types("action")
+
+
+def interface_types(typed: Typed) -> Iterable[str]:
+    """Complete any interface type."""
+    return _types("msg", "srv", "action")
+
+
+def interface_packages(typed: Typed) -> Iterable[str]:
+    """Complete the name of a package that defines interfaces."""
+    from rosidl_runtime_py.get_interfaces import get_interface_packages
+
+    return get_interface_packages()
+
+
+def package_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of a package."""
+    from day6_tui.core.ros.ros2.pkg._index import packages
+
+    return packages(typed.session)
+
+
+def executable_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of an executable of the package named before."""
+    from day6_tui.core.ros.ros2.pkg._index import executables
+
+    return [each.name for each in executables(typed.session, typed.values.get("package_name", "")) or ()]
+
+
+def parameter_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of a parameter of the node named before, if that node runs in this process."""
+    from day6_tui.core.ros.ros2.param._values import parameters_here
+
+    return parameters_here(typed.session, typed.values.get("node_name", ""))
+
+
+def message_prototype(typed: Typed) -> Iterable[str]:
+    """Complete the values of a message by the default ones."""
+    return _prototype(typed.values.get("message_type", ""), None)
+
+
+def request_prototype(typed: Typed) -> Iterable[str]:
+    """Complete the values of a service request by the default ones."""
+    return _prototype(typed.values.get("service_type", ""), "Request")
+
+
+def goal_prototype(typed: Typed) -> Iterable[str]:
+    """Complete the values of an action goal by the default ones."""
+    return _prototype(typed.values.get("action_type", ""), "Goal")
+
+
+def _prototype(type_name: str, part: str | None) -> Iterable[str]:
+    from rosidl_runtime_py.convert import message_to_yaml
+    from rosidl_runtime_py.utilities import get_interface
+
+    try:
+        found = get_interface(type_name)
+        message = (getattr(found, part) if part else found)()
+    except (AttributeError, ImportError, ValueError):
+        return []
+    return [message_to_yaml(message)]
+
+
+def _types(*kinds: str) -> list[str]:
+    from rosidl_runtime_py.get_interfaces import get_interfaces
+
+    return [
+        f"{package}/{name}"
+        for package, names in get_interfaces().items()
+        for name in names
+        if name.partition("/")[0] in kinds
+    ]
+
+
+def _names(typed: Typed, *kinds: str) -> list[str]:
+    return [name for name, _ in _all_names(typed, *kinds) if _shown(name, typed.prefix)]
+
+
+def _all_names(typed: Typed, *kinds: str) -> list[tuple[str, list[str]]]:
+    from day6_tui.core.graph.endpoints import EndpointKind
+
+    graph = typed.session.graph
+    return graph.names_and_types(*map(EndpointKind, kinds)) if graph is not None else []
+
+
+def _shown(name: str, prefix: str) -> bool:
+    return "/_" not in name or "_" in prefix

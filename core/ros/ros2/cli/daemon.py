@@ -1,0 +1,75 @@
+"""The daemon of `ros2`: a hidden node that stays, so that commands know the graph at once.
+
+Our commands need none (the graph of the desktop is always there), but it is part of what people see: `ros2 daemon …`,
+`/_ros2cli_daemon_0_…` in `node list -a`, its publisher in the count of /rosout. So it is a real node here too, one for
+each graph of a machine that goes on after the command; a command in a terminal of its own has nothing to keep it in.
+"""
+
+from __future__ import annotations
+
+import uuid
+from typing import TYPE_CHECKING, NamedTuple
+from weakref import WeakKeyDictionary
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+    from day6_tui.core.graph.graph import Graph
+    from day6_tui.core.session.session import Session
+
+PREFIX = "_ros2cli_daemon"
+
+
+class _Daemon(NamedTuple):
+    context: Context
+    node: Node
+
+
+_daemons: WeakKeyDictionary[Graph, _Daemon] = WeakKeyDictionary()
+
+
+def is_running(session: Session) -> bool:
+    """Say whether this machine has a daemon, ours or one that another process on the link keeps."""
+    if node_of(session) is not None:
+        return True
+    return session.graph is not None and any(node.name.startswith(f"{PREFIX}_") for node in session.graph.nodes)
+
+
+def node_of(session: Session) -> Node | None:
+    """Return the node of the daemon that this process keeps."""
+    running = _daemons.get(session.graph) if session.graph is not None else None
+    return running.node if running is not None else None
+
+
+def can_run(session: Session) -> bool:
+    """Say whether this process goes on after the command (the desktop does, `day6-tui ros2 …` does not)."""
+    return session.graph is not None and session.shell is not None
+
+
+def start(session: Session) -> bool:
+    """Start the daemon; False if there is one already, or nothing to keep it in."""
+    if is_running(session) or not can_run(session) or session.graph is None:
+        return False
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+    context = Context._for_session(session.graph, session.clock)
+    node = Node(
+        f"{PREFIX}_{session.graph.domain_id}_{uuid.uuid4().hex}",
+        context=context,
+        cli_args=[],
+        start_parameter_services=False,
+    )
+    _daemons[session.graph] = _Daemon(context, node)
+    return True
+
+
+def stop(session: Session) -> bool:
+    """Stop the daemon that this process keeps; False if there is none."""
+    running = _daemons.pop(session.graph, None) if session.graph is not None else None
+    if running is None:
+        return False
+    running.node.destroy_node()
+    running.context.try_shutdown()
+    return True

@@ -1,0 +1,134 @@
+"""Options that several verbs have, and the types of their values with ros2cli's messages."""
+
+from __future__ import annotations
+
+from argparse import Action, ArgumentParser, ArgumentTypeError
+from collections.abc import Callable
+from typing import Any
+
+from day6_tui.core.ros.ros2.cli.completion import Completer
+
+PROFILES = (
+    "unknown",
+    "default",
+    "system_default",
+    "sensor_data",
+    "services_default",
+    "parameters",
+    "parameter_events",
+    "action_status_default",
+    "best_available",
+    "rosout_default",
+)
+HISTORIES = ("system_default", "keep_last", "keep_all", "unknown")
+RELIABILITIES = ("system_default", "reliable", "best_effort", "unknown", "best_available")
+DURABILITIES = ("system_default", "transient_local", "volatile", "unknown", "best_available")
+LIVELINESSES = ("system_default", "automatic", "manual_by_topic", "unknown", "best_available")
+
+
+def completed(action: Action, completer: Completer) -> Action:
+    """Say how the values of an argument are completed."""
+    action.completer = completer  # type: ignore[attr-defined]
+    return action
+
+
+def add_discovery_options(parser: ArgumentParser) -> None:
+    """Add the options of verbs that make a node of their own."""
+    parser.add_argument(
+        "--spin-time",
+        type=float,
+        help="Spin time in seconds to wait for discovery (only applies when not using an already running daemon)",
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Enable ROS simulation time")
+
+
+def add_strategy_options(parser: ArgumentParser) -> None:
+    """Add the options of verbs that ask the daemon, or a node of their own."""
+    add_discovery_options(parser)
+    parser.add_argument(
+        "--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon"
+    )
+
+
+def add_hidden_option(parser: ArgumentParser, things: str) -> None:
+    """Add `--include-hidden-THINGS`, things being topics, services or nodes."""
+    parser.add_argument(
+        f"--include-hidden-{things}", action="store_true", help=f"Consider hidden {things} as well"
+    )
+
+
+def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
+    """Add the QoS options of `topic echo` (`doing` is 'subscribe') and `topic pub` ('publish')."""
+
+    def overriding(what: str, key: str, rest: str) -> str:
+        return f"{what} setting to {doing} with (overrides {key} value of --qos-profile option{rest}"
+
+    adapted = ", default: Compatible profile with running endpoints )"
+    parser.add_argument(
+        "--qos-profile",
+        choices=PROFILES,
+        default=profile,
+        help=f"Quality of service preset profile to {doing} with (default: {profile})",
+    )
+    parser.add_argument("--qos-depth", metavar="N", type=int, help=overriding("Queue size", "depth", ")"))
+    parser.add_argument(
+        "--qos-history",
+        choices=HISTORIES,
+        help=overriding("History of samples", "history", ", default: keep_last)"),
+    )
+    quality = "Quality of service"
+    parser.add_argument(
+        "--qos-reliability",
+        choices=RELIABILITIES,
+        help=overriding(f"{quality} reliability", "reliability", adapted),
+    )
+    parser.add_argument(
+        "--qos-durability", choices=DURABILITIES, help=overriding(f"{quality} durability", "durability", adapted)
+    )
+    # The two that follow lack their closing bracket in the real tool.
+    parser.add_argument(
+        "--qos-liveliness", choices=LIVELINESSES, help=overriding(f"{quality} liveliness", "liveliness", "")
+    )
+    parser.add_argument(
+        "--qos-liveliness-lease-duration-seconds",
+        type=float,
+        help=overriding(f"{quality} liveliness lease duration", "liveliness lease duration", ""),
+    )
+
+
+def number_type(convert: Callable[[str], Any], allowed: Callable[[Any], bool], message: str) -> Callable[[str], Any]:
+    """Return an argparse type that answers a wrong value with `message`."""
+
+    def parse(text: str) -> Any:
+        try:
+            value = convert(text)
+        except ValueError:
+            raise ArgumentTypeError(message) from None
+        if not allowed(value):
+            raise ArgumentTypeError(message)
+        return value
+
+    return parse
+
+
+unsigned_int = number_type(int, lambda value: value >= 0, "value must be non-negative integer")
+positive_int = number_type(int, lambda value: value > 0, "value must be a positive integer")
+
+
+def positive_float(text: str) -> float:
+    """The argparse type of rates and durations."""
+    try:
+        value = float(text)
+    except ValueError:
+        raise ArgumentTypeError("Expects a floating point number") from None
+    if value <= 0.0:
+        raise ArgumentTypeError("Value must be positive")
+    return value
+
+
+def nonnegative_int(text: str) -> int:
+    """The argparse type of counts; argparse itself words the error, with the name of this function, as in ros2cli."""
+    value = int(text)
+    if value < 0:
+        raise ValueError("Value must be positive or zero")
+    return value

@@ -1,0 +1,65 @@
+"""From a command line to its verb and back to an exit status."""
+
+from __future__ import annotations
+
+import logging
+import signal
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros import environment
+from day6_tui.core.ros.ros2.cli.failure import failure_text
+from day6_tui.core.ros.ros2.cli.later import missing
+from day6_tui.core.ros.ros2.cli.parser import ParserExit
+from day6_tui.core.ros.ros2.cli.tree import build_parser, chosen_words, command_names
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+_log = logging.getLogger(__name__)
+
+VERSION = "0.36.1"
+"""The ros2cli whose behaviour and words these are."""
+
+
+async def run_command(session: Session) -> int:
+    """Parse `session.argv` and run the verb; exit statuses as ros2cli's: 2 for Ctrl-C, 1 for a failure that was told."""
+    environment.activate()
+    argv = session.argv[1:]
+    if argv == ["--version"]:
+        session.print(f"ros2 {VERSION} (day6-tui)")
+        session.print_error("note: the ros2 of a real installation has no --version, it answers with its usage")
+        return 0
+    words = chosen_words(argv)
+    apology = missing(*words)
+    if apology is not None and (words[0] in command_names() or words[0] == "bag"):
+        session.print_error(apology)
+        return 1
+    try:
+        args = build_parser(session, argv).parse_args(argv)
+    except ParserExit as end:
+        return end.status
+    if not hasattr(args, "run"):
+        args.help_of.print_help()
+        return 0
+    return await _status_of(session, args)
+
+
+async def _status_of(session: Session, args: Any) -> int:
+    try:
+        outcome = await args.run(session, args)
+    except ParserExit as end:
+        return end.status
+    except KeyboardInterrupt:
+        return int(signal.SIGINT)
+    except BrokenPipeError:
+        raise
+    except RuntimeError as error:
+        outcome = str(error)
+    except Exception as error:
+        _log.debug("%s", " ".join(session.argv), exc_info=True)
+        session.stderr.write(failure_text(error))
+        return 1
+    if isinstance(outcome, str):
+        session.print_error(outcome)
+        return 1
+    return int(outcome or 0)

@@ -1,0 +1,105 @@
+"""The command tree, read from the folders: which commands and verbs there are, and the parser for one command line."""
+
+from __future__ import annotations
+
+import pkgutil
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.ros2.cli.later import HIDDEN, LATER, later_verbs
+from day6_tui.core.ros.ros2.cli.parser import Parser
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+ROOT = "day6_tui.core.ros.ros2"
+_FOLDER = Path(__file__).resolve().parents[1]
+
+
+def command_names() -> list[str]:
+    """Return all commands, sorted; those of `later` too, because the real `ros2` has them."""
+    present = {module.name for module in pkgutil.iter_modules([str(_FOLDER)]) if module.name != "cli"}
+    return sorted(present | {name for name in LATER if name != "bag"})
+
+
+def verb_names(command: str) -> list[str]:
+    """Return the verbs of a command, sorted; none for a command without verbs."""
+    folder = _FOLDER / command
+    modules = pkgutil.iter_modules([str(folder)]) if folder.is_dir() else ()
+    return sorted({module.name for module in modules if not module.name.startswith("_")} | set(later_verbs(command)))
+
+
+def load(command: str, verb: str | None = None) -> ModuleType:
+    """Import the module of a command or of one of its verbs."""
+    return import_module(".".join(part for part in (ROOT, command, verb) if part))
+
+
+def summary(command: str, verb: str | None = None) -> str:
+    """Return the one line that help shows for a command or verb."""
+    if verb is None:
+        return LATER[command].summary if command in LATER else str(load(command).SUMMARY)
+    later = later_verbs(command)
+    return later[verb] if verb in later else str(load(command, verb).SUMMARY)
+
+
+def chosen_words(argv: list[str]) -> tuple[str | None, str | None]:
+    """Return the command and the verb of a command line (without `ros2`), None where there is none.
+
+    No option before them takes a value, so they are simply the first two words that are not options.
+    """
+    words = [word for word in argv if not word.startswith("-")]
+    return (words[0] if words else None), (words[1] if len(words) > 1 else None)
+
+
+def build_parser(session: Session, argv: list[str]) -> Parser:
+    """Return the parser for `ros2 ARGV…`. Only the modules of the chosen command and verb are imported.
+
+    The namespace it returns has `run`, the `main` of the verb, or `help_of`, the parser whose help answers a command line
+    that stops before a verb.
+    """
+    command, verb = chosen_words(argv)
+    root = Parser(session, prog="ros2", description="ros2 is an extensible command-line tool for ROS 2.")
+    root.add_argument(
+        "--use-python-default-buffering",
+        action="store_true",
+        help="Do not force line buffering in stdout and instead use the python default buffering, which might be affected "
+        "by PYTHONUNBUFFERED/-u and depends on whatever stdout is interactive or not",
+    )
+    root.set_defaults(help_of=root)
+    names = command_names()
+    listed = "" if command in names else _listing({name: summary(name) for name in names if name not in HIDDEN})
+    choices = root.add_commands("ros2", listed)
+    for name in names:
+        parser = choices.add_parser(name)
+        if name == command:
+            _complete_command(parser, name, verb)
+    return root
+
+
+def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
+    parser.description = summary(command)
+    parser.set_defaults(help_of=parser)
+    module: Any = load(command) if command not in LATER else None
+    if hasattr(module, "add_arguments"):
+        module.add_arguments(parser)
+    if hasattr(module, "main"):
+        parser.set_defaults(run=module.main)
+    verbs = verb_names(command)
+    if not verbs:
+        return
+    listed = "" if verb in verbs else _listing({name: summary(command, name) for name in verbs})
+    choices = parser.add_commands(f"ros2 {command}", listed)
+    for name in verbs:
+        verb_parser = choices.add_parser(name)
+        if name == verb and name not in later_verbs(command):
+            verb_module: Any = load(command, name)
+            verb_parser.description = verb_module.SUMMARY
+            verb_module.add_arguments(verb_parser)
+            verb_parser.set_defaults(run=verb_module.main)
+
+
+def _listing(summaries: dict[str, str]) -> str:
+    width = max(map(len, summaries))
+    return "".join(f"{name.ljust(width)}  {text}\n" for name, text in sorted(summaries.items()))

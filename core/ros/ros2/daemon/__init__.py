@@ -1,0 +1,3 @@
+"""`ros2 daemon …`."""
+
+SUMMARY = "Various daemon related sub-commands"

@@ -1,0 +1,176 @@
+"""`ros2 doctor`: checks what can go wrong with a graph. What a real one looks up about the machine's ROS is not here."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Iterator
+from inspect import currentframe
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from day6_tui.core.ros.ros2.cli.node import graph_node
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from day6_tui.core.session.session import Session
+
+SUMMARY = "Check ROS setup and other potential issues"
+_SKIPPED = ("/parameter_events", "/rosout")
+
+
+class Complaint(NamedTuple):
+    """One finding; warnings do not fail a check unless `--include-warnings` is given."""
+
+    is_error: bool
+    text: str
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    reports = parser.add_mutually_exclusive_group()
+    reports.add_argument("--report", "-r", action="store_true", help="Print all reports.")
+    reports.add_argument(
+        "--report-failed", "-rf", action="store_true", help="Print reports of failed checks only."
+    )
+    parser.add_argument("--exclude-packages", "-ep", action="store_true", help="Exclude package checks or report.")
+    parser.add_argument(
+        "--include-warnings",
+        "-iw",
+        action="store_true",
+        help="Include warnings as failed checks. Warnings are ignored by default.",
+    )
+
+
+async def main(session: Session, args: Namespace) -> None:
+    async with graph_node(session) as node:
+        if args.report:
+            for title in REPORTS:
+                _print_report(session, node, title)
+            return
+        failed: list[str] = []
+        for category, check in CHECKS.items():
+            complaints = list(check(node))
+            for complaint in complaints:
+                _warn(session, complaint)
+            if any(complaint.is_error or args.include_warnings for complaint in complaints):
+                failed.append(category)
+        if not failed:
+            session.print(f"\nAll {len(CHECKS)} checks passed\n")
+            return
+        session.print(f"\n{len(failed)}/{len(CHECKS)} check(s) failed\n")
+        session.print("Failed modules:", *failed)
+        if args.report_failed:
+            for title, (category, _) in REPORTS.items():
+                if category in failed:
+                    _print_report(session, node, title)
+
+
+def _warn(session: Session, complaint: Complaint) -> None:
+    frame = currentframe()
+    line = frame.f_lineno if frame is not None else 0
+    error = "ERROR: " if complaint.is_error else ""
+    session.print_error(f"{__file__}: {line}: UserWarning: {error}{complaint.text}")
+
+
+def _print_report(session: Session, node: Node, title: str) -> None:
+    rows = list(REPORTS[title][1](node))
+    longest = max(len(name) for name, _ in rows)
+    width = longest + 4 if longest >= 8 else 8
+    session.print(f"\n   {title}")
+    for name, value in rows:
+        session.print(f"{name:{width}}: {value}")
+
+
+def _check_network(node: Node) -> Iterator[Complaint]:
+    """Say whether the graph this command sees can be seen by other programs of this machine."""
+    import os
+
+    if os.environ.get("DAY6_LINK") == "off":
+        yield Complaint(False, "The link to other programs is switched off (DAY6_LINK=off).")
+
+
+def _check_qos(node: Node) -> Iterator[Complaint]:
+    from rclpy.qos import QoSCompatibility
+
+    for topic, _, _, compatibility, reason in _pairs(node):
+        text = reason.partition(": ")[2] if reason.lower().startswith(("warning: ", "error: ")) else reason
+        if compatibility == QoSCompatibility.WARNING:
+            yield Complaint(False, f"QoS compatibility warning found on topic '{topic}': {text}")
+        elif compatibility == QoSCompatibility.ERROR:
+            yield Complaint(True, f"QoS compatibility error found on topic '{topic}': {text}")
+
+
+def _check_topics(node: Node) -> Iterator[Complaint]:
+    for topic, _ in node.get_topic_names_and_types():
+        publishers, subscribers = node.count_publishers(topic), node.count_subscribers(topic)
+        if topic in _SKIPPED:
+            continue
+        if publishers and not subscribers:
+            yield Complaint(False, f"Publisher without subscriber detected on {topic}.")
+        elif subscribers and not publishers:
+            yield Complaint(False, f"Subscriber without publisher detected on {topic}.")
+
+
+def _pairs(node: Node) -> Iterator[tuple[str, Any, Any, Any, str]]:
+    """Yield `(topic, publisher, subscription, compatibility, reason)` of everyone with everyone on a topic."""
+    from rclpy.qos import qos_check_compatible
+
+    for topic, _ in node.get_topic_names_and_types():
+        for publisher in node.get_publishers_info_by_topic(topic):
+            for subscription in node.get_subscriptions_info_by_topic(topic):
+                compatibility, reason = qos_check_compatible(publisher.qos_profile, subscription.qos_profile)
+                yield topic, publisher, subscription, compatibility, reason
+
+
+def _report_platform(node: Node) -> Iterator[tuple[str, object]]:
+    import platform
+
+    yield "system", platform.system()
+    yield "platform info", platform.platform()
+    if platform.system() == "Darwin":
+        yield "mac OS version", platform.mac_ver()
+    yield "release", platform.release()
+    yield "processor", platform.processor()
+
+
+def _report_qos(node: Node) -> Iterator[tuple[str, object]]:
+    from rclpy.qos import QoSCompatibility
+
+    found = False
+    for topic, publisher, subscription, compatibility, reason in _pairs(node):
+        found = True
+        yield "topic [type]", f"{topic} [{publisher.topic_type}]"
+        yield "publisher node", publisher.node_name
+        yield "subscriber node", subscription.node_name
+        yield "compatibility status", "OK" if compatibility == QoSCompatibility.OK else reason
+    if not found:
+        yield "compatibility status", "No publisher/subscriber pairs found"
+
+
+def _report_middleware(node: Node) -> Iterator[tuple[str, object]]:
+    from rclpy.utilities import get_rmw_implementation_identifier
+
+    yield "middleware name", get_rmw_implementation_identifier()
+
+
+def _report_topics(node: Node) -> Iterator[tuple[str, object]]:
+    topics = [topic for topic, _ in node.get_topic_names_and_types() if topic not in _SKIPPED]
+    for topic in topics or ["none"]:
+        yield "topic", topic
+        yield "publisher count", node.count_publishers(topic) if topics else 0
+        yield "subscriber count", node.count_subscribers(topic) if topics else 0
+
+
+CHECKS: dict[str, Callable[[Node], Iterator[Complaint]]] = {
+    "network": _check_network,
+    "middleware": _check_qos,
+    "topic": _check_topics,
+}
+"""By category: what `Failed modules:` names."""
+
+REPORTS: dict[str, tuple[str, Callable[[Node], Iterator[tuple[str, object]]]]] = {
+    "PLATFORM INFORMATION": ("platform", _report_platform),
+    "QOS COMPATIBILITY LIST": ("middleware", _report_qos),
+    "RMW MIDDLEWARE": ("middleware", _report_middleware),
+    "TOPIC LIST": ("topic", _report_topics),
+}
+"""By title: the category they belong to, and what gives their rows."""

@@ -1,0 +1,3 @@
+"""`ros2 interface …`."""
+
+SUMMARY = "Show information about ROS interfaces"

@@ -1,0 +1,3 @@
+"""`ros2 node …`."""
+
+SUMMARY = "Various node related sub-commands"

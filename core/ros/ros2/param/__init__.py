@@ -1,0 +1,3 @@
+"""`ros2 param …`."""
+
+SUMMARY = "Various param related sub-commands"

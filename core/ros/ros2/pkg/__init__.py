@@ -1,0 +1,3 @@
+"""`ros2 pkg …`."""
+
+SUMMARY = "Various package related sub-commands"

@@ -1,0 +1,58 @@
+"""Packages and executables as a session sees them: its AMENT_PREFIX_PATH first, then what came with day6-tui."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from ament_index_python.packages import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
+from ament_index_python.search_paths import BUILT_IN_PREFIX
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+class Executable(NamedTuple):
+    """An executable of a package. `path` is where it lies; a built-in one is a module there, not a file to start."""
+
+    name: str
+    path: Path
+    built_in: bool
+
+
+def packages(session: Session) -> list[str]:
+    """Return the names of all packages, sorted."""
+    return sorted(get_packages_with_prefixes(session.env))
+
+
+def prefix_of(session: Session, package: str) -> str | None:
+    """Return the prefix of a package, None if there is no such package."""
+    try:
+        return get_package_prefix(package, session.env)
+    except (PackageNotFoundError, ValueError):
+        return None
+
+
+def executables(session: Session, package: str) -> list[Executable] | None:
+    """Return the executables of a package, sorted by path; None if there is no such package."""
+    prefix = prefix_of(session, package)
+    if prefix is None:
+        return None
+    folder = Path(prefix, "lib", package)
+    if prefix == BUILT_IN_PREFIX:
+        from day6_tui.core.ros.programs import executables as built_in
+
+        return [Executable(name, folder / name, True) for name in sorted(built_in(package))]
+    return sorted(
+        (
+            Executable(path.name, path, False)
+            for path in folder.rglob("*")
+            if path.is_file() and os.access(path, os.X_OK) and not _in_hidden_folder(path, folder)
+        ),
+        key=lambda each: each.path,
+    )
+
+
+def _in_hidden_folder(path: Path, root: Path) -> bool:
+    return any(part.startswith(".") for part in path.relative_to(root).parts[:-1])

@@ -1,0 +1,30 @@
+"""`ros2 pkg prefix`."""
+
+from __future__ import annotations
+
+import os
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.ros2.cli.completion import package_names
+from day6_tui.core.ros.ros2.cli.options import completed
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+SUMMARY = "Output the prefix path of a package"
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    completed(parser.add_argument("package_name", help="The package name"), package_names)
+    parser.add_argument("--share", action="store_true", help="Show share directory for the package")
+
+
+async def main(session: Session, args: Namespace) -> str | None:
+    from day6_tui.core.ros.ros2.pkg._index import prefix_of
+
+    prefix = prefix_of(session, args.package_name)
+    if prefix is None:
+        return "Package not found"
+    session.print(os.path.join(prefix, "share", args.package_name) if args.share else prefix)
+    return None

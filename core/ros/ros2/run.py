@@ -1,0 +1,86 @@
+"""`ros2 run`."""
+
+from __future__ import annotations
+
+import logging
+import shlex
+from argparse import REMAINDER, ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.ros2.cli.completion import executable_names, package_names
+from day6_tui.core.ros.ros2.cli.failure import failure_text
+from day6_tui.core.ros.ros2.cli.options import completed
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.ros2.pkg._index import Executable
+    from day6_tui.core.session.session import Session
+
+SUMMARY = "Run a package specific executable"
+_PREFIX = "[ros2run]:"
+_log = logging.getLogger(__name__)
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--prefix",
+        help="Prefix command, which should go before the executable. Command must be wrapped in quotes if it contains spaces "
+        "(e.g. --prefix 'gdb -ex run --args').",
+    )
+    completed(parser.add_argument("package_name", help="Name of the ROS package"), package_names)
+    completed(parser.add_argument("executable_name", help="Name of the executable"), executable_names)
+    rest = parser.add_argument("argv", nargs=REMAINDER, help="Pass arbitrary arguments to the executable")
+    rest.required = True  # Pythons before 3.13 name it among the missing ones
+
+
+async def main(session: Session, args: Namespace) -> int | str:
+    from day6_tui.core.ros.ros2.pkg._index import executables
+
+    found = executables(session, args.package_name)
+    if found is None:
+        raise RuntimeError(f"Package '{args.package_name}' not found")
+    fitting = [each for each in found if each.name == args.executable_name]
+    if not fitting:
+        return "No executable found"
+    if len(fitting) > 1:
+        raise RuntimeError("\n- ".join(["Multiple executables found:", *(str(each.path) for each in fitting)]))
+    if args.prefix is not None:
+        return await _run_prefixed(session, shlex.split(args.prefix), fitting[0], args.argv)
+    if fitting[0].built_in:
+        return await _run_built_in(session, args.package_name, fitting[0], args.argv)
+    return _told(session, await session.run_python([str(fitting[0].path), *args.argv]))
+
+
+async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
+    from day6_tui.core.ros.programs import load
+
+    try:
+        status = await session.execute(load(package, executable.name), [str(executable.path), *argv])
+    except KeyboardInterrupt:
+        return 0  # a node that is well written ends cleanly on Ctrl-C, and so says nothing here
+    except BrokenPipeError:
+        raise
+    except Exception as error:
+        _log.debug("%s ended by an exception", executable.path, exc_info=True)
+        session.stderr.write(failure_text(error))
+        status = 1
+    return _told(session, status)
+
+
+async def _run_prefixed(session: Session, prefix: list[str], executable: Executable, argv: list[str]) -> int | str:
+    """Run `PREFIX PATH ARGV` as a line of the shell that started this command."""
+    line = shlex.join([*prefix, str(executable.path), *argv])
+    run_line = getattr(session.shell, "run_line", None)
+    if run_line is None:
+        return f"--prefix needs the shell of day6-tui, which did not start this command: {line}"
+    return _told(session, int(await run_line(line, session)))
+
+
+def _told(session: Session, status: int) -> int:
+    if status > 128:
+        import signal
+
+        name = signal.strsignal(status - 128) if status - 128 in signal.valid_signals() else None
+        session.print(_PREFIX, name or f"Process exited with failure {status}")
+    elif status:
+        session.print(_PREFIX, f"Process exited with failure {status}")
+    return status

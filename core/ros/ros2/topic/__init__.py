@@ -1,0 +1,13 @@
+"""`ros2 topic …`."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser
+
+from day6_tui.core.ros.ros2.cli.options import add_hidden_option
+
+SUMMARY = "Various topic related sub-commands"
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    add_hidden_option(parser, "topics")

@@ -1,0 +1,62 @@
+"""The message class of a topic, found from its name."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy.exceptions import InvalidTopicNameException
+from rclpy.expand_topic_name import expand_topic_name
+from rclpy.validate_full_topic_name import validate_full_topic_name
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from day6_tui.core.session.session import Session
+
+POLL_SECONDS = 0.1
+
+
+def message_class(type_name: str) -> Any:
+    """Return the class of a message type that the user named; RuntimeError if there is none."""
+    from rosidl_runtime_py.utilities import get_message
+
+    try:
+        return get_message(type_name)
+    except (AttributeError, ModuleNotFoundError, ValueError):
+        raise RuntimeError("The passed message type is invalid") from None
+
+
+def class_of_topic(node: Node, topic: str) -> Any | None:
+    """Return the message class of a topic, None if nobody has it; RuntimeError if it has several or an unknown one."""
+    from rosidl_runtime_py.utilities import get_message
+
+    try:
+        full_name = expand_topic_name(topic, node.get_name(), node.get_namespace())
+        validate_full_topic_name(full_name)
+    except (ValueError, InvalidTopicNameException) as error:
+        raise RuntimeError(error) from None
+    types = dict(node.get_topic_names_and_types()).get(full_name)
+    if types is None:
+        return None
+    if len(types) > 1:
+        raise RuntimeError(f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
+    try:
+        return get_message(types[0])
+    except (AttributeError, ModuleNotFoundError, ValueError):
+        raise RuntimeError(f"The message type '{types[0]}' is invalid") from None
+
+
+def warn_unpublished(session: Session, topic: str) -> None:
+    """Print the warning that every beginner meets."""
+    session.print(f"WARNING: topic [{topic}] does not appear to be published yet")
+
+
+async def wait_for_class(session: Session, node: Node, topic: str) -> Any:
+    """Return the message class of a topic; if nobody has it yet, warn and wait until somebody has."""
+    found = class_of_topic(node, topic)
+    if found is None:
+        warn_unpublished(session, topic)
+    while found is None:
+        await session.sleep(POLL_SECONDS)
+        found = class_of_topic(node, topic)
+    return found

@@ -1,0 +1,169 @@
+"""`ros2 topic hz`."""
+
+from __future__ import annotations
+
+import math
+from argparse import ArgumentParser, Namespace
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from day6_tui.core.ros.ros2.cli.completion import topic_names
+from day6_tui.core.ros.ros2.cli.node import direct_node
+from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
+
+if TYPE_CHECKING:
+    from rclpy.clock import Clock
+
+    from day6_tui.core.session.session import Session
+
+SUMMARY = "Print the average publishing rate to screen"
+WINDOW = 10000
+_HEADER = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    completed(
+        parser.add_argument(
+            "topic_name", nargs="+", help="Names of the ROS topic to listen to (e.g. '/chatter')"
+        ),
+        topic_names,
+    )
+    parser.add_argument(
+        "--window",
+        "-w",
+        dest="window_size",
+        metavar="WINDOW",
+        type=positive_int,
+        default=WINDOW,
+        help=f"window size, in # of messages, for calculating rate (default: {WINDOW})",
+    )
+    parser.add_argument(
+        "--filter",
+        dest="filter_expr",
+        metavar="EXPR",
+        help="only measure messages matching the specified Python expression",
+    )
+    parser.add_argument(
+        "--wall-time",
+        dest="use_wtime",
+        action="store_true",
+        help="calculates rate using wall time which can be helpful when clock is not published during simulation",
+    )
+    add_discovery_options(parser)
+
+
+async def main(session: Session, args: Namespace) -> None:
+    from rclpy.clock import Clock
+    from rclpy.clock_type import ClockType
+    from rclpy.executors import ExternalShutdownException
+    from rclpy.qos import qos_profile_sensor_data
+
+    from day6_tui.core.ros.ros2.topic._types import wait_for_class
+
+    node = await direct_node(session, args)
+    clock = Clock(clock_type=ClockType.SYSTEM_TIME) if args.use_wtime else node.get_clock()
+    meters: dict[str, _Meter] = {}
+    for topic in args.topic_name:
+        kind = await wait_for_class(session, node, topic)
+        meters[topic] = _Meter(session, clock, args.window_size)
+        receive = partial(_receive, meters[topic], args.filter_expr)
+        node.create_subscription(kind, topic, receive, qos_profile_sensor_data)
+        if len(args.topic_name) > 1:
+            session.print(f"Subscribed to [{topic}]")
+    session.spawn(_report(session, meters))
+    try:
+        await session.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        return
+
+
+def _receive(meter: _Meter, filter_expr: str | None, message: Any) -> None:
+    if filter_expr:
+        from day6_tui.core.ros.ros2.topic._filter import evaluate
+
+        if not evaluate(filter_expr, message):
+            return
+    meter.count()
+
+
+async def _report(session: Session, meters: dict[str, _Meter]) -> None:
+    async for _ in session.every(1.0):
+        rates = {topic: rate for topic, meter in meters.items() if (rate := meter.rate()) is not None}
+        if rates:
+            session.print(_line(*rates.values()) if len(meters) == 1 else _table(rates))
+
+
+class Rate(NamedTuple):
+    """What was measured in one window; periods in seconds."""
+
+    hertz: float
+    shortest: float
+    longest: float
+    deviation: float
+    window: int
+
+
+class _Meter:
+    """Measures the time between messages of one topic, in nanoseconds of a clock."""
+
+    def __init__(self, session: Session, clock: Clock, window: int) -> None:
+        self.session = session
+        self.clock = clock
+        self.window = window
+        self.first = -1
+        self.last = 0
+        self.told = 0
+        self.periods: list[int] = []
+
+    def count(self) -> None:
+        now = self.clock.now().nanoseconds
+        if now == 0:
+            if self.periods:
+                self.session.print("time has reset, resetting counters")
+                self.periods = []
+            return
+        if self.first < 0 or self.first > now:
+            self.first = now
+            self.periods = []
+        else:
+            self.periods.append(now - self.last)
+            if len(self.periods) > self.window:
+                self.periods.pop(0)
+        self.last = now
+
+    def rate(self) -> Rate | None:
+        """Return what was measured, None if nothing is new."""
+        if not self.periods or self.last == self.told:
+            return None
+        self.told = self.last
+        number = len(self.periods)
+        mean = sum(self.periods) / number
+        deviation = math.sqrt(sum((period - mean) ** 2 for period in self.periods) / number)
+        return Rate(
+            1e9 / mean if mean > 0.0 else 0.0,
+            min(self.periods) * 1e-9,
+            max(self.periods) * 1e-9,
+            deviation * 1e-9,
+            number,
+        )
+
+
+def _line(rate: Rate) -> str:
+    return (
+        f"average rate: {rate.hertz:.3f}\n\tmin: {rate.shortest:.3f}s max: {rate.longest:.3f}s "
+        f"std dev: {rate.deviation:.5f}s window: {rate.window}"
+    )
+
+
+def _table(rates: dict[str, Rate]) -> str:
+    rows = [
+        (topic, f"{rate.hertz:.3f}", f"{rate.shortest:.3f}", f"{rate.longest:.3f}", f"{rate.deviation:.5f}", str(rate.window))
+        for topic, rate in rates.items()
+    ]
+    widths = [max(map(len, column)) for column in zip(_HEADER, *rows)]
+    lines = [
+        "   ".join(word.center(width) for word, width in zip(_HEADER, widths)),
+        "=" * (sum(widths) + 3 * (len(widths) - 1)),
+        *("   ".join(word.ljust(width) for word, width in zip(row, widths)) for row in rows),
+    ]
+    return "\n".join(lines) + "\n"

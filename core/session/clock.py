@@ -1,0 +1,166 @@
+"""The world clock: the one time our own programs read.
+
+It is paced by the wall but advances only through what the scheduler has run: before a timer that is due at T runs, the clock
+reads exactly T, and it never passes a timer that has not run. Under load it therefore falls behind the wall and never skips
+a tick. Paused, it stands; at another speed a second of the wall is that many seconds of the world.
+
+Real ROS has no such clock; to a program it looks like the system clock and the steady clock of the machine.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import Protocol
+
+NANOSECONDS = 1_000_000_000
+MIN_SPEED = 0.1
+MAX_SPEED = 10.0
+
+
+def nanoseconds(seconds: float) -> int:
+    """Seconds as whole nanoseconds, rounded to the nearest."""
+    return round(seconds * NANOSECONDS)
+
+
+class TimeSource(Protocol):
+    """What a ROS context needs to tell the time."""
+
+    def now_ns(self) -> int:
+        """Nanoseconds since 1970 (the ROS and system clock)."""
+
+    def steady_ns(self) -> int:
+        """Nanoseconds since some fixed moment, never going back."""
+
+
+class WorldClock:
+    """World time in nanoseconds: `steady_ns` starts at 0 with the world, `now_ns` is that plus the wall time of the start.
+
+    `wall` is the pacing clock (ns, monotonic). With `wall=None` nothing moves by itself: tests call `step`.
+    The scheduler that owns the clock calls `target_ns`, `hold`, `release` and `fall_behind`; everybody else only reads.
+    All methods may be called from any thread.
+    """
+
+    def __init__(self, *, wall: Callable[[], int] | None = time.monotonic_ns, epoch_ns: int | None = None) -> None:
+        self._wall = wall
+        self._epoch_ns = time.time_ns() if epoch_ns is None else epoch_ns
+        self._lock = threading.Lock()
+        self._anchor_world = 0
+        self._anchor_wall = wall() if wall is not None else 0
+        self._speed = 1.0
+        self._paused = wall is None
+        self._reading = 0
+        """The last value anybody may have seen."""
+        self._free_until: int | None = 0
+        """While the scheduler idles the clock runs freely up to here (None: no limit); -1 while it is held."""
+        self.on_change: Callable[[], None] | None = None
+        """Called when pace or target changed from outside, so that a waiting scheduler looks again."""
+
+    # -- reading -------------------------------------------------------------------------------------------------------
+
+    def now_ns(self) -> int:
+        return self._epoch_ns + self.steady_ns()
+
+    def steady_ns(self) -> int:
+        limit = self._free_until
+        if limit is not None and limit < 0:
+            return self._reading
+        with self._lock:
+            if self._free_until is not None and self._free_until < 0:
+                return self._reading
+            target = self._target()
+            if self._free_until is not None:
+                target = min(target, self._free_until)
+            self._reading = max(self._reading, target)
+            return self._reading
+
+    @property
+    def speed(self) -> float:
+        """World seconds per wall second while not paused."""
+        return self._speed
+
+    @property
+    def paused(self) -> bool:
+        return self._paused
+
+    # -- pace ----------------------------------------------------------------------------------------------------------
+
+    def pause(self) -> None:
+        """Let the world stand still. Keys and messages from outside are still handled, at the time it stands at."""
+        with self._lock:
+            self._rebase(self._target())
+            self._paused = True
+        self._changed()
+
+    def resume(self) -> None:
+        with self._lock:
+            if self._wall is None:
+                return
+            self._rebase(self._target())
+            self._paused = False
+        self._changed()
+
+    def set_speed(self, factor: float) -> None:
+        """Set the pace. Raises ValueError outside 0.1 to 10."""
+        if not MIN_SPEED <= factor <= MAX_SPEED:
+            raise ValueError(f"speed must be between {MIN_SPEED} and {MAX_SPEED}, not {factor}")
+        with self._lock:
+            self._rebase(self._target())
+            self._speed = factor
+        self._changed()
+
+    def step(self, seconds: float) -> None:
+        """Move the paused world on by `seconds`: everything due until then runs, tick by tick."""
+        with self._lock:
+            self._rebase(self._target() + nanoseconds(seconds))
+        self._changed()
+
+    # -- for the scheduler ---------------------------------------------------------------------------------------------
+
+    def target_ns(self) -> int:
+        """World time at which the world should be by now."""
+        with self._lock:
+            return max(self._target(), self._reading)
+
+    def hold(self, steady_ns: int) -> None:
+        """Make the clock read exactly `steady_ns` (never less than before) until the next call."""
+        with self._lock:
+            self._free_until = -1
+            self._reading = max(self._reading, steady_ns)
+
+    def release(self, limit_ns: int | None) -> None:
+        """Nothing is being run: follow the wall, up to the next deadline."""
+        with self._lock:
+            self._free_until = limit_ns
+
+    def fall_behind(self, target_ns: int) -> None:
+        """Forget the lag: from now on `target_ns` is where the world should be."""
+        with self._lock:
+            self._rebase(max(target_ns, self._reading))
+
+    def wall_seconds_until(self, steady_ns: int) -> float | None:
+        """Seconds of the wall until the world reaches `steady_ns`; None while it stands still before it."""
+        with self._lock:
+            left = steady_ns - self._target()
+            if left <= 0:
+                return 0.0
+            if self._paused:
+                return None
+            return left / self._speed / NANOSECONDS
+
+    # -- inside, with the lock held ------------------------------------------------------------------------------------
+
+    def _target(self) -> int:
+        if self._paused or self._wall is None:
+            return self._anchor_world
+        return self._anchor_world + int((self._wall() - self._anchor_wall) * self._speed)
+
+    def _rebase(self, world_ns: int) -> None:
+        self._anchor_world = world_ns
+        if self._wall is not None:
+            self._anchor_wall = self._wall()
+
+    def _changed(self) -> None:
+        if self.on_change is not None:
+            self.on_change()

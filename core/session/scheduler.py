@@ -1,0 +1,406 @@
+"""Runs all cooperative programs on one thread, at exact times of the world clock.
+
+A task is a coroutine that waits on two things only: a `Signal`, and a time of the world clock. The scheduler takes the
+earliest deadline the wall has reached, sets the clock to exactly that deadline, runs everything that is due and ready until
+nothing is, and goes on to the next. With nothing to do it blocks in its inbox, without polling. Other threads touch it only
+through `call_soon_threadsafe` and `Signal.set`. There is no asyncio in this: it would cost every program process its
+import, and its clock cannot be set.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+import logging
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Coroutine, Generator
+from queue import Empty, SimpleQueue
+from typing import Any
+
+from day6_tui.core.session.clock import WorldClock, nanoseconds
+
+MAX_LAG_NS = nanoseconds(0.25)
+"""A world that is further behind the wall than this gives the lag up instead of rushing after it."""
+
+STEPS_PER_DEADLINE = 10_000
+"""Programs that keep waking each other at one moment get so many steps before time moves on."""
+
+_log = logging.getLogger(__name__)
+
+
+class Signal:
+    """A flag that tasks wait for and any thread may set; it stays set until `clear`."""
+
+    __slots__ = ("_set", "_waiters")
+
+    def __init__(self) -> None:
+        self._set = False
+        self._waiters: dict[Task, int] = {}
+
+    def set(self) -> None:
+        # The order matters: a waiter enters the table before it looks at the flag, so one of the two sees the other.
+        self._set = True
+        if self._waiters:
+            waiters, self._waiters = self._waiters, {}
+            for task, ticket in list(waiters.items()):
+                task.scheduler._wake(task, ticket)
+
+    def clear(self) -> None:
+        self._set = False
+
+    def is_set(self) -> bool:
+        return self._set
+
+
+class _Wait:
+    """What a task yields to the scheduler: wake me by this signal or at this steady world time, whichever is first."""
+
+    __slots__ = ("deadline_ns", "signal")
+
+    def __init__(self, signal: Signal | None, deadline_ns: int | None) -> None:
+        self.signal = signal
+        self.deadline_ns = deadline_ns
+
+    def __await__(self) -> Generator[_Wait, bool, bool]:
+        return (yield self)
+
+
+_YIELD = _Wait(None, 0)
+
+
+class TaskCancelled(BaseException):
+    """Thrown into a task that is ended from outside; a BaseException, so that no `except Exception` of a program keeps it."""
+
+
+class Task:
+    """A running coroutine. `done` is set when it has ended; then either `result` or `exception` tells how."""
+
+    def __init__(self, scheduler: Scheduler, coroutine: Coroutine[Any, Any, Any], name: str) -> None:
+        self.scheduler = scheduler
+        self.name = name
+        self.done = Signal()
+        self.result: Any = None
+        self.exception: BaseException | None = None
+        self.on_done: Callable[[Task], None] | None = None
+        """Called once, on the scheduler's thread, when the task has ended."""
+        self._coroutine = coroutine
+        self._ticket = 0
+        """Number of the present wait: a wake-up that carries an older number comes too late and is ignored."""
+        self._pending: deque[BaseException] = deque()
+        self._begun = False
+        self._waiting = True
+        self._held = False
+        self._held_wake: bool | None = None
+
+    @property
+    def finished(self) -> bool:
+        return self.done.is_set()
+
+    def throw(self, error: BaseException) -> None:
+        """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
+        self.scheduler._call(lambda: self.scheduler._throw(self, error))
+
+    def cancel(self) -> None:
+        """End the task from outside; its `finally` blocks run."""
+        self.throw(TaskCancelled())
+
+    def hold(self) -> None:
+        """Stop stepping the task (as SIGSTOP does) until `release`."""
+        self.scheduler._call(lambda: self.scheduler._hold(self))
+
+    def release(self) -> None:
+        self.scheduler._call(lambda: self.scheduler._release(self))
+
+    async def join(self) -> None:
+        """Wait until the task has ended, however it ended."""
+        while not self.done.is_set():
+            await _Wait(self.done, None)
+
+
+class Scheduler:
+    """Owns a world clock and the tasks that live by it. Run it with `start` (own thread), `run` or `advance` (the caller's)."""
+
+    def __init__(self, clock: WorldClock) -> None:
+        self.clock = clock
+        clock.on_change = self.wake
+        self._inbox: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
+        self._ready: deque[tuple[Task, int, bool]] = deque()
+        self._deadlines: list[tuple[int, int, Task, int]] = []
+        self._order = itertools.count()
+        self._tasks: set[Task] = set()
+        self._running: Task | None = None
+        self._thread_id: int | None = None
+        self._thread: threading.Thread | None = None
+        self._stopping = False
+        self.on_activity: Callable[[], None] | None = None
+        """Called on the scheduler's thread after something ran: a screen may have to be drawn. Must return at once."""
+
+    # -- from any thread -----------------------------------------------------------------------------------------------
+
+    def call_soon_threadsafe(self, function: Callable[[], None]) -> None:
+        """Run `function` on the scheduler's thread, soon. Safe in signal handlers too."""
+        self._inbox.put(function)
+
+    def wake(self) -> None:
+        """Make a waiting scheduler look at its clock again."""
+        self._inbox.put(None)
+
+    def spawn(self, coroutine: Coroutine[Any, Any, Any], name: str = "task") -> Task:
+        """Start a task; its first step comes with the next turn."""
+        task = Task(self, coroutine, name)
+
+        def enter() -> None:
+            self._tasks.add(task)
+            self._ready.append((task, task._ticket, True))
+
+        self._call(enter)
+        return task
+
+    # -- running -------------------------------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Run in a thread of its own until `stop`."""
+        if self._thread is None:
+            self._stopping = False
+            self._thread = threading.Thread(target=self._thread_main, name="day6-programs", daemon=True)
+            self._thread.start()
+
+    def stop(self, timeout: float = 2.0) -> None:
+        """End the thread of `start`. Tasks that are left stay where they are."""
+        self._stopping = True
+        self.wake()
+        thread = self._thread
+        if thread is not None and thread is not threading.current_thread():
+            thread.join(timeout)
+            self._thread = None
+
+    def run(self, until: Callable[[], bool], timeout: float | None = None) -> bool:
+        """Run on the caller's thread, paced by the wall, until `until()` holds; False when `timeout` wall seconds passed first."""
+        give_up = None if timeout is None else time.monotonic() + timeout
+        previous, self._thread_id = self._thread_id, threading.get_ident()
+        try:
+            while not until():
+                left = None if give_up is None else give_up - time.monotonic()
+                if left is not None and left <= 0:
+                    return False
+                self._turn(wait=True, longest=left)
+            return True
+        finally:
+            self._thread_id = previous
+
+    def advance(self, seconds: float = 0.0) -> None:
+        """For tests and a stepped world: move the target on and run everything due until then, on the caller's thread."""
+        previous, self._thread_id = self._thread_id, threading.get_ident()
+        try:
+            while self._turn(wait=False, longest=None):
+                pass  # what came before this moment runs before time moves
+            if seconds:
+                self.clock.step(seconds)
+                while self._turn(wait=False, longest=None):
+                    pass
+        finally:
+            self._thread_id = previous
+
+    def _thread_main(self) -> None:
+        self._thread_id = threading.get_ident()
+        while not self._stopping:
+            self._turn(wait=True, longest=None)
+        self._thread_id = None
+
+    def _turn(self, *, wait: bool, longest: float | None) -> bool:
+        """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
+        if self._drain() or self._ready:
+            self._settle()
+            return True
+        deadline = self._next_deadline()
+        target = self.clock.target_ns()
+        if deadline is not None and deadline <= target:
+            if wait and target - deadline > MAX_LAG_NS:
+                self.clock.fall_behind(deadline)
+            self.clock.hold(deadline)
+            self._release_due(deadline)
+            self._settle()
+            return True
+        if not wait:
+            self.clock.hold(target)
+            self.clock.release(target)
+            return False
+        timeout = None if deadline is None else self.clock.wall_seconds_until(deadline)
+        if longest is not None:
+            timeout = longest if timeout is None else min(timeout, longest)
+        self.clock.release(deadline)
+        try:
+            item = self._inbox.get(timeout=timeout)
+        except Empty:
+            return True
+        self._hold_at_wall(deadline)
+        self._run_item(item)
+        self._tell()
+        return True
+
+    def _drain(self) -> bool:
+        """Run what other threads left. The clock then reads the wall's time, though never past a deadline that has not run."""
+        if self._inbox.empty():
+            return False
+        self._hold_at_wall(self._next_deadline())
+        for _ in range(self._inbox.qsize()):
+            try:
+                self._run_item(self._inbox.get_nowait())
+            except Empty:
+                break
+        return True
+
+    def _hold_at_wall(self, deadline: int | None) -> None:
+        target = self.clock.target_ns()
+        self.clock.hold(target if deadline is None else min(target, deadline))
+
+    def _run_item(self, item: Callable[[], None] | None) -> None:
+        if item is None:
+            return
+        try:
+            item()
+        except Exception:
+            # A broken callback of one program must not end the thread that runs all the others.
+            _log.exception("a call into the scheduler failed")
+
+    def _settle(self) -> None:
+        ready = self._ready
+        for _ in range(STEPS_PER_DEADLINE):
+            if not ready:
+                break
+            task, ticket, outcome = ready.popleft()
+            if ticket == task._ticket and not task.finished:
+                if task._held:
+                    task._held_wake = outcome
+                else:
+                    self._step(task, outcome)
+        self._tell()
+
+    def _tell(self) -> None:
+        if self.on_activity is not None:
+            self.on_activity()
+
+    # -- tasks ---------------------------------------------------------------------------------------------------------
+
+    def _step(self, task: Task, outcome: bool) -> None:
+        task._ticket += 1
+        task._waiting = False
+        self._running = task
+        coroutine = task._coroutine
+        try:
+            if not task._begun:
+                task._begun = True
+                wait = coroutine.send(None)
+            elif task._pending:
+                wait = coroutine.throw(task._pending.popleft())
+            else:
+                wait = coroutine.send(outcome)
+        except StopIteration as stop:
+            self._finish(task, stop.value, None)
+            return
+        except BaseException as error:
+            self._finish(task, None, error)
+            return
+        finally:
+            self._running = None
+        task._waiting = True
+        self._await(task, wait)
+
+    def _await(self, task: Task, wait: Any) -> None:
+        ticket = task._ticket
+        if task._pending:
+            self._ready.append((task, ticket, False))
+            return
+        if wait is _YIELD or wait is None:
+            self._ready.append((task, ticket, True))
+            return
+        if not isinstance(wait, _Wait):
+            # A future of rclpy: awaited directly it yields itself (or something with the same method).
+            wait.add_done_callback(lambda _: self._wake(task, ticket))
+            return
+        if wait.deadline_ns is not None:
+            if len(self._deadlines) > 64 + 4 * len(self._tasks):
+                self._forget_stale_deadlines()
+            heapq.heappush(self._deadlines, (wait.deadline_ns, next(self._order), task, ticket))
+        if wait.signal is not None:
+            wait.signal._waiters[task] = ticket
+            if wait.signal._set:
+                self._ready.append((task, ticket, True))
+
+    def _finish(self, task: Task, result: Any, error: BaseException | None) -> None:
+        task.result = result
+        task.exception = error
+        task._ticket += 1
+        self._tasks.discard(task)
+        task.done.set()
+        if task.on_done is not None:
+            self._run_item(lambda: task.on_done(task) if task.on_done else None)
+
+    def _next_deadline(self) -> int | None:
+        deadlines = self._deadlines
+        while deadlines:
+            deadline, _, task, ticket = deadlines[0]
+            if ticket == task._ticket and not task.finished:
+                return deadline
+            heapq.heappop(deadlines)
+        return None
+
+    def _forget_stale_deadlines(self) -> None:
+        """Drop the deadlines of waits that a signal ended first, before they pile up."""
+        self._deadlines = [entry for entry in self._deadlines if entry[3] == entry[2]._ticket and not entry[2].finished]
+        heapq.heapify(self._deadlines)
+
+    def _release_due(self, now: int) -> None:
+        deadlines = self._deadlines
+        while deadlines and deadlines[0][0] <= now:
+            _, _, task, ticket = heapq.heappop(deadlines)
+            if ticket == task._ticket:
+                self._ready.append((task, ticket, False))
+
+    def _call(self, function: Callable[[], None]) -> None:
+        if threading.get_ident() == self._thread_id:
+            function()
+        else:
+            self._inbox.put(function)
+
+    def _wake(self, task: Task, ticket: int) -> None:
+        if threading.get_ident() == self._thread_id:
+            self._ready.append((task, ticket, True))
+        else:
+            self._inbox.put(lambda: self._ready.append((task, ticket, True)))
+
+    def _throw(self, task: Task, error: BaseException) -> None:
+        if task.finished:
+            return
+        task._pending.append(error)
+        if task._waiting:
+            task._ticket += 1
+            self._ready.append((task, task._ticket, False))
+
+    def _hold(self, task: Task) -> None:
+        task._held = True
+
+    def _release(self, task: Task) -> None:
+        task._held = False
+        if task._held_wake is not None:
+            self._ready.append((task, task._ticket, task._held_wake))
+            task._held_wake = None
+
+
+async def wait_for(signal: Signal, deadline_ns: int | None = None) -> bool:
+    """Wait for `signal` until the steady world time `deadline_ns`; True if it is set, False if the time came first."""
+    if signal.is_set():
+        return True
+    return await _Wait(signal, deadline_ns)
+
+
+async def sleep_until(deadline_ns: int) -> None:
+    """Wait until the steady world time `deadline_ns`; the clock then reads exactly that (unless it was past already)."""
+    await _Wait(None, deadline_ns)
+
+
+async def let_others_run() -> None:
+    """Go to the end of the queue of everything that is ready at this moment."""
+    await _YIELD

@@ -1,0 +1,311 @@
+"""What a cooperative program gets: its arguments, streams, clock, ROS context, windows, and ways to wait.
+
+A program is `async def main(session: Session) -> int | None`. It runs on the scheduler's thread, never blocks, and touches
+nothing process-wide. `day6_tui.core.session.program.Program` starts one and says what its end means.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Awaitable, Callable, Coroutine
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.session.clock import WorldClock, nanoseconds
+from day6_tui.core.session.display import Display, ProgramDisplay
+from day6_tui.core.session.scheduler import Scheduler, Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
+from day6_tui.core.session.streams import InputStream, OutputStream
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+
+    from day6_tui.core.graph.graph import Graph
+
+_log = logging.getLogger(__name__)
+
+
+class KilledBySignal(BaseException):
+    """A program ends as if by the signal `number` (Linux numbers); raised by the program or thrown into it."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(f"signal {number}")
+        self.number = number
+
+
+class Terminated(KilledBySignal):
+    """Thrown into a program that was sent SIGTERM."""
+
+    def __init__(self) -> None:
+        super().__init__(15)
+
+
+class Session:
+    """One running program's view of the machine. See the module's first lines; created by a terminal, `exec` or `local`."""
+
+    def __init__(
+        self,
+        scheduler: Scheduler,
+        graph: Graph | None,
+        argv: list[str],
+        *,
+        env: dict[str, str] | None = None,
+        cwd: Path | None = None,
+        pid: int = 0,
+        stdin: InputStream | None = None,
+        stdout: OutputStream | None = None,
+        stderr: OutputStream | None = None,
+        display: Display | None = None,
+    ) -> None:
+        self.scheduler = scheduler
+        self.clock: WorldClock = scheduler.clock
+        self.graph = graph
+        self.argv = argv
+        self.env: dict[str, str] = {} if env is None else env
+        self.cwd: Path = Path.cwd() if cwd is None else cwd
+        self.pid = pid
+        self.stdin: InputStream = InputStream() if stdin is None else stdin
+        self.stdout: OutputStream = OutputStream() if stdout is None else stdout
+        self.stderr: OutputStream = OutputStream() if stderr is None else stderr
+        self.display: Display | None = None if display is None else ProgramDisplay(display, self.interrupt)
+        self.shell: Any = None
+        """The shell (`core/shell/interpreter.Shell`) that started the program, None in `local`; for built-in commands."""
+        self.shell_end: Exception | None = None
+        """What a built-in wants its shell to do when it has returned: exit, break out of a loop …"""
+        self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None
+        """Runs `python3 ARGS` as a process with this session's streams and returns its status; see `run_python`."""
+        self.on_interrupt: Callable[[], bool] | None = None
+        """Asked first at Ctrl-C; True means that somebody else (a command this one runs) was interrupted instead."""
+        self.on_stop: Callable[[bool], None] | None = None
+        """Called with True when the program is stopped and with False when it goes on (it passes that on to its processes)."""
+        self.task: Task | None = None
+        """The task that runs `main`."""
+        self._children: list[Task] = []
+        self._deferred: list[Callable[[], object]] = []
+        self._nodes: list[Node] = []
+        self._context: Context | None = None
+        self._executor: SingleThreadedExecutor | None = None
+        self._ros_wake = Signal()
+        self._closed = False
+
+    # -- ROS -----------------------------------------------------------------------------------------------------------
+
+    @property
+    def context(self) -> Context:
+        """This program's own ROS context: on the machine's graph, by the world clock, logging to this session's stderr."""
+        if self._context is None:
+            from rclpy.context import Context
+
+            if self.graph is None:
+                raise RuntimeError("this session has no graph")
+            self._context = Context._for_session(self.graph, self.clock, self.argv)
+            self._context._log_write = self._log_write
+            self._context.on_shutdown(lambda: self._ros_wake.set())
+        return self._context
+
+    @property
+    def executor(self) -> SingleThreadedExecutor:
+        if self._executor is None:
+            from rclpy.executors import SingleThreadedExecutor
+
+            self._executor = SingleThreadedExecutor(context=self.context)
+            self._executor._set_wake(self._ros_wake.set)
+        return self._executor
+
+    def create_node(self, name: str, **keywords: Any) -> Node:
+        """Return `rclpy.node.Node(name, …)` in this program's context, which has the ROS arguments of its command line."""
+        from rclpy.node import Node
+
+        node = Node(name, context=self.context, **keywords)
+        self._nodes.append(node)
+        return node
+
+    async def spin(self, *nodes: Node) -> None:
+        """Run callbacks until the context is shut down; exceptions of callbacks come out here, as of `rclpy.spin`."""
+        executor = self.executor
+        for node in nodes:
+            executor.add_node(node)
+        try:
+            await self._spin_while(self.context.ok, None)
+        finally:
+            for node in nodes:
+                executor.remove_node(node)
+
+    async def spin_until(self, future: Any, timeout: float | None = None) -> bool:
+        """Run callbacks of the nodes in `executor` until `future.done()`; False when `timeout` world seconds passed first."""
+        deadline = self._deadline(timeout)
+        future.add_done_callback(lambda _: self._ros_wake.set())
+        await self._spin_while(lambda: self.context.ok() and not future.done(), deadline)
+        return bool(future.done())
+
+    def spin_some(self) -> None:
+        """Run what is ready now, once: at most one message of each subscription, as `rclcpp::spin_some`."""
+        self.executor._run_ready()
+
+    async def _spin_while(self, condition: Callable[[], bool], until_ns: int | None) -> None:
+        executor = self.executor
+        wake = self._ros_wake
+        while condition():
+            wake.clear()
+            if executor._run_ready():
+                await let_others_run()
+                continue
+            if until_ns is not None and self.clock.steady_ns() >= until_ns:
+                return
+            if not condition():
+                return
+            deadline = executor._next_deadline()
+            if until_ns is not None:
+                deadline = until_ns if deadline is None else min(deadline, until_ns)
+            await wait_for(wake, deadline)
+
+    # -- waiting -------------------------------------------------------------------------------------------------------
+
+    async def sleep(self, seconds: float) -> None:
+        """Wait `seconds` of world time."""
+        await sleep_until(self.clock.steady_ns() + nanoseconds(seconds))
+
+    async def wait(self, signal: Signal, timeout: float | None = None) -> bool:
+        """Wait for `signal`, at most `timeout` world seconds; True if it is set."""
+        return await wait_for(signal, self._deadline(timeout))
+
+    def every(self, seconds: float) -> Ticks:
+        """Return an async iterator that yields 1, 2, 3 … at exact multiples of `seconds` from now, skipping none."""
+        return Ticks(self.clock, nanoseconds(seconds))
+
+    def _deadline(self, timeout: float | None) -> int | None:
+        return None if timeout is None else self.clock.steady_ns() + nanoseconds(timeout)
+
+    # -- tasks and other programs --------------------------------------------------------------------------------------
+
+    def spawn(self, coroutine: Coroutine[Any, Any, Any]) -> Task:
+        """Start a child task, ended with the program. An exception in it comes out of the program's main task."""
+        task = self.scheduler.spawn(coroutine, f"{self.name} (child)")
+        self._children.append(task)
+        task.on_done = self._child_done
+        return task
+
+    def _child_done(self, task: Task) -> None:
+        if task in self._children:
+            self._children.remove(task)
+        error = task.exception
+        if error is not None and not isinstance(error, TaskCancelled) and self.task is not None and not self._closed:
+            self.task.throw(error)
+
+    async def execute(self, main: Callable[[Session], Awaitable[int | None]], argv: list[str]) -> int:
+        """Go on as another program: same process number, streams and environment, other arguments. Returns its status."""
+        self.argv = argv
+        return (await main(self)) or 0
+
+    async def run_python(self, args: list[str]) -> int:
+        """Go on as `python3 ARGS…` in a process of its own, on this session's streams. Returns its exit status."""
+        if self.python is None:
+            raise RuntimeError("no processes can be started from here")
+        return await self.python(self, args)
+
+    # -- output --------------------------------------------------------------------------------------------------------
+
+    @property
+    def name(self) -> str:
+        """The program's name for its own messages: the last part of argv[0]."""
+        return self.argv[0].rpartition("/")[2] if self.argv else "program"
+
+    def print(self, *values: object, sep: str = " ", end: str = "\n", flush: bool = False) -> None:
+        """`print` to this program's standard output."""
+        self.stdout.write(sep.join(map(str, values)) + end)
+        if flush:
+            self.stdout.flush()
+
+    def print_error(self, *values: object, sep: str = " ", end: str = "\n") -> None:
+        """`print(…, file=sys.stderr)`."""
+        self.stderr.write(sep.join(map(str, values)) + end)
+
+    def _log_write(self, text: str) -> None:
+        # A log line must not end its node: a terminal that was closed swallows it, as rcl's console output does.
+        try:
+            self.stderr.write(text)
+            self.stderr.flush()
+        except BrokenPipeError:
+            return
+
+    # -- the end -------------------------------------------------------------------------------------------------------
+
+    def defer(self, function: Callable[[], object]) -> None:
+        """Call `function` when the program ends, however it ends; the last one registered is called first."""
+        self._deferred.append(function)
+
+    def interrupt(self) -> None:
+        """Ctrl-C: KeyboardInterrupt is raised in the program where it waits."""
+        if self.on_interrupt is not None and self.on_interrupt():
+            return
+        if self.task is not None:
+            self.task.throw(KeyboardInterrupt())
+
+    def terminate(self) -> None:
+        """SIGTERM: `Terminated` is raised in the program where it waits; nobody catches it, `finally` blocks run."""
+        if self.task is not None:
+            self.task.throw(Terminated())
+
+    def stop(self) -> None:
+        """SIGSTOP: none of the program's tasks takes another step until `resume`."""
+        if self.on_stop is not None:
+            self.on_stop(True)
+        for task in self._all_tasks():
+            task.hold()
+
+    def resume(self) -> None:
+        """SIGCONT."""
+        if self.on_stop is not None:
+            self.on_stop(False)
+        for task in self._all_tasks():
+            task.release()
+
+    def _all_tasks(self) -> list[Task]:
+        return ([self.task] if self.task is not None else []) + self._children
+
+    def close(self) -> None:
+        """Release everything the program held. Called once by whoever ran it, on the scheduler's thread."""
+        if self._closed:
+            return
+        self._closed = True
+        for task in list(self._children):
+            task.cancel()
+        steps: list[Callable[[], object]] = list(reversed(self._deferred))
+        if isinstance(self.display, ProgramDisplay):
+            steps.append(self.display.close)
+        steps.extend(node.destroy_node for node in reversed(self._nodes))
+        if self._executor is not None:
+            steps.append(lambda: self._executor._set_wake(None) if self._executor else None)
+        if self._context is not None:
+            steps.append(self._context.try_shutdown)
+        for step in steps:
+            try:
+                step()
+            except Exception:
+                # One broken clean-up must not keep the others from running.
+                _log.exception("cleaning up after %s", self.name)
+
+
+class Ticks:
+    """Async iterator over whole periods of the world clock: 1, 2, 3 … at start + n × period."""
+
+    def __init__(self, clock: WorldClock, period_ns: int) -> None:
+        if period_ns <= 0:
+            raise ValueError("a period must be longer than nothing")
+        self._next = clock.steady_ns()
+        self._period = period_ns
+        self._count = 0
+
+    def __aiter__(self) -> Ticks:
+        return self
+
+    async def __anext__(self) -> int:
+        self._next += self._period
+        self._count += 1
+        await sleep_until(self._next)
+        return self._count
+
+
+Main = Callable[[Session], Coroutine[Any, Any, "int | None"]]
+"""A program: what a module under core/ros/programs, a `ros2` verb and a shell built-in have as `main`."""

@@ -1,0 +1,309 @@
+"""What a program reads from and writes to: the base classes, an in-process pipe, and files.
+
+Writing never blocks, because a cooperative program must not: `write` puts the text somewhere bounded and returns. A program
+that can produce without end calls `await stream.drain()` between its writes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+import time
+from collections import deque
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Protocol, TextIO
+
+from day6_tui.core.session.scheduler import Signal, wait_for
+
+END_OF_INPUT = ""
+
+PIPE_HIGH = 256 * 1024
+"""Characters in a pipe from which `drain` waits."""
+
+PIPE_LIMIT = 4 * 1024 * 1024
+"""Characters a pipe holds at most; what is written beyond that without draining is dropped, whole writes at a time."""
+
+
+class KeyReceiver(Protocol):
+    """A process on a pty: gets keys as they are typed and the size of its window."""
+
+    def keys(self, text: str) -> None: ...
+
+    def resize(self, columns: int, rows: int) -> None: ...
+
+    def wants_signal_keys(self) -> bool: ...
+
+
+class TerminalSide(Protocol):
+    """What a process on a pty must know of the simulated terminal behind it."""
+
+    columns: int
+    rows: int
+    output: OutputStream
+    """Takes text as a pty delivers it."""
+
+
+class InputStream:
+    """Where a program reads. This base class is the empty input (`< /dev/null`)."""
+
+    def isatty(self) -> bool:
+        return False
+
+    def fileno(self) -> int | None:
+        """The file descriptor a child process may inherit, None if there is none."""
+        return None
+
+    async def read_key(self) -> str:
+        """Return the next key as a terminal sends it ('a', '\\r', '\\x1b[A'); '' at the end of the input.
+
+        Outside `raw()` and without a terminal this is simply the next character.
+        """
+        return END_OF_INPUT
+
+    async def read_line(self) -> str:
+        """Return the next line with its newline; '' at the end of the input."""
+        return END_OF_INPUT
+
+    async def read_all(self) -> str:
+        """Return everything up to the end of the input."""
+        parts = []
+        while line := await self.read_line():
+            parts.append(line)
+        return "".join(parts)
+
+    @contextlib.contextmanager
+    def raw(self, *, signals: bool = True) -> Iterator[None]:
+        """Inside, keys arrive one by one and unechoed. With `signals` (as turtlesim's teleop) Ctrl-C still interrupts."""
+        yield
+
+    def fork(self) -> InputStream:
+        """On a terminal: another reader of it, which gets keys only while it has the focus. Elsewhere the stream itself."""
+        return self
+
+    def focus(self) -> InputStream | None:
+        """On a terminal: take the keys from now on; returns the reader that had them. Elsewhere None."""
+        return None
+
+    def terminal_of(self, *outputs: OutputStream) -> TerminalSide | None:
+        """The simulated terminal that this stream and at least one of `outputs` belong to, None if there is none."""
+        return None
+
+    def pass_keys_to(self, receiver: KeyReceiver | None) -> None:
+        """On a terminal: hand every key to `receiver` as it is typed, unechoed (None: handle them here again)."""
+
+    def close(self) -> None:
+        """Say that nobody will read from here any more."""
+
+
+class OutputStream:
+    """Where a program writes. This base class is the bottomless output (`> /dev/null`)."""
+
+    encoding = "utf-8"
+
+    @property
+    def columns(self) -> int:
+        """Width in terminal cells, 80 where there is no terminal."""
+        return 80
+
+    def write(self, text: str) -> int:
+        """Append text, never waiting. Raises BrokenPipeError when nobody can ever read it."""
+        return len(text)
+
+    def flush(self) -> None:
+        """Does nothing where nothing is held back."""
+
+    async def drain(self) -> None:
+        """Wait until the reader has caught up. Raises BrokenPipeError when it is gone."""
+
+    def wait_for_room(self) -> None:
+        """For a thread that copies into this stream: block it, for a bounded time, while too much is waiting here."""
+
+    def isatty(self) -> bool:
+        return False
+
+    def fileno(self) -> int | None:
+        """The file descriptor a child process may inherit, None if there is none."""
+        return None
+
+    def close(self) -> None:
+        """Say that nothing more will be written."""
+
+
+class Pipe:
+    """Text from one program to another: `writer` is the standard output of one, `reader` the standard input of the other.
+
+    Any thread may write. A closed reader breaks the pipe: the next write raises BrokenPipeError.
+    """
+
+    def __init__(self) -> None:
+        self._chunks: deque[str] = deque()
+        self._size = 0
+        self._readable = Signal()
+        self._drained = Signal()
+        self._drained.set()
+        self._writer_closed = False
+        self._reader_closed = False
+        self._lock = threading.Lock()
+        self.dropped = 0
+        """Characters that did not fit."""
+        self.reader: InputStream = PipeReader(self)
+        self.writer: OutputStream = PipeWriter(self)
+
+
+class PipeReader(InputStream):
+    def __init__(self, pipe: Pipe) -> None:
+        self._pipe = pipe
+        self._rest = ""
+        """Text taken from the pipe but not yet returned; holds no complete line except after `read_key`."""
+
+    async def read_key(self) -> str:
+        if not self._rest:
+            self._rest = await self._next_chunk()
+        key, self._rest = self._rest[:1], self._rest[1:]
+        return key
+
+    async def read_line(self) -> str:
+        parts: list[str] = []
+        while True:
+            line, newline, rest = self._rest.partition("\n")
+            if newline:
+                self._rest = rest
+                return "".join(parts) + line + newline
+            parts.append(self._rest)
+            self._rest = await self._next_chunk()
+            if not self._rest:
+                return "".join(parts)
+
+    async def _next_chunk(self) -> str:
+        pipe = self._pipe
+        while True:
+            if pipe._chunks:
+                with pipe._lock:
+                    text = "".join(pipe._chunks)
+                    pipe._chunks.clear()
+                    pipe._size = 0
+                pipe._drained.set()
+                return text
+            if pipe._writer_closed:
+                return END_OF_INPUT
+            pipe._readable.clear()
+            if not pipe._chunks and not pipe._writer_closed:
+                await wait_for(pipe._readable)
+
+    def close(self) -> None:
+        pipe = self._pipe
+        pipe._reader_closed = True
+        with pipe._lock:
+            pipe._chunks.clear()
+            pipe._size = 0
+        pipe._drained.set()
+
+
+class PipeWriter(OutputStream):
+    def __init__(self, pipe: Pipe) -> None:
+        self._pipe = pipe
+
+    def write(self, text: str) -> int:
+        pipe = self._pipe
+        if pipe._reader_closed or pipe._writer_closed:
+            raise BrokenPipeError(32, "Broken pipe")
+        with pipe._lock:
+            if pipe._size + len(text) > PIPE_LIMIT:
+                pipe.dropped += len(text)
+                return len(text)
+            pipe._chunks.append(text)
+            pipe._size += len(text)
+            if pipe._size >= PIPE_HIGH:
+                pipe._drained.clear()
+        pipe._readable.set()
+        return len(text)
+
+    async def drain(self) -> None:
+        await wait_for(self._pipe._drained)
+        if self._pipe._reader_closed:
+            raise BrokenPipeError(32, "Broken pipe")
+
+    def wait_for_room(self) -> None:
+        pipe = self._pipe
+        while pipe._size >= PIPE_HIGH and not pipe._reader_closed:
+            time.sleep(0.01)  # a copying thread has nothing else to do; the scheduler never comes here
+
+    def close(self) -> None:
+        self._pipe._writer_closed = True
+        self._pipe._readable.set()
+
+
+class TextInput(InputStream):
+    """Reads a text that is already there (`<<` here-documents, tests)."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._at = 0
+
+    async def read_key(self) -> str:
+        self._at += 1
+        return self._text[self._at - 1 : self._at]
+
+    async def read_line(self) -> str:
+        end = self._text.find("\n", self._at)
+        end = len(self._text) if end < 0 else end + 1
+        line, self._at = self._text[self._at : end], end
+        return line
+
+
+class FileInput(InputStream):
+    """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
+
+    def __init__(self, path: Path) -> None:
+        self._file: TextIO = path.open(encoding="utf-8", errors="replace", newline="")
+
+    def fileno(self) -> int | None:
+        return self._file.fileno()
+
+    async def read_key(self) -> str:
+        return self._file.read(1)
+
+    async def read_line(self) -> str:
+        return self._file.readline()
+
+    def close(self) -> None:
+        self._file.close()
+
+
+class FileOutput(OutputStream):
+    """Writes a file (`> FILE`, `>> FILE`). The constructor raises OSError as `open` does."""
+
+    def __init__(self, path: Path, *, append: bool = False) -> None:
+        self._file: TextIO = path.open("a" if append else "w", encoding="utf-8", errors="surrogateescape", newline="")
+
+    def fileno(self) -> int | None:
+        self._file.flush()
+        return self._file.fileno()
+
+    def write(self, text: str) -> int:
+        return self._file.write(text)
+
+    def flush(self) -> None:
+        self._file.flush()
+
+    def close(self) -> None:
+        self._file.close()
+
+
+class Captured(OutputStream):
+    """Keeps what is written (`$(command)`, tests), up to the limit of a pipe."""
+
+    def __init__(self) -> None:
+        self._parts: list[str] = []
+        self._size = 0
+
+    def write(self, text: str) -> int:
+        if self._size + len(text) <= PIPE_LIMIT:
+            self._parts.append(text)
+            self._size += len(text)
+        return len(text)
+
+    @property
+    def text(self) -> str:
+        return "".join(self._parts)

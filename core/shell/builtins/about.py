@@ -1,0 +1,277 @@
+"""help, clear, which, type, whoami, hostname, uname, env, printenv, true, false, test, basename, dirname, seq."""
+
+from __future__ import annotations
+
+import os
+
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.builtins.options import complain
+
+_HELP = """\
+Commands of this terminal (they work as on Ubuntu):
+
+  ros2 ...            nodes, topics, services, parameters, actions; ros2 --help lists all
+  ros2 run PACKAGE EXECUTABLE      e.g. ros2 run turtlesim turtlesim_node
+  rqt_graph           who talks to whom, as a picture
+  python3 FILE        run your own program
+
+  cd ls cat pwd mkdir touch cp mv rm tree      folders and files
+  echo grep head tail wc sort                  texts; A | B sends the output of A into B
+  jobs fg bg kill wait, COMMAND &              programs in the background
+  sleep timeout date history clear exit        and more: {others}
+
+  Ctrl-C ends the running program, Ctrl-D the terminal, Tab completes, Up brings back the last line."""
+
+
+async def help_(session: Session) -> int:
+    from day6_tui.core.shell.commands import command_names
+
+    mentioned = set(_HELP.replace(",", " ").replace(";", " ").split())
+    others = [name for name in command_names() if name not in mentioned and name.isalpha()]
+    session.print(_HELP.replace("{others}", " ".join(others)))
+    return 0
+
+
+async def clear(session: Session) -> int:
+    if session.stdout.isatty():
+        session.print("\x1b[H\x1b[2J\x1b[3J", end="")
+    return 0
+
+
+async def which(session: Session) -> int:
+    from day6_tui.core.shell.commands import place_of
+
+    status = 0
+    for name in session.argv[1:]:
+        if name.startswith("-"):
+            continue
+        place = place_of(name)
+        if place:
+            session.print(place)
+        else:
+            status = 1
+    return status
+
+
+async def type_(session: Session) -> int:
+    from day6_tui.core.shell.commands import SHELL_BUILTINS, place_of
+
+    status = 0
+    for name in session.argv[1:]:
+        if name in session.shell.aliases:
+            session.print(f"{name} is aliased to `{' '.join(session.shell.aliases[name])}'")
+        elif name in SHELL_BUILTINS:
+            session.print(f"{name} is a shell builtin")
+        elif place := place_of(name):
+            session.print(f"{name} is {place}")
+        else:
+            session.print_error(f"{session.shell.name}: type: {name}: not found")
+            status = 1
+    return status
+
+
+async def command(session: Session) -> int:
+    """`command -v NAME` and `command NAME …`."""
+    from day6_tui.core.shell.commands import SHELL_BUILTINS, find_command, place_of
+
+    words = session.argv[1:]
+    if not words:
+        return 0
+    if words[0] in ("-v", "-V"):
+        found = [place_of(name) or (name if name in SHELL_BUILTINS else "") for name in words[1:]]
+        for place in found:
+            if place:
+                session.print(place)
+        return 0 if all(found) else 1
+    return await session.execute(find_command(words[0], session.shell), words)
+
+
+async def whoami(session: Session) -> int:
+    session.print(session.env.get("USER", "student"))
+    return 0
+
+
+async def id_(session: Session) -> int:
+    session.print("uid=1000(student) gid=1000(student) groups=1000(student)")
+    return 0
+
+
+async def hostname(session: Session) -> int:
+    from day6_tui.core.shell.desk import HOST
+
+    session.print(HOST)
+    return 0
+
+
+async def uname(session: Session) -> int:
+    from day6_tui.core.shell.desk import HOST
+
+    wide = any("a" in word for word in session.argv[1:])
+    session.print(f"Linux {HOST} day6-tui" if wide else "Linux")
+    return 0
+
+
+async def printenv(session: Session) -> int:
+    names = session.argv[1:]
+    if not names:
+        for name, value in session.env.items():
+            session.print(f"{name}={value}")
+        return 0
+    for name in names:
+        if name in session.env:
+            session.print(session.env[name])
+    return 0 if all(name in session.env for name in names) else 1
+
+
+async def env(session: Session) -> int:
+    """`env` prints; `env A=1 COMMAND …` runs a command with more variables."""
+    from day6_tui.core.shell.commands import find_command
+
+    words = session.argv[1:]
+    if words and words[0] in ("-i", "-"):
+        session.env = {}
+        words = words[1:]
+    while words and "=" in words[0]:
+        name, _, value = words.pop(0).partition("=")
+        session.env[name] = value
+    if not words:
+        for name, value in session.env.items():
+            session.print(f"{name}={value}")
+        return 0
+    return await session.execute(find_command(words[0], session.shell), words)
+
+
+async def true(session: Session) -> int:
+    return 0
+
+
+async def false(session: Session) -> int:
+    return 1
+
+
+_INTEGER_TESTS = {
+    "-eq": int.__eq__, "-ne": int.__ne__, "-lt": int.__lt__, "-le": int.__le__, "-gt": int.__gt__, "-ge": int.__ge__,
+}  # fmt: skip
+
+
+async def test(session: Session) -> int:
+    words = session.argv[1:]
+    if session.name == "[":
+        if not words or words.pop() != "]":
+            session.print_error(f"{session.shell.name}: [: missing `]'")
+            return 2
+    try:
+        return 0 if _test(session, words) else 1
+    except ValueError as error:
+        session.print_error(f"{session.shell.name}: {session.name}: {error}")
+        return 2
+
+
+def _test(session: Session, words: list[str]) -> bool:
+    for operator, combine in (("-o", any), ("-a", all)):
+        if operator in words[1:-1]:
+            at = words.index(operator, 1)
+            return combine((_test(session, words[:at]), _test(session, words[at + 1 :])))
+    if words and words[0] == "!":
+        return not _test(session, words[1:])
+    if len(words) <= 1:
+        return bool(words and words[0])
+    if len(words) == 2:
+        return _unary(session, *words)
+    if len(words) > 3:
+        raise ValueError("too many arguments")
+    left, operator, right = words
+    if operator in _INTEGER_TESTS:
+        for text in (left, right):
+            if not text.strip().lstrip("+-").isdigit():
+                raise ValueError(f"{text}: integer expression expected")
+        return bool(_INTEGER_TESTS[operator](int(left), int(right)))
+    if operator in ("=", "==", "!="):
+        return (left == right) != (operator == "!=")
+    raise ValueError(f"{operator}: binary operator expected")
+
+
+def _unary(session: Session, operator: str, text: str) -> bool:
+    path = session.cwd / text
+    checks = {
+        "-z": lambda: not text,
+        "-n": lambda: bool(text),
+        "-e": path.exists,
+        "-f": path.is_file,
+        "-d": path.is_dir,
+        "-L": path.is_symlink,
+        "-s": lambda: path.exists() and path.stat().st_size > 0,
+        "-r": lambda: os.access(path, os.R_OK),
+        "-w": lambda: os.access(path, os.W_OK),
+        "-x": lambda: os.access(path, os.X_OK),
+    }
+    if operator not in checks:
+        raise ValueError(f"{operator}: unary operator expected")
+    return checks[operator]()
+
+
+async def basename(session: Session) -> int:
+    if len(session.argv) < 2:
+        complain(session, "missing operand")
+        return 1
+    name = session.argv[1].rstrip("/").rpartition("/")[2] or "/"
+    suffix = session.argv[2] if len(session.argv) > 2 else ""
+    session.print(name.removesuffix(suffix) if name != suffix else name)
+    return 0
+
+
+async def dirname(session: Session) -> int:
+    if len(session.argv) < 2:
+        complain(session, "missing operand")
+        return 1
+    for word in session.argv[1:]:
+        head, slash, _ = word.rstrip("/").rpartition("/")
+        session.print(head or (slash or "."))
+    return 0
+
+
+async def seq(session: Session) -> int:
+    try:
+        numbers = [float(word) if "." in word else int(word) for word in session.argv[1:]]
+    except ValueError:
+        complain(session, f"invalid floating point argument: '{session.argv[-1]}'")
+        return 1
+    if not 1 <= len(numbers) <= 3:
+        complain(session, "missing operand" if not numbers else f"extra operand '{session.argv[4]}'")
+        return 1
+    first = numbers[0] if len(numbers) > 1 else 1
+    step = numbers[1] if len(numbers) == 3 else 1
+    if step == 0:
+        complain(session, f"invalid Zero increment value: '{session.argv[2]}'")
+        return 1
+    value, count = first, 0
+    while (value <= numbers[-1]) if step > 0 else (value >= numbers[-1]):
+        session.print(value if isinstance(value, int) else f"{value:g}")
+        count += 1
+        value = first + count * step
+        await session.stdout.drain()
+    return 0
+
+
+COMMANDS: dict[str, Main] = {
+    "help": help_,
+    "clear": clear,
+    "reset": clear,
+    "which": which,
+    "type": type_,
+    "command": command,
+    "whoami": whoami,
+    "id": id_,
+    "hostname": hostname,
+    "uname": uname,
+    "printenv": printenv,
+    "env": env,
+    "true": true,
+    "false": false,
+    ":": true,
+    "test": test,
+    "[": test,
+    "basename": basename,
+    "dirname": dirname,
+    "seq": seq,
+}

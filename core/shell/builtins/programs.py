@@ -1,0 +1,112 @@
+"""python3, ros2, rqt_graph, bash, and what a lesson's `sudo apt install` gets for an answer."""
+
+from __future__ import annotations
+
+import importlib
+
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.builtins.options import reason
+from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell, Streams
+
+
+async def python3(session: Session) -> int:
+    return await session.run_python(session.argv[1:])
+
+
+async def ros2(session: Session) -> int:
+    # Not imported at the top: the command tree is large, and most lines of a terminal do without it.
+    main: Main = importlib.import_module("day6_tui.core.ros.ros2").main
+    return (await main(session)) or 0
+
+
+async def rqt_graph(session: Session) -> int:
+    from day6_tui.core.ros.programs import load
+
+    return await session.execute(load("rqt_graph", "rqt_graph"), session.argv)
+
+
+async def sudo(session: Session) -> int:
+    from day6_tui.core.shell.commands import find_command
+
+    words = [word for word in session.argv[1:] if not word.startswith("-")]
+    if not words:
+        session.print_error("usage: sudo COMMAND")
+        return 1
+    start = session.argv.index(words[0])
+    return await session.execute(find_command(words[0], session.shell), session.argv[start:])
+
+
+async def apt(session: Session) -> int:
+    words = [word for word in session.argv[1:] if not word.startswith("-")]
+    verb = words[0] if words else ""
+    if verb == "install" and len(words) > 1:
+        session.print("Reading package lists... Done")
+        for name in words[1:]:
+            session.print(f"{name}: nothing needs to be installed on this machine, what it can do is there already.")
+    elif verb in ("update", "upgrade", "full-upgrade", "autoremove"):
+        session.print("Reading package lists... Done\nAll packages are up to date.")
+    else:
+        session.print_error(f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine")
+        return 100 if verb else 1
+    return 0
+
+
+async def bash(session: Session) -> int:
+    """`bash -c COMMANDS` and `bash FILE`, in a copy of the shell."""
+    words = session.argv[1:]
+    if words and words[0] == "-c":
+        if len(words) < 2:
+            session.print_error(f"{session.name}: -c: option requires an argument")
+            return 2
+        return await _run_copy(session, words[1], words[3:])
+    if words and not words[0].startswith("-"):
+        return await run_script(session, words[0], words[1:])
+    if words:
+        session.print_error(f"{session.name}: {words[0]}: invalid option")
+        return 2
+    return await _run_copy(session, await session.stdin.read_all(), [])
+
+
+async def run_script(session: Session, name: str, arguments: list[str]) -> int:
+    """Run a file of command lines in a copy of the shell."""
+    try:
+        text = (session.cwd / name).read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        session.print_error(f"{session.shell.name}: {name}: {reason(error)}")
+        return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127
+    return await _run_copy(session, text, arguments)
+
+
+async def _run_copy(session: Session, text: str, arguments: list[str]) -> int:
+    shell: Shell = session.shell
+    inner = shell.clone()
+    inner.arguments = arguments
+    inner.options = set()
+    inner.cwd = session.cwd
+    inner.variables = dict(session.env)
+    inner.exported = set(session.env)
+    session.on_interrupt = inner.interrupt
+    try:
+        return await inner.run(text, Streams(session.stdin, session.stdout, session.stderr))
+    except ExitShell as end:
+        return end.status
+    except Interrupted:
+        raise KeyboardInterrupt from None
+    except (LoopControl, ReturnFromSource):
+        return inner.status
+    finally:
+        for job in inner.jobs.jobs:
+            job.send(15)
+
+
+COMMANDS: dict[str, Main] = {
+    "python3": python3,
+    "python": python3,
+    "ros2": ros2,
+    "rqt_graph": rqt_graph,
+    "sudo": sudo,
+    "apt": apt,
+    "apt-get": apt,
+    "bash": bash,
+    "sh": bash,
+}

@@ -1,0 +1,129 @@
+"""Which program a command name stands for."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.session import Main, Session
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.interpreter import Shell
+
+_PACKAGE = "day6_tui.core.shell.builtins"
+
+MODULES: dict[str, tuple[str, ...]] = {
+    "state": (
+        "cd", "pwd", "export", "unset", "set", "shift", "exit", "logout", "break", "continue", "return", "source", ".", "eval",
+        "history", "alias", "read",
+    ),
+    "jobs": ("jobs", "fg", "bg", "wait", "kill", "disown", "ps", "pkill", "killall"),
+    "files": ("ls", "cat", "mkdir", "rmdir", "touch", "rm", "cp", "mv", "tee", "chmod", "tree"),
+    "text": ("echo", "printf", "grep", "head", "tail", "wc", "sort", "uniq"),
+    "times": ("sleep", "timeout", "date"),
+    "about": (
+        "help", "clear", "reset", "which", "type", "command", "whoami", "hostname", "uname", "id", "env", "printenv", "true", "false",
+        ":", "test", "[", "basename", "dirname", "seq",
+    ),
+    "programs": ("python3", "python", "ros2", "rqt_graph", "sudo", "apt", "apt-get", "bash", "sh"),
+}
+"""The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""
+
+_MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
+
+SHELL_BUILTINS = frozenset(
+    (*MODULES["state"], "jobs", "fg", "bg", "wait", "kill", "disown", "echo", "printf", "help", "type", "command", "true", "false", ":",
+     "test", "[")
+)  # fmt: skip
+"""What is part of bash itself; all others have a place in /usr/bin or /opt/ros."""
+
+
+def command_names() -> list[str]:
+    """Every command there is, sorted."""
+    return sorted(_MODULE_OF)
+
+
+def builtin(name: str) -> Main | None:
+    """The command of that name among ours, None if there is none."""
+    module = _MODULE_OF.get(name)
+    if module is None:
+        return None
+    main: Main = importlib.import_module(f"{_PACKAGE}.{module}").COMMANDS[name]
+    return main
+
+
+def place_of(name: str) -> str:
+    """Where `which` says a command is: '' for what is part of the shell."""
+    if name not in _MODULE_OF or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
+        return ""
+    if name in ("ros2", "rqt_graph"):
+        from day6_tui.core.ros.environment import DISTRO
+
+        return f"/opt/ros/{DISTRO}/bin/{name}"
+    return f"/usr/bin/{name}"
+
+
+def find_command(name: str, shell: Shell) -> Main:
+    """The program for `name`: one of ours, a file (when there is a / in it), or one that says `command not found`."""
+    if "/" in name:
+        return _file(name, shell)
+    return builtin(name) or _saying(f"{shell.name}: {name}: command not found", 127)
+
+
+def _file(name: str, shell: Shell) -> Main:
+    path = shell.cwd / name
+    ours = place_of(path.name)
+    if ours == name or (name.startswith(("/bin/", "/usr/bin/")) and ours.startswith("/usr/bin/")):
+        return builtin(path.name) or _nothing
+    if path.is_dir():
+        return _saying(f"{shell.name}: {name}: Is a directory", 126)
+    if not path.exists():
+        return _saying(f"{shell.name}: {name}: No such file or directory", 127)
+    if os.name != "nt" and not os.access(path, os.X_OK):
+        return _saying(f"{shell.name}: {name}: Permission denied", 126)
+    interpreter = _first_line(path)
+    if "python" in interpreter:
+        return _run_python([name])
+    if interpreter == "" or interpreter.endswith("sh"):
+        return _run_script(name)
+    return _saying(f"{shell.name}: {name}: cannot execute: only Python and shell scripts run on this machine", 126)
+
+
+def _first_line(path: Path) -> str:
+    """What `#!` names, '' if the file begins with something else."""
+    try:
+        with path.open("rb") as file:
+            line = file.readline(256).decode("utf-8", "replace").strip()
+    except OSError:
+        return ""
+    return line[2:].strip() if line.startswith("#!") else ""
+
+
+def _saying(text: str, status: int) -> Main:
+    async def main(session: Session) -> int:
+        session.print_error(text)
+        return status
+
+    return main
+
+
+def _run_python(arguments: list[str]) -> Main:
+    async def main(session: Session) -> int:
+        return await session.run_python([*arguments, *session.argv[1:]])
+
+    return main
+
+
+def _run_script(name: str) -> Main:
+    async def main(session: Session) -> int:
+        from day6_tui.core.shell.builtins.programs import run_script
+
+        return await run_script(session, name, session.argv[1:])
+
+    return main
+
+
+async def _nothing(session: Session) -> int:
+    return 0

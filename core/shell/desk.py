@@ -1,0 +1,277 @@
+"""The whole simulated machine without its drawing: world clock, programs, graph, link, terminals, windows, home folder."""
+
+from __future__ import annotations
+
+import logging
+import os
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.graph.graph import Graph
+from day6_tui.core.ros.environment import activate, program_environment
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.display import Display
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.interpreter import Shell, Streams
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.terminal import Terminal
+
+_log = logging.getLogger(__name__)
+
+FIRST_PID = 1001
+USER = "student"
+HOST = "day6"
+GRACE = 2.0
+"""Seconds between asking a program to end by Ctrl-C, by SIGTERM and by SIGKILL."""
+
+_PASSED_ON = ("LANG", "LANGUAGE", "LC_ALL", "LC_CTYPE", "TZ", "TMPDIR", "TEMP", "TMP", "SYSTEMROOT", "PATH", "PATHEXT", "PYTHONPATH")
+"""Variables of the real environment that the simulated machine keeps, with everything that begins with ROS_, RCUTILS_, DAY6_."""
+
+
+def default_home() -> Path:
+    """The folder that is `~` on the simulated machine unless `--home` says otherwise."""
+    if os.name == "nt":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    elif os.uname().sysname == "Darwin":
+        base = Path.home() / "Library" / "Application Support"
+    else:
+        base = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share")
+    return base / "day6-tui" / "home"
+
+
+class Desk:
+    """One simulated machine. `start()` runs it in a thread of its own; tests and `exec` drive `scheduler` themselves.
+
+    `home` is created with a `ros2_ws/src` in it; OSError if it cannot be. `join_link` lets its graph meet the other processes of
+    this user; that happens in the background, when `start` or `open_link` is called.
+    """
+
+    def __init__(
+        self,
+        home: Path | None = None,
+        *,
+        domain_id: int | None = None,
+        join_link: bool = True,
+        clock: WorldClock | None = None,
+        display: bool = True,
+    ) -> None:
+        activate()
+        self.home = (default_home() if home is None else home).expanduser().resolve()
+        (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
+        self.domain_id = domain_of(os.environ, 0) if domain_id is None else domain_id
+        self._link_opened = False
+        self.clock = WorldClock() if clock is None else clock
+        self.graphs: dict[int, Graph] = {}
+        """By domain; more than one once a terminal exports another ROS_DOMAIN_ID."""
+        self.graph = self.graph_of(self.domain_id)
+        self.scheduler = Scheduler(self.clock)
+        self.display: Display | None = Display() if display else None
+        self.programs: dict[int, Program] = {}
+        """What runs, by process number."""
+        self.terminals: list[Terminal] = []
+        self.booted_ns = self.clock.steady_ns()
+        self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
+        self._links: list[object] = []
+        self._link_threads: list[threading.Thread] = []
+        self._last_pid = FIRST_PID - 1
+        self._changed = threading.Condition()
+        self._started = False
+        self._closed = False
+
+    def graph_of(self, domain_id: int) -> Graph:
+        """The graph of a domain, made and linked when it is first asked for."""
+        graph = self.graphs.get(domain_id)
+        if graph is None:
+            graph = self.graphs[domain_id] = Graph(domain_id)
+            graph.now_ns = self.clock.now_ns
+            if self._link_opened:
+                self._join_in_background(graph)
+        return graph
+
+    # -- programs ------------------------------------------------------------------------------------------------------
+
+    def new_pid(self) -> int:
+        """The next process number of the simulated machine."""
+        self._last_pid += 1
+        return self._last_pid
+
+    def environment(self) -> dict[str, str]:
+        """The variables of a fresh login."""
+        real = os.environ
+        kept = {name: real[name] for name in _PASSED_ON if name in real}
+        kept.update({name: value for name, value in real.items() if name.startswith(("ROS_", "RCUTILS_", "DAY6_"))})
+        kept.setdefault("LANG", "C.UTF-8")
+        env = program_environment(kept)
+        env.update(
+            HOME=str(self.home), USER=USER, LOGNAME=USER, SHELL="/bin/bash", TERM="xterm-256color", ROS_DOMAIN_ID=str(self.domain_id)
+        )
+        return env
+
+    def shell(self, *, interactive: bool = False, cwd: Path | None = None) -> Shell:
+        """A new shell, as after login."""
+        env = self.environment()
+        folder = self.home if cwd is None else cwd
+        env["PWD"] = str(folder)
+        return Shell(self, env=env, cwd=folder, interactive=interactive)
+
+    def start_program(
+        self,
+        argv: list[str],
+        main: Main,
+        streams: Streams,
+        *,
+        env: dict[str, str],
+        cwd: Path,
+        shell: Shell | None = None,
+        on_end: Callable[[Program], None] | None = None,
+    ) -> Program:
+        """Start a cooperative program; it is in `programs` until it has ended."""
+        from day6_tui.core.shell.process import run_python
+
+        session = Session(
+            self.scheduler,
+            self.graph_of(domain_of(env, self.domain_id)),
+            argv,
+            env=env,
+            cwd=cwd,
+            pid=self.new_pid(),
+            stdin=streams.stdin,
+            stdout=streams.stdout,
+            stderr=streams.stderr,
+            display=self.display,
+        )
+        session.shell = shell
+        session.python = run_python
+        program = Program(session, main)
+        self.programs[program.pid] = program
+
+        def forget() -> None:
+            self.programs.pop(program.pid, None)
+            if on_end is not None:
+                on_end(program)
+            with self._changed:
+                self._changed.notify_all()
+
+        session.defer(forget)
+        return program
+
+    # -- time ----------------------------------------------------------------------------------------------------------
+
+    def pause(self) -> None:
+        """Let the world stand still; students' processes are stopped too (where the system can)."""
+        self.clock.pause()
+        self._stop_processes(True)
+
+    def resume(self) -> None:
+        self._stop_processes(False)
+        self.clock.resume()
+
+    def step(self, seconds: float = 0.016) -> None:
+        """Move the paused world on; processes stay stopped."""
+        self.clock.step(seconds)
+
+    def set_speed(self, factor: float) -> None:
+        self.clock.set_speed(factor)
+
+    def _stop_processes(self, stopped: bool) -> None:
+        from day6_tui.core.shell.process import running_processes
+
+        for process in running_processes():
+            process.pause(stopped)
+
+    # -- terminals -----------------------------------------------------------------------------------------------------
+
+    def open_terminal(self, columns: int = 80, rows: int = 24, *, cwd: Path | None = None) -> Terminal:
+        """Open a terminal with its own shell."""
+        from day6_tui.core.shell.terminal import Terminal
+
+        terminal = Terminal(self, columns, rows, cwd=cwd)
+        self.terminals.append(terminal)
+        return terminal
+
+    # -- life ----------------------------------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Run the programs in a thread of its own and join the link in the background. Returns at once."""
+        self._started = True
+        self.scheduler.start()
+        self.open_link()
+
+    def open_link(self, *, wait: bool = False) -> None:
+        """Let the graph meet the other processes of this user, in the background or (`wait`) now."""
+        if not self._join_link or self._link_opened:
+            return
+        self._link_opened = True
+        for graph in list(self.graphs.values()):
+            self._join_in_background(graph)
+        if wait:
+            for thread in self._link_threads:
+                thread.join()
+
+    def _join_in_background(self, graph: Graph) -> None:
+        def run() -> None:
+            try:
+                from day6_tui.core.link import join
+
+                self._links.append(join(graph))
+            except Exception:
+                # Without the link the desk still works for itself; who asks for other processes sees none.
+                _log.warning("the link could not be opened", exc_info=True)
+
+        thread = threading.Thread(target=run, name="day6-link", daemon=True)
+        self._link_threads.append(thread)
+        thread.start()
+
+    def close(self) -> None:
+        """End every program, by Ctrl-C, SIGTERM and SIGKILL two seconds apart, then the link and the thread. May be called twice."""
+        if self._closed:
+            return
+        self._closed = True
+        self._stop_processes(False)
+        for terminal in self.terminals:
+            terminal.hang_up()
+        self.end_programs(list(self.programs.values()))
+        for terminal in self.terminals:
+            terminal.close()
+        for thread in self._link_threads:
+            thread.join(GRACE)
+        for link in self._links:
+            leave = getattr(link, "close", None)
+            if leave is not None:
+                leave()
+        self.scheduler.stop()
+
+    def end_programs(self, programs: list[Program]) -> None:
+        """End these and wait for it (at most three times two seconds; wall time, since the world may stand still)."""
+
+        def alive() -> list[Program]:
+            return [program for program in programs if program.status is None]
+
+        for action in (Program.interrupt, Program.terminate, Program.kill):
+            for program in alive():
+                program.resume()
+                action(program)
+            self._wait(lambda: not alive(), GRACE)
+            if not alive():
+                return
+
+    def _wait(self, condition: Callable[[], bool], timeout: float) -> None:
+        if not self._started:
+            self.scheduler.run(condition, timeout)
+            return
+        end = time.monotonic() + timeout
+        with self._changed:
+            while not condition() and (left := end - time.monotonic()) > 0:
+                self._changed.wait(left)
+
+
+def domain_of(env: Mapping[str, str], default: int) -> int:
+    """The domain that ROS_DOMAIN_ID names; `default` if it is not set or no number."""
+    text = env.get("ROS_DOMAIN_ID", "").strip()
+    return int(text) if text.isdigit() else default

@@ -1,0 +1,268 @@
+"""The line discipline of a simulated terminal: echo, line editing in cooked mode, raw keys, and the keys that mean signals.
+
+Everything here runs on the scheduler's thread. As in a kernel there is one queue per terminal, so what is typed ahead reaches
+whoever reads next, while the mode belongs to the reader in the foreground and cannot be left behind by a program that died.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.keys import split_keys
+from day6_tui.core.session.scheduler import Signal, wait_for
+from day6_tui.core.session.streams import END_OF_INPUT, InputStream, KeyReceiver, OutputStream
+from day6_tui.core.shell.width import char_width
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.terminal import Terminal
+
+INTERRUPT, END, SUSPEND, QUIT, ERASE, KILL_LINE, KILL_WORD = "\x03", "\x04", "\x1a", "\x1c", "\x7f", "\x15", "\x17"
+MOST_TYPED_AHEAD = 64 * 1024
+
+
+class Discipline:
+    """The terminal's queue of typed text, and who reads it."""
+
+    def __init__(self, terminal: Terminal) -> None:
+        self.terminal = terminal
+        self.front: TtyInput | None = None
+        """The reader that has the keys."""
+        self.arrived = Signal()
+        """Set when there is more to read, or the focus moved."""
+        self.hung_up = False
+        self.sized = Signal()
+        """Set when the window has another size; the line editor clears it."""
+        self._ready = ""
+        self._line = ""
+        """The unfinished line in cooked mode."""
+        self._receivers: set[KeyReceiver] = set()
+
+    # -- typing --------------------------------------------------------------------------------------------------------
+
+    def type(self, text: str) -> None:
+        """Handle what was typed, in the mode of the foreground reader."""
+        front = self.front
+        if front is not None and front.receiver is not None:
+            self._to_process(front.receiver, text)
+            return
+        for key in split_keys(text):
+            self._key(key)
+
+    def _to_process(self, receiver: KeyReceiver, text: str) -> None:
+        before, suspend, rest = text.partition(SUSPEND)
+        if suspend and receiver.wants_signal_keys():
+            # The kernel ignores Ctrl-Z of a pty whose session has no shell in it: the shell is ours.
+            if before:
+                receiver.keys(before)
+            self.terminal.write("^Z")
+            self.terminal.shell.suspend()
+            if rest:
+                self.type(rest)
+        else:
+            receiver.keys(text)
+
+    def _key(self, key: str) -> None:
+        front = self.front
+        raw = front is not None and front.is_raw
+        if front is None or front.signals:
+            if key in (INTERRUPT, QUIT):
+                self._ready = self._line = ""
+                if not raw:
+                    self.terminal.write("^C" if key == INTERRUPT else "^\\")
+                self.terminal.shell.interrupt()
+                return
+            if key == SUSPEND:
+                if not raw:
+                    self.terminal.write("^Z")
+                self.terminal.shell.suspend()
+                return
+        if len(self._ready) + len(self._line) > MOST_TYPED_AHEAD:
+            self.terminal.write("\a")
+        elif raw:
+            self._ready += key
+            self.arrived.set()
+        else:
+            self._cooked(key)
+
+    def _cooked(self, key: str) -> None:
+        write = self.terminal.write
+        if key in ("\r", "\n"):
+            write("\r\n")
+            self._finish_line("\n")
+        elif key == END:
+            self._finish_line("" if self._line else END)
+        elif key in (ERASE, "\b"):
+            if self._line:
+                write(_erasing(self._line[-1]))
+                self._line = self._line[:-1]
+        elif key == KILL_LINE:
+            write("".join(map(_erasing, self._line)))
+            self._line = ""
+        elif key == KILL_WORD:
+            kept = self._line.rstrip().rpartition(" ")
+            left = kept[0] + kept[1]
+            write("".join(map(_erasing, self._line[len(left) :])))
+            self._line = left
+        else:
+            self._line += key
+            write("".join(map(_echo, key)))
+
+    def _finish_line(self, end: str) -> None:
+        self._ready += self._line + end
+        self._line = ""
+        self.arrived.set()
+
+    # -- reading -------------------------------------------------------------------------------------------------------
+
+    def take_key(self) -> str | None:
+        """The next key, None if there is none."""
+        if not self._ready:
+            return None
+        key = split_keys(self._ready)[0]
+        self._ready = self._ready[len(key) :]
+        return key
+
+    def take_line(self) -> str | None:
+        """The next line with its newline ('' for Ctrl-D at its beginning), None if there is none."""
+        for index, char in enumerate(self._ready):
+            if char in "\r\n":
+                line, self._ready = self._ready[:index], self._ready[index + 1 :]
+                return line + "\n"
+            if char == END:
+                line, self._ready = self._ready[:index], self._ready[index + 1 :]
+                return line
+        return None
+
+    def become_raw(self) -> None:
+        """What stands in the unfinished line can be read key by key now."""
+        self._ready += self._line
+        self._line = ""
+
+    def become_cooked(self) -> None:
+        """Keys nobody read in raw mode are typed ahead for the next reader; the last, unfinished line can still be edited."""
+        cut = max(self._ready.rfind(char) for char in ("\n", "\r", END)) + 1
+        self._line = self._ready[cut:] + self._line
+        self._ready = self._ready[:cut]
+
+    def hang_up(self) -> None:
+        self.hung_up = True
+        self.arrived.set()
+
+    # -- processes -----------------------------------------------------------------------------------------------------
+
+    def add_receiver(self, receiver: KeyReceiver) -> None:
+        self._receivers.add(receiver)
+        typed, self._ready, self._line = self._ready + self._line, "", ""
+        if typed:
+            receiver.keys(typed)
+
+    def remove_receiver(self, receiver: KeyReceiver) -> None:
+        self._receivers.discard(receiver)
+
+    def resized(self) -> None:
+        for receiver in list(self._receivers):
+            receiver.resize(self.terminal.columns, self.terminal.rows)
+        self.sized.set()
+        self.arrived.set()
+
+
+class TtyInput(InputStream):
+    """One job's end of the terminal: its mode, and its turn to read."""
+
+    def __init__(self, discipline: Discipline) -> None:
+        self.discipline = discipline
+        self.is_raw = False
+        self.signals = True
+        self.receiver: KeyReceiver | None = None
+
+    @property
+    def terminal(self) -> Terminal:
+        return self.discipline.terminal
+
+    def isatty(self) -> bool:
+        return True
+
+    def fork(self) -> TtyInput:
+        return TtyInput(self.discipline)
+
+    def focus(self) -> InputStream | None:
+        discipline = self.discipline
+        before, discipline.front = discipline.front, self
+        if before is not None and before.is_raw != self.is_raw:
+            (discipline.become_raw if self.is_raw else discipline.become_cooked)()
+        discipline.arrived.set()
+        return before
+
+    def terminal_of(self, *outputs: OutputStream) -> Terminal | None:
+        mine = not outputs or any(getattr(output, "terminal", None) is self.terminal for output in outputs)
+        return self.terminal if mine else None
+
+    def pass_keys_to(self, receiver: KeyReceiver | None) -> None:
+        scheduler = self.terminal.desk.scheduler
+        before, self.receiver = self.receiver, receiver
+        if before is not None:
+            scheduler.call_soon_threadsafe(lambda: self.discipline.remove_receiver(before))
+        if receiver is not None:
+            scheduler.call_soon_threadsafe(lambda: self.discipline.add_receiver(receiver))
+
+    async def read_key(self) -> str:
+        while True:
+            if self.discipline.front is self:
+                key = self.discipline.take_key()
+                if key is not None:
+                    return key
+                if self.discipline.hung_up:
+                    return END_OF_INPUT
+            await self._more()
+
+    async def read_line(self) -> str:
+        while True:
+            if self.discipline.front is self:
+                line = self.discipline.take_line()
+                if line is not None:
+                    return line
+                if self.discipline.hung_up:
+                    return END_OF_INPUT
+            await self._more()
+
+    async def wait_for_resize_or_key(self) -> bool:
+        """For the line editor: True when there is a key to read, False when the window changed its size."""
+        discipline = self.discipline
+        while True:
+            if discipline.sized.is_set():
+                discipline.sized.clear()
+                return False
+            if discipline.front is self and (discipline._ready or discipline.hung_up):
+                return True
+            await self._more()
+
+    async def _more(self) -> None:
+        self.discipline.arrived.clear()
+        await wait_for(self.discipline.arrived)
+
+    @contextlib.contextmanager
+    def raw(self, *, signals: bool = True) -> Iterator[None]:
+        self._set_mode(True, signals)
+        try:
+            yield
+        finally:
+            self._set_mode(False, True)
+
+    def _set_mode(self, raw: bool, signals: bool) -> None:
+        self.signals = signals
+        if raw != self.is_raw:
+            self.is_raw = raw
+            if self.discipline.front is self:
+                (self.discipline.become_raw if raw else self.discipline.become_cooked)()
+
+
+def _echo(char: str) -> str:
+    """How a typed character is shown: control characters as ^X."""
+    return char if char >= " " or char == "\t" else "^" + chr(ord(char) + 64)
+
+
+def _erasing(char: str) -> str:
+    width = 2 if char < " " else char_width(char)
+    return "\b \b" * width

@@ -1,0 +1,417 @@
+"""Editing one line at the prompt, with readline's keys: moving, killing and yanking, history, Ctrl-R, Tab, pasting.
+
+The line is drawn by what a real readline would send to the terminal, so that it wraps, scrolls and is copied like any text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.session import Session
+from day6_tui.core.shell.discipline import TtyInput
+from day6_tui.core.shell.width import char_width, text_width
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.completion import Completer
+    from day6_tui.core.shell.history import History
+    from day6_tui.core.shell.terminal import Terminal
+
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+_WORD = re.compile(r"\w+")
+PASTE_ON, PASTE_OFF = "\x1b[?2004h", "\x1b[?2004l"
+MANY = 100
+"""From this many completions bash asks before it lists them."""
+
+
+class EndOfLines(Exception):
+    """Ctrl-D on an empty line, or the terminal was closed."""
+
+
+class LineEditor:
+    """Reads lines from a terminal. One `read` at a time."""
+
+    def __init__(self, session: Session, terminal: Terminal, history: History, completer: Completer) -> None:
+        self._session = session
+        self._terminal = terminal
+        self._history = history
+        self._completer = completer
+        self._text = ""
+        self._at = 0
+        """Position of the cursor in `_text`, in characters."""
+        self._prompt = ""
+        self._killed = ""
+        self._browsing = 0
+        """Index into the history; its length stands for the line being typed."""
+        self._edited: dict[int, str] = {}
+        """Lines changed while browsing, by index."""
+        self._cursor_row = 0
+        """Row of the cursor, counted from the row the prompt begins in."""
+        self._tabs = 0
+        self._done = False
+
+    async def read(self, prompt: str) -> str | None:
+        """Return the line without its newline; None after Ctrl-C. Raises EndOfLines."""
+        stdin = self._session.stdin
+        assert isinstance(stdin, TtyInput)
+        self._text, self._at, self._prompt, self._cursor_row, self._tabs = "", 0, prompt, 0, 0
+        self._browsing = len(self._history.lines)
+        self._edited = {}
+        self._done = False
+        with stdin.raw(signals=False):
+            self._write(PASTE_ON)
+            self._draw()
+            try:
+                while not self._done:
+                    if not await stdin.wait_for_resize_or_key():
+                        self._draw()
+                        continue
+                    key = await stdin.read_key()
+                    if key == "\x03":
+                        self._finish("^C")
+                        return None
+                    if key == "" or (key == "\x04" and not self._text):
+                        raise EndOfLines
+                    await self._handle(key)
+            finally:
+                if not self._done:
+                    self._write(PASTE_OFF)
+        return self._text
+
+    async def _handle(self, key: str) -> None:
+        self._tabs = self._tabs + 1 if key == "\t" else 0
+        if key == "\t":
+            await self._complete()
+        elif key == "\x12":
+            await self._search()
+        elif key == "\x1b[200~":
+            await self._paste()
+        elif action := _KEYS.get(key):
+            action(self)
+        elif len(key) == 1 and key >= " ":
+            self._insert(key)
+        if not self._done:
+            self._draw_if_changed()
+
+    # -- changing the line ---------------------------------------------------------------------------------------------
+
+    def _insert(self, text: str) -> None:
+        self._text = self._text[: self._at] + text + self._text[self._at :]
+        self._at += len(text)
+
+    def _cut(self, start: int, end: int, *, keep: bool = True) -> None:
+        if keep and start < end:
+            self._killed = self._text[start:end]
+        self._text = self._text[:start] + self._text[end:]
+        self._at = start
+
+    def _accept(self) -> None:
+        self._finish("")
+
+    def _finish(self, mark: str) -> None:
+        """Leave the line as it stands and go to the next row."""
+        self._at = len(self._text)
+        self._draw()
+        self._write(mark + PASTE_OFF + "\r\n")
+        self._cursor_row = 0
+        self._done = True
+
+    def _backspace(self) -> None:
+        if self._at:
+            self._cut(self._at - 1, self._at, keep=False)
+
+    def _delete(self) -> None:
+        self._cut(self._at, min(self._at + 1, len(self._text)), keep=False)
+
+    def _home(self) -> None:
+        self._at = 0
+
+    def _end(self) -> None:
+        self._at = len(self._text)
+
+    def _left(self) -> None:
+        self._at = max(self._at - 1, 0)
+
+    def _right(self) -> None:
+        self._at = min(self._at + 1, len(self._text))
+
+    def _word_start(self) -> int:
+        starts = [match.start() for match in _WORD.finditer(self._text) if match.start() < self._at]
+        return starts[-1] if starts else 0
+
+    def _word_end(self) -> int:
+        return next((match.end() for match in _WORD.finditer(self._text) if match.end() > self._at), len(self._text))
+
+    def _word_left(self) -> None:
+        self._at = self._word_start()
+
+    def _word_right(self) -> None:
+        self._at = self._word_end()
+
+    def _kill_to_end(self) -> None:
+        self._cut(self._at, len(self._text))
+
+    def _kill_to_start(self) -> None:
+        self._cut(0, self._at)
+
+    def _kill_word_right(self) -> None:
+        self._cut(self._at, self._word_end())
+
+    def _kill_word_left(self) -> None:
+        self._cut(self._word_start(), self._at)
+
+    def _kill_blank_word(self) -> None:
+        head = self._text[: self._at].rstrip()
+        self._cut(len(head.rpartition(" ")[0]) + (1 if " " in head else 0), self._at)
+
+    def _yank(self) -> None:
+        self._insert(self._killed)
+
+    def _transpose(self) -> None:
+        at = min(self._at, len(self._text) - 1)
+        if at >= 1:
+            self._text = self._text[: at - 1] + self._text[at] + self._text[at - 1] + self._text[at + 1 :]
+            self._at = at + 1
+
+    def _clear_screen(self) -> None:
+        self._write("\x1b[H\x1b[2J")
+        self._cursor_row = 0
+        self._draw()
+
+    def _older(self) -> None:
+        self._browse(self._browsing - 1)
+
+    def _newer(self) -> None:
+        self._browse(self._browsing + 1)
+
+    def _oldest(self) -> None:
+        self._browse(0)
+
+    def _newest(self) -> None:
+        self._browse(len(self._history.lines))
+
+    def _browse(self, index: int) -> None:
+        lines = self._history.lines
+        if not 0 <= index <= len(lines) or index == self._browsing:
+            return
+        self._edited[self._browsing] = self._text
+        self._browsing = index
+        self._text = self._edited.get(index, lines[index] if index < len(lines) else "")
+        self._at = len(self._text)
+
+    async def _paste(self) -> None:
+        """Take keys as text up to the end mark; a newline inside does not run anything yet."""
+        parts: list[str] = []
+        while (key := await self._session.stdin.read_key()) not in ("", "\x1b[201~"):
+            parts.append(key)
+        text = "".join(parts).replace("\r", "\n")
+        single = "\n" not in text.rstrip("\n")
+        self._insert(text.rstrip("\n") if single else text)
+
+    # -- Tab and Ctrl-R ------------------------------------------------------------------------------------------------
+
+    async def _complete(self) -> None:
+        choices, start = await self._completer.complete(self._text[: self._at])
+        if not choices:
+            self._write("\a")
+            return
+        typed = self._text[start : self._at]
+        common = _common_start(choices)
+        if len(choices) == 1:
+            self._replace(start, choices[0] if choices[0].endswith(("/", "=")) else choices[0] + " ")
+        elif len(common) > len(typed) or (common != typed and common.lower().startswith(typed.lower())):
+            self._replace(start, common)
+        elif self._tabs >= 2:
+            self._list(choices)
+        else:
+            self._write("\a")
+
+    def _replace(self, start: int, text: str) -> None:
+        after = self._text[self._at :]
+        if text.endswith(" ") and after.startswith(" "):
+            after = after[1:]
+        self._text = self._text[:start] + text + after
+        self._at = start + len(text)
+
+    def _list(self, choices: list[str]) -> None:
+        shown = [_last_part(choice) for choice in choices]
+        columns = self._terminal.columns
+        width = max(map(text_width, shown)) + 2
+        per_row = max(columns // width, 1)
+        rows = -(-len(shown) // per_row)
+        lines = []
+        for row in range(min(rows, MANY)):
+            cells = shown[row::rows]
+            lines.append("".join(cell + " " * (width - text_width(cell)) for cell in cells).rstrip())
+        if rows > MANY:
+            lines.append(f"... {len(shown)} possibilities")
+        end = self._at
+        self._at = len(self._text)
+        self._draw()
+        self._write("\r\n" + "\r\n".join(lines) + "\r\n")
+        self._cursor_row = 0
+        self._at = end
+        self._draw()
+
+    async def _search(self) -> None:
+        """Ctrl-R: find the last line that contains what is typed; Enter runs it, Escape and the arrows edit it."""
+        prompt, text, at = self._prompt, self._text, self._at
+        wanted, place = "", len(self._history.lines)
+        found: int | None = None
+        failed = ""
+        while True:
+            self._prompt = f"({failed}reverse-i-search)`{wanted}': "
+            self._text = self._history.lines[found] if found is not None else text
+            self._at = self._text.find(wanted) if found is not None else len(self._text)
+            self._draw()
+            key = await self._session.stdin.read_key()
+            if key == "\x12":
+                place = found if found is not None else place
+            elif key in ("\x7f", "\b"):
+                wanted, place = wanted[:-1], len(self._history.lines)
+            elif len(key) == 1 and key >= " ":
+                wanted += key
+                place = len(self._history.lines) if found is None else found + 1
+            else:
+                break
+            next_found = self._history.search(wanted, place) if wanted else None
+            failed = "failed " if wanted and next_found is None else ""
+            found = next_found if next_found is not None or not wanted else found
+        self._prompt = prompt
+        if key in ("\x07", "\x03"):
+            self._text, self._at = text, at
+        elif found is not None:
+            self._browsing = found
+        self._draw()
+        if key not in ("\x07", "\x03", "\x1b"):
+            await self._handle(key)
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def _write(self, text: str) -> None:
+        self._terminal.write(text)
+
+    _drawn: tuple[str, str, int] = ("", "", 0)
+
+    def _draw_if_changed(self) -> None:
+        before_prompt, before_text, before_at = self._drawn
+        text, at = self._text, self._at
+        if (self._prompt, text, at) == self._drawn:
+            return
+        # The usual key press appends one character that fits: no need to draw the line again.
+        appended = text[len(before_text) :]
+        if (
+            before_prompt == self._prompt
+            and text.startswith(before_text)
+            and before_at == len(before_text)
+            and at == len(text)
+            and appended.isprintable()
+            and self._column(before_text) + text_width(appended) < self._terminal.columns
+        ):
+            self._write(appended)
+            self._drawn = (self._prompt, text, at)
+            return
+        self._draw()
+
+    def _column(self, text: str) -> int:
+        row, column = self._place(_COLOUR.sub("", self._prompt) + text)
+        return column
+
+    def _place(self, text: str) -> tuple[int, int]:
+        """(row, column) of the cursor after `text` was printed from column 0."""
+        columns = self._terminal.columns
+        row = column = 0
+        for char in text:
+            if char == "\n":
+                row, column = row + 1, 0
+                continue
+            width = len(_visible(char)) if char < " " else char_width(char)
+            if column + width > columns:
+                row, column = row + 1, 0
+            column += width
+        return (row + 1, 0) if column >= columns else (row, column)
+
+    def _draw(self) -> None:
+        """Draw prompt and line again from the row the prompt begins in, and put the cursor where it belongs."""
+        bare = _COLOUR.sub("", self._prompt)
+        shown = "".join(map(_visible, self._text))
+        end_row, end_column = self._place(bare + self._text)
+        row, column = self._place(bare + self._text[: self._at])
+        parts = []
+        if self._cursor_row:
+            parts.append(f"\x1b[{self._cursor_row}A")
+        parts.append("\r\x1b[J" + self._prompt + shown.replace("\n", "\r\n"))
+        if end_column == 0 and end_row and not shown.endswith("\n"):
+            parts.append(" \r")  # make the terminal really wrap
+        if end_row > row:
+            parts.append(f"\x1b[{end_row - row}A")
+        parts.append("\r" + (f"\x1b[{column}C" if column else ""))
+        self._write("".join(parts))
+        self._cursor_row = row
+        self._drawn = (self._prompt, self._text, self._at)
+
+
+_KEYS: dict[str, Callable[[LineEditor], None]] = {
+    "\r": LineEditor._accept,
+    "\n": LineEditor._accept,
+    "\x7f": LineEditor._backspace,
+    "\b": LineEditor._backspace,
+    "\x04": LineEditor._delete,
+    "\x1b[3~": LineEditor._delete,
+    "\x01": LineEditor._home,
+    "\x1b[H": LineEditor._home,
+    "\x1bOH": LineEditor._home,
+    "\x1b[1~": LineEditor._home,
+    "\x05": LineEditor._end,
+    "\x1b[F": LineEditor._end,
+    "\x1bOF": LineEditor._end,
+    "\x1b[4~": LineEditor._end,
+    "\x02": LineEditor._left,
+    "\x1b[D": LineEditor._left,
+    "\x1bOD": LineEditor._left,
+    "\x06": LineEditor._right,
+    "\x1b[C": LineEditor._right,
+    "\x1bOC": LineEditor._right,
+    "\x1b[1;5D": LineEditor._word_left,
+    "\x1b[1;3D": LineEditor._word_left,
+    "\x1bb": LineEditor._word_left,
+    "\x1b[1;5C": LineEditor._word_right,
+    "\x1b[1;3C": LineEditor._word_right,
+    "\x1bf": LineEditor._word_right,
+    "\x0b": LineEditor._kill_to_end,
+    "\x15": LineEditor._kill_to_start,
+    "\x17": LineEditor._kill_blank_word,
+    "\x1bd": LineEditor._kill_word_right,
+    "\x1b\x7f": LineEditor._kill_word_left,
+    "\x19": LineEditor._yank,
+    "\x14": LineEditor._transpose,
+    "\x0c": LineEditor._clear_screen,
+    "\x10": LineEditor._older,
+    "\x1b[A": LineEditor._older,
+    "\x1bOA": LineEditor._older,
+    "\x0e": LineEditor._newer,
+    "\x1b[B": LineEditor._newer,
+    "\x1bOB": LineEditor._newer,
+    "\x1b<": LineEditor._oldest,
+    "\x1b>": LineEditor._newest,
+}
+
+
+def _visible(char: str) -> str:
+    """A character as it is drawn in the line: control characters as ^X, a newline of a pasted text as itself."""
+    return char if char >= " " or char == "\n" else "^" + chr(ord(char) + 64)
+
+
+def _common_start(texts: list[str]) -> str:
+    first, last = min(texts), max(texts)
+    length = next((index for index, char in enumerate(first) if index >= len(last) or char != last[index]), len(first))
+    return first[:length]
+
+
+def _last_part(choice: str) -> str:
+    """What is listed of a completion: of a path only its last part."""
+    if choice.startswith("/") and choice.count("/") == 1:
+        return choice
+    head, slash, tail = choice.rstrip("/").rpartition("/")
+    return tail + ("/" if choice.endswith("/") else "") if slash and not choice.startswith("/") else choice

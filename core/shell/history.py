@@ -1,0 +1,40 @@
+"""The lines typed so far, kept in `~/.bash_history` as bash does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+KEPT = 1000
+
+
+class History:
+    """`lines`, oldest first; a line equal to the one before it, or beginning with a space, is not kept (HISTCONTROL=ignoreboth)."""
+
+    def __init__(self, file: Path) -> None:
+        self._file = file
+        self.lines: list[str] = []
+        try:
+            self.lines = file.read_text(encoding="utf-8", errors="replace").splitlines()[-KEPT:]
+        except OSError:
+            return  # a first start, or a home that cannot be read: then there is none
+
+    def add(self, source: str) -> None:
+        """Remember a command; a command of several lines becomes one where that means the same."""
+        line = source if "<<" in source else "; ".join(part for part in source.split("\n") if part.strip())
+        if line.startswith(" ") or (self.lines and self.lines[-1] == line):
+            return
+        self.lines.append(line)
+        if len(self.lines) > KEPT:
+            del self.lines[0]
+        try:
+            with self._file.open("a", encoding="utf-8") as file:
+                file.write(line.replace("\n", " ") + "\n")
+        except OSError:
+            return  # a full or read-only disk must not make the terminal unusable
+
+    def search(self, text: str, before: int) -> int | None:
+        """Index of the last line before index `before` that contains `text`; None if there is none."""
+        for index in range(min(before, len(self.lines)) - 1, -1, -1):
+            if text in self.lines[index]:
+                return index
+        return None

@@ -1,0 +1,342 @@
+"""A student's program: a real process, `python3 FILE`, on the streams of the session that started it.
+
+In a terminal the process has a pty as controlling terminal, so line buffering, `input()`, getpass, curses and Ctrl-C are the
+system's own. Where its output goes into a pipe or a capture it gets pipes, and where a stream is a real file or our own standard
+output it simply inherits that. It leads a session of its own, runs at nice +10, and is ended as a whole group.
+"""
+
+from __future__ import annotations
+
+import codecs
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import IO
+
+from day6_tui.core.session.scheduler import Signal, TaskCancelled, wait_for
+from day6_tui.core.session.session import KilledBySignal, Session
+from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
+from day6_tui.core.shell.guardian import guard, release
+
+LAUNCHER = Path(__file__).with_name("launch_process.py")
+NICE = 10
+READ_SIZE = 65536
+_POSIX = os.name == "posix"
+
+_running: set[Process] = set()
+_running_lock = threading.Lock()
+
+
+def running_processes() -> list[Process]:
+    """The students' processes that are alive now."""
+    with _running_lock:
+        return list(_running)
+
+
+async def run_python(session: Session, args: list[str]) -> int:
+    """Run `python3 ARGS…` for a program until it ends; returns its exit status.
+
+    Ctrl-C becomes SIGINT, SIGTERM SIGTERM, and SIGKILL SIGKILL of its group. Raises KilledBySignal (KeyboardInterrupt for SIGINT)
+    when a signal ended it, and OSError when it could not be started.
+    """
+    process = Process(session, args)
+    session.on_stop = process.pause
+    session.defer(process.kill)
+    process.start()
+    while not process.ended.is_set():
+        try:
+            await wait_for(process.ended)
+        except KeyboardInterrupt:
+            process.interrupt()
+        except TaskCancelled:
+            process.kill()
+        except KilledBySignal as order:
+            process.send(order.number)
+    if process.problem is not None:
+        raise process.problem
+    code = process.returncode
+    if code == -2:
+        raise KeyboardInterrupt
+    if code < 0:
+        raise KilledBySignal(-code)
+    return code
+
+
+class Process:
+    """One child process. `ended` is set when it is gone and its output has been read; then `returncode` is as in subprocess."""
+
+    def __init__(self, session: Session, args: list[str]) -> None:
+        self.session = session
+        self.args = args
+        self.ended = Signal()
+        self.returncode = 0
+        self.problem: Exception | None = None
+        self._popen: subprocess.Popen[bytes] | None = None
+        self._master: int | None = None
+        self._master_lock = threading.Lock()
+        self._readers: list[threading.Thread] = []
+        self._killed = False
+
+    @property
+    def pid(self) -> int:
+        """The system's process number, 0 while it is being started."""
+        return self._popen.pid if self._popen is not None else 0
+
+    def start(self) -> None:
+        """Start it, on a thread of its own: starting takes milliseconds in which other programs' ticks are due."""
+        threading.Thread(target=self._live, name="day6-process", daemon=True).start()
+
+    # -- signals -------------------------------------------------------------------------------------------------------
+
+    def interrupt(self) -> None:
+        """Ctrl-C from outside the terminal (`kill -INT`, `timeout`, closing)."""
+        self.send(2)
+
+    def kill(self) -> None:
+        self._killed = True
+        self.send(9)
+
+    def pause(self, stopped: bool) -> None:
+        """SIGSTOP or SIGCONT, where the system has them."""
+        if _POSIX:
+            self.send(_stop_signal(stopped))
+
+    def send(self, number: int) -> None:
+        """Deliver a signal to the whole group; without effect once it is gone."""
+        popen = self._popen
+        if popen is None or self.ended.is_set():
+            return
+        if _POSIX:
+            try:
+                os.killpg(popen.pid, number)
+            except (ProcessLookupError, PermissionError):
+                return  # gone already (macOS says "not permitted" for a group of zombies)
+        elif number == 2:
+            popen.send_signal(getattr(__import__("signal"), "CTRL_BREAK_EVENT", 2))
+        elif number in (9, 15):
+            popen.kill()
+
+    # -- the terminal's side -------------------------------------------------------------------------------------------
+
+    def keys(self, text: str) -> None:
+        """What is typed goes to the pty; its line discipline makes the echo and the signals."""
+        with self._master_lock:
+            if self._master is not None:
+                try:
+                    os.write(self._master, text.encode("utf-8", "surrogateescape"))
+                except OSError:
+                    return  # it ended at this moment, or its input is full and it does not read
+
+    def resize(self, columns: int, rows: int) -> None:
+        with self._master_lock:
+            if self._master is not None:
+                _set_window_size(self._master, columns, rows)
+
+    def wants_signal_keys(self) -> bool:
+        """Whether Ctrl-Z means "stop" to it now, rather than being a key it reads itself."""
+        if not _POSIX:
+            return False
+        import termios
+
+        with self._master_lock:
+            if self._master is None:
+                return False
+            try:
+                return bool(termios.tcgetattr(self._master)[3] & termios.ISIG)
+            except termios.error:
+                return False
+
+    # -- its life, on a thread of its own ------------------------------------------------------------------------------
+
+    def _live(self) -> None:
+        try:
+            self._launch()
+        except Exception as error:
+            # This thread has nobody to tell; `run_python` raises it where the program waits.
+            self.problem = error
+            self._close_master()
+            self.ended.set()
+            return
+        popen = self._popen
+        assert popen is not None
+        with _running_lock:
+            _running.add(self)
+        guard(popen.pid)
+        if self._killed:
+            self.kill()
+        try:
+            self.returncode = popen.wait()
+        finally:
+            # What the process started in the background may hold its output open; that must not hold up the prompt.
+            for reader in self._readers:
+                reader.join(0.5)
+            with _running_lock:
+                _running.discard(self)
+            release(popen.pid)
+            if _POSIX:
+                _end_group(popen.pid)
+            self._close_master()
+            self.ended.set()
+
+    def _launch(self) -> None:
+        session = self.session
+        terminal = session.stdin.terminal_of(session.stdout, session.stderr)
+        env = dict(session.env)
+        argv = [sys.executable, *self.args]
+        if not _POSIX:
+            self._launch_with_pipes(argv, env)
+        elif terminal is not None:
+            self._launch_on_pty(argv, env, terminal)
+        else:
+            self._launch_with_pipes([*_launcher("no-tty"), *argv], env)
+
+    def _launch_on_pty(self, argv: list[str], env: dict[str, str], terminal: TerminalSide) -> None:
+        import pty
+
+        session = self.session
+        master, slave = pty.openpty()
+        self._master = master
+        try:
+            _set_window_size(master, terminal.columns, terminal.rows)
+            for name in ("COLUMNS", "LINES"):
+                env.pop(name, None)  # programs ask the pty, whose size follows the window; fixed numbers would lie
+            self._popen = subprocess.Popen(
+                [*_launcher("tty"), *argv],
+                stdin=slave,
+                stdout=slave if session.stdout.isatty() else self._child_end(session.stdout),
+                stderr=slave if session.stderr.isatty() else self._child_end(session.stderr),
+                cwd=session.cwd,
+                env=env,
+                start_new_session=True,
+            )
+        finally:
+            os.close(slave)
+        self._read(master, terminal.output)
+        self._read_pipes()
+        session.stdin.pass_keys_to(self)
+
+    def _launch_with_pipes(self, argv: list[str], env: dict[str, str]) -> None:
+        session = self.session
+        # Nobody sees the end of a block-buffered output that is cut off by Ctrl-C.
+        env.setdefault("PYTHONUNBUFFERED", "1")
+        flags = 0
+        if not _POSIX:
+            flags = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0) | getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
+        stdin = session.stdin.fileno()
+        feeds = stdin is None and type(session.stdin) is not InputStream
+        session.stdout.flush()
+        session.stderr.flush()
+        self._popen = subprocess.Popen(
+            argv,
+            stdin=subprocess.PIPE if feeds else (subprocess.DEVNULL if stdin is None else stdin),
+            stdout=self._child_end(session.stdout),
+            stderr=self._child_end(session.stderr),
+            cwd=session.cwd,
+            env=env,
+            start_new_session=_POSIX,
+            creationflags=flags,
+        )
+        self._read_pipes()
+        if feeds:
+            session.scheduler.call_soon_threadsafe(lambda: _spawn_feeder(session, self._popen))
+
+    def _child_end(self, stream: OutputStream) -> int:
+        inherited = stream.fileno()
+        return subprocess.PIPE if inherited is None else inherited
+
+    def _read_pipes(self) -> None:
+        popen = self._popen
+        assert popen is not None
+        if popen.stdout is not None:
+            self._read(popen.stdout, self.session.stdout)
+        if popen.stderr is not None:
+            self._read(popen.stderr, self.session.stderr)
+
+    def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
+        reader = threading.Thread(target=_pump, args=(source, target), name="day6-output", daemon=True)
+        self._readers.append(reader)
+        reader.start()
+
+    def _close_master(self) -> None:
+        self.session.stdin.pass_keys_to(None)
+        with self._master_lock:
+            master, self._master = self._master, None
+        if master is not None:
+            os.close(master)
+
+
+def _launcher(mode: str) -> list[str]:
+    return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE)]
+
+
+def _pump(source: int | IO[bytes], target: OutputStream) -> None:
+    """Copy a process's output to a stream as it comes, until its end; waits while the stream is full."""
+    decoder = codecs.getincrementaldecoder("utf-8")("replace")
+    fd = source if isinstance(source, int) else source.fileno()
+    try:
+        while True:
+            try:
+                data = os.read(fd, READ_SIZE)
+            except OSError:
+                data = b""  # Linux: the last process left the pty
+            text = decoder.decode(data, final=not data)
+            if text:
+                target.write(text)
+            if not data:
+                return
+            target.wait_for_room()
+    except BrokenPipeError:
+        return  # the reader is gone; closing our end tells the process, as in any pipeline
+    finally:
+        if not isinstance(source, int):
+            source.close()
+
+
+def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> None:
+    """Start the task that copies the session's input into the process."""
+    if popen is None or popen.stdin is None:
+        return
+    stdin = popen.stdin
+
+    async def feed() -> None:
+        try:
+            while line := await session.stdin.read_line():
+                stdin.write(line.encode("utf-8", "surrogateescape"))
+                stdin.flush()
+        except (BrokenPipeError, ValueError):
+            return
+        finally:
+            try:
+                stdin.close()
+            except OSError:
+                popen.stdin = None  # it ended without reading the rest
+
+    session.spawn(feed())
+
+
+def _set_window_size(fd: int, columns: int, rows: int) -> None:
+    import fcntl
+    import struct
+    import termios
+
+    fcntl.ioctl(fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+
+
+def _stop_signal(stopped: bool) -> int:
+    import signal
+
+    return int(signal.SIGSTOP if stopped else signal.SIGCONT)
+
+
+def _end_group(group: int) -> None:
+    """What the process left running in its own group ends with it."""
+    for number in (15, 9):
+        try:
+            os.killpg(group, number)
+        except (ProcessLookupError, PermissionError):
+            return
+        if number == 15:
+            time.sleep(0.05)

@@ -1,0 +1,389 @@
+"""The picture of a terminal: pyte's VT emulation with a scrollback, an alternate screen, right widths and a fast way for plain text.
+
+Only the thread that draws touches a screen; `Terminal.update` feeds it.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections import deque
+from typing import Any, NamedTuple
+
+import pyte
+from pyte import modes
+from pyte.screens import Char, Cursor
+
+from day6_tui.core.shell.width import char_width
+
+SCROLLBACK = 5000
+"""Lines kept above the screen."""
+
+ALTERNATE_MODES = frozenset({47, 1047, 1049})
+BRACKETED_PASTE = 2004 << 5
+APPLICATION_CURSOR_KEYS = 1 << 5
+
+_PLAIN = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]*")
+
+
+class Style(NamedTuple):
+    """How a run of text looks. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
+
+    fg: str = "default"
+    bg: str = "default"
+    bold: bool = False
+    italics: bool = False
+    underscore: bool = False
+    strikethrough: bool = False
+    reverse: bool = False
+    blink: bool = False
+
+
+Run = tuple[str, Style]
+Row = str | tuple[Run, ...]
+"""A line: plain text in the default style, or runs. Without the blanks at its end."""
+
+PLAIN_STYLE = Style()
+
+
+def is_plain(text: str) -> bool:
+    """Whether a text has no control characters but newline, carriage return and tab."""
+    match = _PLAIN.fullmatch(text)
+    return match is not None
+
+
+class Stream(pyte.Stream):  # type: ignore[misc]
+    """pyte's parser, which here skips a sequence it cannot understand instead of dropping the rest of the text."""
+
+    @property
+    def between_sequences(self) -> bool:
+        return bool(self._taking_plain_text)
+
+    def _send_to_parser(self, data: str) -> bool | None:
+        try:
+            return super()._send_to_parser(data)  # type: ignore[no-any-return]
+        except (TypeError, ValueError, IndexError, KeyError):
+            return True  # the parser was reset: what follows is text again
+
+
+class Screen(pyte.Screen):  # type: ignore[misc]
+    """A VT100 screen of `columns` x `lines` cells with `scrollback` above it."""
+
+    def __init__(self, columns: int, lines: int) -> None:
+        self.scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
+        self.scrolled = 0
+        """Lines that ever left the screen at the top; a view that is scrolled back uses it to stay where it is."""
+        self.bells = 0
+        self.answers: list[str] = []
+        """What the terminal has to say to the program (answers to queries), for `Terminal` to deliver."""
+        self._cells: dict[Any, dict[str, Char]] = {}
+        self._main: tuple[dict[int, Any], Cursor] | None = None
+        super().__init__(columns, lines)
+        self._stream = Stream(self)
+
+    # -- what the view reads -------------------------------------------------------------------------------------------
+
+    def row(self, y: int) -> Row:
+        """Line `y` of the screen, 0 at the top."""
+        return _as_row(self.buffer[y] if y in self.buffer else {})
+
+    def history_row(self, index: int) -> Row:
+        """Line `index` of the scrollback, 0 the oldest."""
+        return self.scrollback[index]
+
+    @property
+    def text(self) -> str:
+        """The screen as plain lines, for tests and copying."""
+        return "\n".join(row_text(self.row(y)) for y in range(self.lines)).rstrip()
+
+    @property
+    def bracketed_paste(self) -> bool:
+        return BRACKETED_PASTE in self.mode
+
+    @property
+    def application_cursor_keys(self) -> bool:
+        """Whether the arrow keys are to be sent as ESC O A instead of ESC [ A."""
+        return APPLICATION_CURSOR_KEYS in self.mode
+
+    @property
+    def alternate(self) -> bool:
+        """Whether a full-screen program has the screen (no scrollback then)."""
+        return self._main is not None
+
+    # -- feeding -------------------------------------------------------------------------------------------------------
+
+    def feed(self, text: str) -> None:
+        """Show what a program wrote."""
+        if self._stream.between_sequences and self._is_simple() and is_plain(text):
+            self._feed_plain(text)
+        else:
+            self._stream.feed(text)
+
+    def _is_simple(self) -> bool:
+        return not self.margins and not self.charset and modes.IRM not in self.mode and modes.DECAWM in self.mode
+
+    def _feed_plain(self, text: str) -> None:
+        lines = text.split("\n")
+        if len(lines) > 2 * self.lines and not self.alternate and self.cursor.attrs == self.default_char:
+            lines = self._skip_to_the_end(lines)
+        last = len(lines) - 1
+        for index, line in enumerate(lines):
+            for number, piece in enumerate(line.split("\r")):
+                if number:
+                    self.cursor.x = 0
+                if "\t" in piece:
+                    self._draw_with_tabs(piece)
+                elif piece:
+                    self.draw(piece)
+            if index < last:
+                self.linefeed()
+
+    def _draw_with_tabs(self, text: str) -> None:
+        for number, piece in enumerate(text.split("\t")):
+            if number:
+                self.tab()
+            if piece:
+                self.draw(piece)
+
+    def _skip_to_the_end(self, lines: list[str]) -> list[str]:
+        """Put what would scroll through straight into the scrollback; return the lines still to be drawn."""
+        self.draw(lines[0].rstrip("\r").expandtabs(8))
+        for y in range(self.cursor.y + 1):
+            self._remember(_as_row(self.buffer[y]))
+        end = len(lines) - self.lines
+        for line in lines[1:end][-SCROLLBACK:]:
+            line = line.rstrip("\r").rpartition("\r")[2].expandtabs(8)
+            for start in range(0, max(len(line), 1), self.columns):
+                self._remember(line[start : start + self.columns].rstrip())
+        self.buffer.clear()
+        self.cursor.x = self.cursor.y = 0
+        self.dirty.update(range(self.lines))
+        return lines[end:]
+
+    def draw(self, data: str) -> None:
+        cursor = self.cursor
+        if data.isascii() and self._is_simple() and cursor.x + len(data) <= self.columns:
+            cells = self._cells_for(cursor.attrs)
+            line = self.buffer[cursor.y]
+            x = cursor.x
+            for char in data:
+                line[x] = cells[char] if char in cells else self._new_cell(cells, char)
+                x += 1
+            cursor.x = x
+            self.dirty.add(cursor.y)
+            return
+        if self.charset or self.g0_charset is not pyte.charsets.LAT1_MAP:
+            data = data.translate(self.g1_charset if self.charset else self.g0_charset)
+        self._draw_slowly(data)
+
+    def _draw_slowly(self, data: str) -> None:
+        """Wraps, wide characters, combining marks, insert mode."""
+        cursor = self.cursor
+        for char in data:
+            width = char_width(char)
+            if width == 0:
+                self._combine(char)
+                continue
+            if cursor.x + width > self.columns:
+                if modes.DECAWM in self.mode:
+                    self.dirty.add(cursor.y)
+                    self.carriage_return()
+                    self.linefeed()
+                else:
+                    cursor.x = max(self.columns - width, 0)
+            if modes.IRM in self.mode:
+                self.insert_characters(width)
+            line = self.buffer[cursor.y]
+            cells = self._cells_for(cursor.attrs)
+            self._clear_halves(line, cursor.x, width)
+            line[cursor.x] = cells[char] if char in cells else self._new_cell(cells, char)
+            if width == 2 and cursor.x + 1 < self.columns:
+                line[cursor.x + 1] = cells[""] if "" in cells else self._new_cell(cells, "")
+            cursor.x = min(cursor.x + width, self.columns)
+        self.dirty.add(cursor.y)
+
+    def _clear_halves(self, line: Any, x: int, width: int) -> None:
+        """Overwriting one half of a wide character removes the other half."""
+        if x and x in line and line[x].data == "":
+            line[x - 1] = self.default_char
+        end = x + width
+        if end in line and line[end].data == "":
+            line[end] = self.default_char
+
+    def _combine(self, char: str) -> None:
+        if not unicodedata.combining(char) or not self.cursor.x:
+            return
+        line = self.buffer[self.cursor.y]
+        x = self.cursor.x - 1
+        if line[x].data == "" and x:
+            x -= 1
+        line[x] = line[x]._replace(data=unicodedata.normalize("NFC", line[x].data + char))
+        self.dirty.add(self.cursor.y)
+
+    def _cells_for(self, attrs: Char) -> dict[str, Char]:
+        style = attrs[1:]
+        cells = self._cells.get(style)
+        if cells is None:
+            if len(self._cells) > 256:
+                self._cells.clear()
+            cells = self._cells[style] = {}
+        return cells
+
+    def _new_cell(self, cells: dict[str, Char], char: str) -> Char:
+        if len(cells) > 4096:
+            cells.clear()
+        cell: Char = self.cursor.attrs._replace(data=char)
+        cells[char] = cell
+        return cell
+
+    # -- scrolling -----------------------------------------------------------------------------------------------------
+
+    def index(self) -> None:
+        if self.margins is None and self.cursor.y == self.lines - 1:
+            buffer = self.buffer
+            if not self.alternate:
+                self._remember(_as_row(buffer[0]) if 0 in buffer else "")
+            for y in range(self.lines - 1):
+                if y + 1 in buffer:
+                    buffer[y] = buffer[y + 1]
+                else:
+                    buffer.pop(y, None)
+            buffer.pop(self.lines - 1, None)
+            self.dirty.update(range(self.lines))
+            return
+        super().index()
+
+    def _remember(self, row: Row) -> None:
+        self.scrollback.append(row)
+        self.scrolled += 1
+
+    def erase_in_display(self, how: int = 0, *args: Any, **kwargs: Any) -> None:
+        if how == 3:
+            self.scrollback.clear()
+            self.dirty.update(range(self.lines))
+            return
+        super().erase_in_display(how, *args, **kwargs)
+
+    # -- modes ---------------------------------------------------------------------------------------------------------
+
+    def set_mode(self, *numbers: int, **keywords: Any) -> None:
+        if keywords.get("private"):
+            if ALTERNATE_MODES.intersection(numbers) and self._main is None:
+                self._main = (dict(self.buffer), Cursor(self.cursor.x, self.cursor.y, self.cursor.attrs))
+                self.buffer.clear()
+                self.dirty.update(range(self.lines))
+            # 3 would make the screen 132 columns wide; the window decides that here.
+            numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
+        super().set_mode(*numbers, **keywords)
+
+    def reset_mode(self, *numbers: int, **keywords: Any) -> None:
+        if keywords.get("private"):
+            if ALTERNATE_MODES.intersection(numbers) and self._main is not None:
+                lines, cursor = self._main
+                self._main = None
+                self.buffer.clear()
+                for y, line in lines.items():
+                    if y < self.lines:
+                        self.buffer[y] = line
+                self.cursor.x, self.cursor.y = min(cursor.x, self.columns), min(cursor.y, self.lines - 1)
+                self.cursor.attrs = self.default_char
+                self.margins = None
+                self.dirty.update(range(self.lines))
+            numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
+        super().reset_mode(*numbers, **keywords)
+
+    def bell(self, *args: Any) -> None:
+        self.bells += 1
+
+    def write_process_input(self, data: str) -> None:
+        self.answers.append(data)
+
+    # -- size ----------------------------------------------------------------------------------------------------------
+
+    def resize(self, lines: int | None = None, columns: int | None = None) -> None:
+        """Change the size. Shrinking moves lines from the top into the scrollback, growing brings them back."""
+        lines = lines or self.lines
+        columns = columns or self.columns
+        if (lines, columns) == (self.lines, self.columns):
+            return
+        if self.alternate:
+            super().resize(lines, columns)
+            self.cursor.y = min(self.cursor.y, lines - 1)
+            return
+        used = max([self.cursor.y, *(y for y in self.buffer if self.buffer[y])], default=0) + 1
+        shift = max(used - lines, 0)
+        if shift:
+            rows = [self.buffer.pop(y, None) for y in range(self.lines)]
+            for row in rows[:shift]:
+                self._remember(_as_row(row) if row is not None else "")
+            for y, row in enumerate(rows[shift:used]):
+                if row is not None:
+                    self.buffer[y] = row
+            self.cursor.y -= shift
+        elif lines > self.lines:
+            shift = -min(lines - self.lines, len(self.scrollback))
+            if shift and used == self.lines:
+                self._bring_back(-shift)
+        for y in [y for y in self.buffer if y >= lines]:
+            del self.buffer[y]
+        if columns < self.columns:
+            for line in self.buffer.values():
+                for x in [x for x in line if x >= columns]:
+                    del line[x]
+        self.lines, self.columns = lines, columns
+        self.margins = None
+        self.cursor.y = min(max(self.cursor.y, 0), lines - 1)
+        self.cursor.x = min(self.cursor.x, columns)
+        self.dirty.update(range(lines))
+
+    def _bring_back(self, count: int) -> None:
+        rows = [self.scrollback.pop() for _ in range(count)][::-1]
+        self.scrolled -= count
+        for y in sorted((y for y in self.buffer), reverse=True):
+            self.buffer[y + count] = self.buffer.pop(y)
+        for y, row in enumerate(rows):
+            line = self.buffer[y]
+            x = 0
+            for text, style in (((row, PLAIN_STYLE),) if isinstance(row, str) else row):
+                for char in text:
+                    line[x] = Char(char, *style)
+                    x += 1
+                    if char_width(char) == 2:
+                        line[x] = Char("", *style)
+                        x += 1
+        self.cursor.y += count
+
+
+def _as_row(line: Any) -> Row:
+    """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
+    if not line:
+        return ""
+    runs: list[Run] = []
+    text: list[str] = []
+    style: tuple[Any, ...] | None = None
+    blank = Char(" ")
+    last = max(line)
+    for x in range(last + 1):
+        cell = line[x] if x in line else blank
+        if cell[1:] != style:
+            if text:
+                runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
+                text = []
+            style = cell[1:]
+        text.append(cell[0])
+    if text:
+        runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
+    while runs and runs[-1][1] == PLAIN_STYLE:
+        stripped = runs[-1][0].rstrip(" ")
+        if stripped:
+            runs[-1] = (stripped, PLAIN_STYLE)
+            break
+        runs.pop()
+    if len(runs) == 1 and runs[0][1] == PLAIN_STYLE:
+        return runs[0][0]
+    return tuple(runs)
+
+
+def row_text(row: Row) -> str:
+    """A line without its styles."""
+    return row if isinstance(row, str) else "".join(text for text, _ in row)

@@ -1,0 +1,261 @@
+"""A terminal of the simulated machine: what is typed goes in, what programs print comes out, a shell runs in it.
+
+Threads: `send`, `paste`, `resize`, `update`, `screen` belong to the thread that draws. Programs write on the scheduler's thread,
+processes on threads of their own; both only append to a bounded ring. The view pulls: `update()` feeds the ring to the screen.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.streams import OutputStream
+from day6_tui.core.shell.discipline import Discipline, TtyInput
+from day6_tui.core.shell.interpreter import Streams
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.desk import Desk
+    from day6_tui.core.shell.screen import Screen
+
+RING = 512 * 1024
+"""Characters that may wait to be shown; beyond that the oldest lines go."""
+
+CROWDED = 64 * 1024
+"""Characters from which copying threads pause until the view has caught up, at most `PAUSE` seconds."""
+
+PAUSE = 0.1
+SLOW_PER_UPDATE = 24 * 1024
+"""Characters with escape sequences fed in one update (pyte takes about a microsecond each); plain text has no such limit."""
+
+
+class Terminal:
+    """One terminal with its own shell. Made by `Desk.open_terminal`."""
+
+    def __init__(self, desk: Desk, columns: int, rows: int, *, cwd: Path | None = None) -> None:
+        from day6_tui.core.shell.login import login
+
+        self.desk = desk
+        self.columns = columns
+        self.rows = rows
+        self.version = 0
+        """Grows with every write, so that a view knows at once whether there is anything to `update`."""
+        self.at_line_start = True
+        """Whether the last thing written ended a line."""
+        self.output: OutputStream = RawTtyOutput(self)
+        """Takes text as a pty delivers it (with \\r\\n)."""
+        self._screen: Screen | None = None
+        self._ring: deque[str] = deque()
+        self._size = 0
+        self._dropped_lines = 0
+        self._seen = 0
+        self._lock = threading.Lock()
+        self._room = threading.Event()
+        self._room.set()
+        self.shell = desk.shell(interactive=True, cwd=cwd)
+        self.discipline = Discipline(self)
+        stdin = TtyInput(self.discipline)
+        stdin.focus()
+        stdout = TtyOutput(self)
+        self.streams = Streams(stdin, stdout, stdout)
+        self.program: Program = desk.start_program(
+            ["bash"], lambda session: login(session, self), self.streams, env=self.shell.environment, cwd=self.shell.cwd, shell=self.shell
+        )
+        self.program.session.pid = self.shell.pid
+
+    # -- for the view --------------------------------------------------------------------------------------------------
+
+    @property
+    def screen(self) -> Screen:
+        """The picture as of the last `update`."""
+        if self._screen is None:
+            # pyte costs tens of milliseconds to import; a terminal exists before its first frame is drawn.
+            from day6_tui.core.shell.screen import Screen
+
+            self._screen = Screen(self.columns, self.rows)
+        return self._screen
+
+    def update(self) -> set[int]:
+        """Bring the screen up to date with what was written; return the numbers of the lines that changed.
+
+        May leave part of a flood for the next call (`has_more`).
+        """
+        screen = self.screen
+        budget = SLOW_PER_UPDATE
+        while budget > 0:
+            text, plain = self._take(budget)
+            if not text:
+                break
+            screen.feed(text)
+            if not plain:
+                budget -= len(text)
+        self._room.set()
+        if screen.answers:
+            answers, screen.answers = "".join(screen.answers), []
+            self.send(answers)
+        changed = set(screen.dirty)
+        screen.dirty.clear()
+        return changed
+
+    @property
+    def has_more(self) -> bool:
+        """Whether there is text the screen does not show yet."""
+        return bool(self._ring)
+
+    @property
+    def has_news(self) -> bool:
+        """Whether something was written since the last `mark_seen`."""
+        return self.version != self._seen
+
+    def mark_seen(self) -> None:
+        self._seen = self.version
+
+    @property
+    def busy(self) -> bool:
+        """Whether a command runs in the foreground."""
+        return self.shell.front is not None
+
+    @property
+    def closed(self) -> bool:
+        """Whether its shell has ended (`exit`, Ctrl-D)."""
+        return self.program.status is not None
+
+    @property
+    def title(self) -> str:
+        """What runs in the foreground, otherwise the working directory as in the prompt."""
+        front = self.shell.front
+        return front.source if front is not None else self.shell.short_cwd
+
+    def send(self, text: str) -> None:
+        """Type: `text` is what a real terminal sends for the keys."""
+        self.desk.scheduler.call_soon_threadsafe(lambda: self.discipline.type(text))
+
+    def paste(self, text: str) -> None:
+        """Insert text from the clipboard: marked as such for programs that asked for it, otherwise as if typed."""
+        text = text.replace("\r\n", "\n").replace("\n", "\r").replace("\x1b", "")
+        if self.screen.bracketed_paste:
+            text = f"\x1b[200~{text}\x1b[201~"
+        self.send(text)
+
+    def run_line(self, line: str) -> None:
+        """Type a command and Enter."""
+        self.send(line + "\r")
+
+    def resize(self, columns: int, rows: int) -> None:
+        """The window has another size now: rearrange the picture, tell the process and the line editor."""
+        columns, rows = max(columns, 2), max(rows, 1)
+        if (columns, rows) == (self.columns, self.rows):
+            return
+        self.columns, self.rows = columns, rows
+        if self._screen is not None:
+            self._screen.resize(rows, columns)
+        self.desk.scheduler.call_soon_threadsafe(self.discipline.resized)
+
+    # -- for programs --------------------------------------------------------------------------------------------------
+
+    def write(self, text: str) -> None:
+        """Append text as a terminal understands it (lines end with \\r\\n). Any thread."""
+        if not text:
+            return
+        with self._lock:
+            self._ring.append(text)
+            self._size += len(text)
+            while self._size > RING and len(self._ring) > 1:
+                gone = self._ring.popleft()
+                self._size -= len(gone)
+                self._dropped_lines += gone.count("\n")
+            if self._size > RING:  # one giant write
+                kept = self._ring[0][-RING:]
+                self._dropped_lines += self._ring[0][: -len(kept)].count("\n")
+                self._ring[0] = kept
+                self._size = len(kept)
+            if self._size > CROWDED:
+                self._room.clear()
+            self.at_line_start = text.endswith(("\n", "\r"))
+            self.version += 1
+
+    def wait_for_room(self) -> None:
+        """Block a copying thread while the view is far behind, at most a moment: a hidden terminal must not stop its programs."""
+        if self._size > CROWDED:
+            self._room.wait(PAUSE)
+
+    def _take(self, limit: int) -> tuple[str, bool]:
+        """Remove and return (text, is it plain): as much plain text as there is in one go, or up to `limit` other characters."""
+        from day6_tui.core.shell.screen import is_plain
+
+        with self._lock:
+            if self._dropped_lines:
+                mark = f"\r\n… {self._dropped_lines} lines dropped\r\n"
+                self._dropped_lines = 0
+                first = self._ring[0] if self._ring else ""
+                newline = first.find("\n")
+                if newline >= 0 and len(self._ring) > 0:  # begin with a whole line
+                    self._size -= newline + 1
+                    self._ring[0] = first[newline + 1 :]
+                return mark, True
+            if not self._ring:
+                return "", True
+            if is_plain(self._ring[0]):
+                parts = []
+                while self._ring and is_plain(self._ring[0]):
+                    parts.append(self._ring.popleft())
+                text = "".join(parts)
+                self._size -= len(text)
+                return text, True
+            text = self._ring.popleft()
+            if len(text) > limit:
+                text, rest = text[:limit], text[limit:]
+                self._ring.appendleft(rest)
+            self._size -= len(text)
+            return text, False
+
+    # -- the end -------------------------------------------------------------------------------------------------------
+
+    def hang_up(self) -> None:
+        """The window is being closed: the shell reads the end of its input."""
+        self.desk.scheduler.call_soon_threadsafe(self.discipline.hang_up)
+
+    def close(self) -> None:
+        """Take the terminal off the desk and end what runs in it (blocking at most a few seconds; see `Desk.end_programs`)."""
+        self.hang_up()
+        mine = [program for program in self.desk.programs.values() if program.session.stdin.terminal_of() is self]
+        self.desk.end_programs([*mine, self.program])
+        if self in self.desk.terminals:
+            self.desk.terminals.remove(self)
+
+
+class TtyOutput(OutputStream):
+    """Standard output and error of a program in a terminal."""
+
+    def __init__(self, terminal: Terminal) -> None:
+        self.terminal = terminal
+
+    @property
+    def columns(self) -> int:
+        return self.terminal.columns
+
+    def write(self, text: str) -> int:
+        self.terminal.write(text.replace("\n", "\r\n"))
+        return len(text)
+
+    async def drain(self) -> None:
+        from day6_tui.core.session.scheduler import let_others_run
+
+        if self.terminal._size > CROWDED:
+            await let_others_run()
+
+    def wait_for_room(self) -> None:
+        self.terminal.wait_for_room()
+
+    def isatty(self) -> bool:
+        return True
+
+
+class RawTtyOutput(TtyOutput):
+    """The same for text that comes from a pty, whose kernel has done the newlines."""
+
+    def write(self, text: str) -> int:
+        self.terminal.write(text)
+        return len(text)

@@ -1,0 +1,165 @@
+"""A simulated machine for the recorded cases: one graph, the stand-in nodes on it, and `ros2` run in sessions."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros import environment, ros2
+from day6_tui.core.ros.ros2.cli import daemon
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import Captured, TextInput
+
+DOMAIN = 30
+_pids = itertools.count(4000)
+
+
+class Machine:
+    """Runs commands on one graph by the real clock. `nodes_folder` has the stand-in nodes, `files` is the working directory."""
+
+    def __init__(self, nodes_folder: Path, files: Path) -> None:
+        os.environ["ROS_DOMAIN_ID"] = str(DOMAIN)
+        from day6_tui.core.graph import graph_for_domain
+
+        self.graph: Graph = graph_for_domain(DOMAIN)
+        self.scheduler = Scheduler(WorldClock())
+        self.scheduler.start()
+        self.nodes_folder = nodes_folder
+        self.files = files
+        self.prefixes = [str(environment.SHARE_PATH.parent)]
+        self._threads: list[threading.Thread] = []
+        self.running: tuple[str, ...] = ()
+
+    def close(self) -> None:
+        self.stop_nodes()
+        self.scheduler.stop()
+        del os.environ["ROS_DOMAIN_ID"]
+
+    # -- stand-in nodes ------------------------------------------------------------------------------------------------
+
+    def set_up(self, nodes: tuple[str, ...], with_daemon: bool) -> None:
+        """Let exactly these stand-in nodes run, and the daemon or not."""
+        if nodes != self.running:
+            self.stop_nodes()
+            for name in nodes:
+                self._start_node(name)
+            self.running = nodes
+            self._wait(lambda: self._settled(nodes))
+        session = self.session(["ros2"])
+        (daemon.start if with_daemon else daemon.stop)(session)
+
+    def _start_node(self, name: str) -> None:
+        import rclpy
+        from rclpy.signals import SignalHandlerOptions
+
+        if not rclpy.ok():
+            rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+        code = compile((self.nodes_folder / f"{name}.py").read_text(encoding="utf-8"), f"{name}.py", "exec")
+        thread = threading.Thread(target=self._run_node, args=(code, name), name=name, daemon=True)
+        thread.start()
+        self._threads.append(thread)
+
+    @staticmethod
+    def _run_node(code: Any, name: str) -> None:
+        """Run a stand-in's file in this thread: its `init` finds the context made, its `spin` gets an executor of its own."""
+        import builtins
+        import types
+
+        import rclpy
+        from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+
+        def spin(node: Any, executor: Any = None) -> None:
+            runner = executor if executor is not None else SingleThreadedExecutor()
+            runner.add_node(node)
+            while runner.context.ok():
+                runner.spin_once()
+            raise ExternalShutdownException()
+
+        private = types.ModuleType("rclpy")
+        private.__dict__.update(rclpy.__dict__)
+        private.init = lambda *args, **keywords: None
+        private.spin = spin
+
+        def import_(module: str, globals_: Any = None, locals_: Any = None, from_: Any = (), level: int = 0) -> Any:
+            found = builtins.__import__(module, globals_, locals_, from_, level)
+            return private if module == "rclpy" else found
+
+        exec(code, {"__name__": "__main__", "__builtins__": {**vars(builtins), "__import__": import_}})
+
+    def stop_nodes(self) -> None:
+        import rclpy
+
+        if self._threads:
+            rclpy.try_shutdown()
+        for thread in self._threads:
+            thread.join(5)
+        self._threads = []
+        for node in list(self.graph.nodes):
+            if not node.name.startswith(daemon.PREFIX):
+                self.graph.remove_node(node)
+        self.running = ()
+
+    def _settled(self, nodes: tuple[str, ...]) -> bool:
+        """Say whether every stand-in has made what it makes: nothing has come for a while."""
+        before = self.graph.names_and_types(*_ALL_KINDS())
+        time.sleep(0.15)
+        return bool(before) and self.graph.names_and_types(*_ALL_KINDS()) == before and len(self.graph.nodes) >= len(nodes)
+
+    @staticmethod
+    def _wait(condition: Callable[[], bool], seconds: float = 10.0) -> None:
+        deadline = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > deadline:
+                raise TimeoutError("the stand-in nodes did not come up")
+
+    # -- commands ------------------------------------------------------------------------------------------------------
+
+    def session(self, argv: list[str], stdin: str = "") -> Session:
+        session = Session(
+            self.scheduler,
+            self.graph,
+            argv,
+            env={"COLUMNS": "80"},
+            cwd=self.files,
+            pid=next(_pids),
+            stdin=TextInput(stdin),
+            stdout=Captured(),
+            stderr=Captured(),
+        )
+        session.shell = object()  # a machine that goes on after the command: one with a daemon
+        return session
+
+    def run(self, argv: list[str], stdin: str = "", interrupt_after: float | None = None) -> tuple[str, str, int]:
+        """Run a command, interrupt it after some seconds if asked, and return stdout, stderr and exit status."""
+        session = self.session(argv, stdin)
+        program = Program(session, ros2.main)
+        limit = time.monotonic() + (interrupt_after if interrupt_after is not None else 20.0)
+        while program.status is None and time.monotonic() < limit:
+            time.sleep(0.002)
+        if program.status is None:
+            session.interrupt()
+            limit = time.monotonic() + 5.0
+            while program.status is None and time.monotonic() < limit:
+                time.sleep(0.002)
+        status = program.status
+        if status is None:
+            program.kill()
+            status = -9
+        elif interrupt_after is None and time.monotonic() >= limit:
+            status = -1
+        return session.stdout.text, session.stderr.text, status
+
+
+def _ALL_KINDS() -> tuple[Any, ...]:
+    from day6_tui.core.graph.endpoints import EndpointKind
+
+    return tuple(EndpointKind)

@@ -1,0 +1,39 @@
+"""Where the suite's participants come from."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+# Tests are imported by path (--import-mode=importlib), their helpers by name.
+sys.path.insert(0, str(Path(__file__).parent))
+
+from link_harness import World  # noqa: E402
+
+
+@pytest.fixture
+def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[World]:
+    runtime = tmp_path / "r"
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(runtime))
+    monkeypatch.setenv("DAY6_LINK", "on")
+    made = World(tmp_path, runtime)
+    yield made
+    made.close()
+
+
+@pytest.fixture(params=["one graph", "two graphs", "two processes", "two processes on TCP"])
+def pair(request: pytest.FixtureRequest, world: World, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Any]:
+    """Two participants, in every way in which they can be apart."""
+    if request.param == "one graph":
+        peer = world.here(joined=False)
+        return peer, peer
+    if request.param == "two graphs":
+        return world.here(), world.here()
+    if request.param == "two processes on TCP":
+        monkeypatch.setenv("DAY6_LINK", "tcp")
+        return world.here(), world.process(DAY6_LINK="tcp")
+    return world.here(), world.process()

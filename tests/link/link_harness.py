@@ -1,0 +1,104 @@
+"""What the suite's participants are made with: `World`, `ProcessPeer`, `until`."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from link_peer import Peer
+
+HERE = Path(__file__).parent
+
+
+def until(condition: Callable[[], Any], timeout: float = 10.0) -> Any:
+    """Return the first true value of `condition`, or its last one when `timeout` seconds are over."""
+    deadline = time.monotonic() + timeout
+    while not (value := condition()) and time.monotonic() < deadline:
+        time.sleep(0.005)
+    return value
+
+
+class ProcessPeer:
+    """A peer in a process of its own; every method of `Peer` works, by JSON lines."""
+
+    def __init__(self, environment: dict[str, str], stderr: Path) -> None:
+        self._stderr = stderr
+        self.process = subprocess.Popen(
+            [sys.executable, str(HERE / "link_peer.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=stderr.open("ab"),
+            text=True,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), **environment},
+        )
+        self.hello = self._answer()
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        def call(*positional: Any, **named: Any) -> Any:
+            assert self.process.stdin is not None
+            self.process.stdin.write(json.dumps([name, positional, named]) + "\n")
+            self.process.stdin.flush()
+            return self._answer()
+
+        return call
+
+    def _answer(self) -> Any:
+        assert self.process.stdout is not None
+        line = self.process.stdout.readline()
+        assert line, f"the peer ended: {self._stderr.read_text()}"
+        return json.loads(line)
+
+    def kill(self) -> None:
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+    def end(self) -> int:
+        """Let it come to its end by itself."""
+        assert self.process.stdin is not None
+        self.process.stdin.close()
+        return self.process.wait(timeout=10)
+
+
+class World:
+    """Makes peers that share one meeting place."""
+
+    def __init__(self, folder: Path, runtime: Path) -> None:
+        self.folder = folder
+        self.runtime = runtime
+        self.stderr = folder / "stderr"
+        self.stderr.touch()
+        self._processes: list[ProcessPeer] = []
+        self._graphs: list[Any] = []
+
+    def process(self, **environment: str) -> Any:
+        settings = {"DAY6_RUNTIME_DIR": str(self.runtime), "DAY6_LINK": "on", **environment}
+        peer = ProcessPeer(settings, self.stderr)
+        self._processes.append(peer)
+        return peer
+
+    def here(self, *, joined: bool = True, domain_id: int = 0, **arguments: Any) -> Peer:
+        from day6_tui.core.graph import Graph
+        from day6_tui.core.link import join
+
+        graph = Graph(domain_id)
+        if joined:
+            self._graphs.append(graph)
+            link = join(graph, **arguments)
+            assert link.problem is None
+        return Peer(graph)
+
+    def close(self) -> None:
+        from day6_tui.core.link import leave
+
+        for graph in self._graphs:
+            leave(graph)
+        for peer in self._processes:
+            if peer.process.poll() is None:
+                peer.kill()

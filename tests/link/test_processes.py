@@ -1,0 +1,422 @@
+"""Processes that come, die and fork: who sees whom, and how soon."""
+
+from __future__ import annotations
+
+import os
+import signal
+import stat
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from link_harness import World, until
+
+needs_kill = pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
+
+
+def sockets(world: World, domain: str = "0") -> list[str]:
+    return sorted(path.name for path in (world.runtime / domain).iterdir() if path.name.startswith("p-"))
+
+
+def run_python(world: World, source: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run a student's program to its end."""
+    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    return subprocess.run(
+        [sys.executable, "-c", source],
+        env={**os.environ, **settings, **environment},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+
+
+@needs_kill
+def test_a_killed_process_is_gone_within_two_seconds(world: World) -> None:
+    stays, victim = world.here(), world.process()
+    node = victim.node("victim")
+    victim.publisher(node, "/chatter")
+    victim.service(node, "/add")
+    assert until(lambda: stays.endpoints("/add") and stays.endpoints("/chatter"))
+    victim.kill()
+    killed = time.monotonic()
+    assert until(lambda: stays.nodes() == [])
+    assert time.monotonic() - killed < 2.0
+    assert stays.endpoints("/chatter") == stays.endpoints("/add") == []
+
+
+@needs_kill
+def test_when_the_keeper_of_the_meeting_point_is_killed_the_others_go_on(world: World) -> None:
+    keeper = world.process()
+    keeper.node("keeper")
+    talker, listener = world.process(), world.process()
+    publisher = talker.publisher(talker.node("talker"), "/chatter", depth=100)
+    subscription = listener.subscription(listener.node("listener"), "/chatter", depth=100)
+    assert until(lambda: talker.matched(publisher) == 1 and listener.matched(subscription) == 1)
+    assert keeper.keeps_meeting_point() and not talker.keeps_meeting_point()
+    assert until(lambda: talker.nodes() == listener.nodes() == ["/keeper", "/listener", "/talker"])
+    keeper.kill()
+    killed = time.monotonic()
+    talker.publish_numbers(publisher, 0, 50)
+    assert until(lambda: talker.nodes() == listener.nodes() == ["/listener", "/talker"])
+    assert time.monotonic() - killed < 2.0
+    assert until(lambda: listener.length(subscription) == 50)
+    assert listener.messages(subscription) == [str(number) for number in range(50)]
+    assert until(lambda: talker.keeps_meeting_point() or listener.keeps_meeting_point())
+
+    newcomer = world.process()
+    newcomer.node("newcomer")
+    everybody = ["/listener", "/newcomer", "/talker"]
+    assert until(lambda: talker.nodes() == listener.nodes() == newcomer.nodes() == everybody)
+    assert time.monotonic() - killed < 5.0
+
+
+@needs_kill
+def test_keepers_may_die_one_after_another(world: World) -> None:
+    peers = {f"/n{number}": world.process() for number in range(4)}
+    for name, peer in peers.items():
+        peer.node(name[1:])
+    while len(peers) > 1:
+        assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
+        (keeper,) = until(lambda: [name for name, peer in peers.items() if peer.keeps_meeting_point()])
+        peers.pop(keeper).kill()
+    assert until(lambda: all(peer.nodes() == sorted(peers) for peer in peers.values()))
+
+
+def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
+    keeper = world.here()
+    leaver = world.process()
+    leaver.node("leaver")
+    assert until(lambda: keeper.nodes() == ["/leaver"])
+    assert len(sockets(world)) == 4
+    assert leaver.end() == 0
+    assert until(lambda: keeper.nodes() == [])
+    assert len(sockets(world)) == 2
+    assert world.stderr.read_text() == ""
+
+
+@needs_kill
+def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -> None:
+    victims = [world.process() for _ in range(3)]
+    for victim in victims:
+        victim.kill()
+    assert len(sockets(world)) == 6
+    world.here()
+    assert len(sockets(world)) == 2
+
+
+def test_three_processes_hear_each_message_once(world: World) -> None:
+    peers = [world.here(), world.process(), world.process()]
+    publishers, subscriptions = [], []
+    for number, peer in enumerate(peers):
+        node = peer.node(f"n{number}")
+        publishers.append(peer.publisher(node, "/chatter", depth=100))
+        subscriptions.append(peer.subscription(node, "/chatter", depth=100))
+    assert until(
+        lambda: all(
+            peer.matched(publisher) == peer.matched(subscription) == 3
+            for peer, publisher, subscription in zip(peers, publishers, subscriptions, strict=True)
+        )
+    )
+    for number, (peer, publisher) in enumerate(zip(peers, publishers, strict=True)):
+        peer.publish_numbers(publisher, 100 * number, 10)
+    wanted = sorted(str(100 * number + count) for number in range(3) for count in range(10))
+    for peer, subscription in zip(peers, subscriptions, strict=True):
+        assert until(lambda peer=peer, subscription=subscription: peer.length(subscription) >= 30)
+        assert sorted(peer.messages(subscription)) == wanted
+    assert all(peer.nodes() == ["/n0", "/n1", "/n2"] for peer in peers)
+
+
+def test_two_domains_never_meet(world: World) -> None:
+    zero, seven = world.here(), world.process(ROS_DOMAIN_ID="7")
+    publisher = zero.publisher(zero.node("zero"), "/chatter")
+    subscription = seven.subscription(seven.node("seven"), "/chatter")
+    also_zero = world.process()
+    heard = also_zero.subscription(also_zero.node("also_zero"), "/chatter")
+    assert until(lambda: zero.matched(publisher) == 1)
+    zero.publish(publisher, data="for domain 0")
+    assert until(lambda: also_zero.length(heard) == 1)
+    assert seven.nodes() == ["/seven"]
+    assert seven.matched(subscription) == 0
+    assert zero.nodes() == ["/also_zero", "/zero"]
+
+
+def test_a_one_shot_command_sees_every_node_of_the_machine_before_it_answers(world: World) -> None:
+    peers = [world.process() for _ in range(4)]
+    for number, peer in enumerate(peers):
+        for letter in "abc":
+            peer.publisher(peer.node(f"{letter}{number}"), f"/topic_{letter}{number}")
+    source = """
+from day6_tui.core.graph import Graph
+from day6_tui.core.link import join
+graph = Graph()
+link = join(graph, one_shot=True)
+print(link.wait_settled(5.0), sorted(node.name for node in graph.nodes), len(graph.endpoints(*__import__(
+    "day6_tui.core.graph", fromlist=["EndpointKind"]).EndpointKind)))
+"""
+    names = sorted(f"{letter}{number}" for letter in "abc" for number in range(4))
+    for _ in range(3):
+        done = run_python(world, source)
+        assert (done.stdout, done.stderr) == (f"True {names} 12\n", "")
+
+
+def test_a_one_shot_command_alone_answers_at_once(world: World) -> None:
+    from day6_tui.core.graph import Graph
+    from day6_tui.core.link import join, leave
+
+    graph = Graph()
+    link = join(graph, one_shot=True)
+    started = time.monotonic()
+    assert link.wait_settled(5.0)
+    assert time.monotonic() - started < 0.5
+    leave(graph)
+
+
+def test_a_one_shot_command_that_waits_finds_a_process_that_starts_later(world: World) -> None:
+    command = world.here(one_shot=True)
+    client = command.client(command.node("asker"), "/add")
+    server = world.process()
+    server.service(server.node("server"), "/add")
+    assert until(lambda: command.matched(client))
+    number = command.call(client, 20, 22)
+    assert until(lambda: command.responses(client)) == [[number, 42]]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+@pytest.mark.parametrize("way_out", ["os._exit(0)", "sys.exit(0)", "raise SystemExit"])
+def test_a_program_that_forks_goes_on_and_its_child_ends(world: World, way_out: str) -> None:
+    keeper = world.here()
+    source = f"""
+import os, sys
+from day6_tui.core.graph import Graph, QoS
+from day6_tui.core.interfaces import copy_message, get_message, type_hash
+from day6_tui.core.link import join
+graph = Graph()
+join(graph)
+String = get_message("std_msgs/msg/String")
+node = graph.create_node("parent")
+publisher = node.create_publisher("/chatter", "std_msgs/msg/String", type_hash(String), QoS(), copy_message)
+child = os.fork()
+if child == 0:
+    publisher.publish(String(data="from the child: goes nowhere"))
+    graph.create_node("child")
+    print(join(graph).problem, flush=True)
+    {way_out}
+_, status = os.waitpid(child, 0)
+print("child", os.waitstatus_to_exitcode(status), flush=True)
+sys.stdin.readline()
+"""
+    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    with subprocess.Popen(
+        [sys.executable, "-c", source],
+        env={**os.environ, **settings},
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as program:
+        assert program.stdout is not None
+        assert program.stdout.readline() == "this process was forked from one that had joined already\n"
+        assert program.stdout.readline() == "child 0\n"
+        assert until(lambda: keeper.nodes() == ["/parent"])
+        program.communicate("\n", timeout=10)
+        assert program.returncode == 0
+    assert until(lambda: keeper.nodes() == [])
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_killed_program_is_gone_although_its_forked_child_lives(world: World) -> None:
+    keeper = world.here()
+    source = """
+import os, time
+from day6_tui.core.graph import Graph
+from day6_tui.core.link import join
+graph = Graph()
+join(graph)
+graph.create_node("parent")
+print(os.fork(), flush=True)
+time.sleep(60)
+"""
+    settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
+    with subprocess.Popen(
+        [sys.executable, "-c", source], env={**os.environ, **settings}, stdout=subprocess.PIPE, text=True
+    ) as program:
+        assert program.stdout is not None
+        child = max(int(program.stdout.readline()), int(program.stdout.readline()))
+        try:
+            assert until(lambda: keeper.nodes() == ["/parent"])
+            program.kill()
+            killed = time.monotonic()
+            assert until(lambda: keeper.nodes() == [])
+            assert time.monotonic() - killed < 2.0
+        finally:
+            os.kill(child, signal.SIGKILL)
+
+
+def test_the_engine_never_writes_to_the_students_terminal(world: World) -> None:
+    source = """
+from day6_tui.core.graph import Graph
+from day6_tui.core.link import join
+graph = Graph()
+link = join(graph)
+graph.create_node("quiet")
+link.wait_settled(2.0)
+"""
+    done = run_python(world, source, RUST_LOG="trace", ZENOH_LOG="trace")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("ending", ["", "raise KeyboardInterrupt", "import sys; sys.exit(3)", "1/0"])
+def test_a_program_ends_as_python_ends_it_and_its_last_words_arrive(world: World, ending: str) -> None:
+    keeper = world.here()
+    subscription = keeper.subscription(keeper.node("listener"), "/chatter", depth=1000, latched=True)
+    source = f"""
+import time
+from day6_tui.core.graph import Graph, QoS
+from day6_tui.core.graph.qos import Durability
+from day6_tui.core.interfaces import copy_message, get_message, type_hash
+from day6_tui.core.link import join
+graph = Graph()
+join(graph)
+String = get_message("std_msgs/msg/String")
+node = graph.create_node("parent")
+publisher = node.create_publisher(
+    "/chatter", "std_msgs/msg/String", type_hash(String), QoS(durability=Durability.TRANSIENT_LOCAL), copy_message)
+while not publisher.remote_matched:
+    time.sleep(0.001)
+for number in range(500):
+    publisher.publish(String(data=str(number)))
+{ending}
+"""
+    plain = run_python(world, ending, DAY6_LINK="off")
+    started = time.monotonic()
+    done = run_python(world, source)
+    assert time.monotonic() - started < 10
+    assert done.returncode == plain.returncode
+    assert done.stderr.splitlines()[-1:] == plain.stderr.splitlines()[-1:]
+    assert until(lambda: keeper.length(subscription) == 500)
+    assert keeper.messages(subscription)[-1] == "499"
+
+
+def test_importing_the_link_costs_nothing_and_nothing_heavy_comes_with_joining(world: World) -> None:
+    source = """
+import sys
+before = set(sys.modules)
+import day6_tui.core.link
+new = set(sys.modules) - before
+print(sorted(name for name in new if name.split(".")[0] in ("zenoh", "json", "socket")), len(new) < 20)
+from day6_tui.core.graph import Graph
+day6_tui.core.link.join(Graph())
+print("zenoh" in sys.modules, sorted({"numpy", "asyncio", "yaml", "textual", "rich"} & set(sys.modules)))
+"""
+    done = run_python(world, source)
+    assert (done.stdout, done.stderr) == ("[] True\nTrue []\n", "")
+
+
+def test_the_folder_is_private(world: World) -> None:
+    world.here()
+    if sys.platform != "win32":
+        for folder in (world.runtime, world.runtime / "0"):
+            assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+
+
+def test_nothing_listens_on_the_network(world: World) -> None:
+    if not Path("/proc/net/tcp").exists():
+        pytest.skip("no /proc")
+
+    def listening() -> set[str]:
+        found = set()
+        for name in ("tcp", "tcp6", "udp", "udp6"):
+            for line in Path("/proc/self/net", name).read_text().splitlines()[1:]:
+                found.add(line.split()[9])
+        own = set()
+        for descriptor in os.listdir("/proc/self/fd"):
+            try:
+                target = os.readlink(f"/proc/self/fd/{descriptor}")
+            except OSError:
+                continue
+            if target.startswith("socket:["):
+                own.add(target[8:-1])
+        return found & own
+
+    before = listening()
+    world.here()
+    other = world.process()
+    other.node("other")
+    assert listening() == before
+
+
+def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
+    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    from day6_tui.core.graph import Graph
+    from day6_tui.core.link import join, leave
+
+    blocked = tmp_path / "file"
+    blocked.touch()
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(blocked))
+    graph = Graph()
+    link = join(graph)
+    assert link.problem is not None and "file" in link.problem
+    assert "other processes cannot be seen" in caplog.text
+    graph.create_node("alone")
+    assert link.wait_settled(0.1)
+    leave(graph)
+
+
+def test_a_symbolic_link_in_place_of_the_folder_is_refused(
+    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from day6_tui.core.link.paths import LinkError, meeting_place
+
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "trap").symlink_to(tmp_path / "elsewhere")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "trap"))
+    with pytest.raises(LinkError, match="not a folder"):
+        meeting_place(0)
+
+
+def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
+    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / ("long" * 30)))
+    one, other = world.here(), world.here()
+    one.node("one")
+    assert until(lambda: other.nodes() == ["/one"])
+
+
+def test_two_machines_meet_only_by_name(world: World, tmp_path: Path) -> None:
+    import json
+    import socket
+
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    here, there = str(tmp_path / "m1"), str(tmp_path / "m2")
+    listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
+    connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})
+    teacher = world.process(DAY6_RUNTIME_DIR=here, TEST_ADDRESSES=listen)
+    beside = world.process(DAY6_RUNTIME_DIR=here)
+    stranger = world.process(DAY6_RUNTIME_DIR=str(tmp_path / "m3"))
+    stranger.node("stranger")
+    student = world.process(DAY6_RUNTIME_DIR=there, TEST_ADDRESSES=connect)
+    students_program = world.process(DAY6_RUNTIME_DIR=there)
+    everyone: list[Any] = [teacher, beside, student, students_program]
+    for name, peer in zip(("teacher", "beside", "student", "program"), everyone, strict=True):
+        peer.node(name)
+    names = ["/beside", "/program", "/student", "/teacher"]
+    assert until(lambda: all(peer.nodes() == names for peer in everyone))
+    assert stranger.nodes() == ["/stranger"]
+    publisher = students_program.publisher(students_program.node("talker"), "/chatter")
+    subscription = beside.subscription(beside.node("listener"), "/chatter")
+    assert until(lambda: students_program.matched(publisher) == 1 and beside.matched(subscription) == 1)
+    students_program.publish_numbers(publisher, 0, 5)
+    assert until(lambda: beside.length(subscription) >= 5)
+    assert beside.messages(subscription) == ["0", "1", "2", "3", "4"]
+    beside.service(beside.node("server"), "/add")
+    client = students_program.client(students_program.node("asker"), "/add")
+    assert until(lambda: students_program.matched(client))
+    number = students_program.call(client, 1, 2)
+    assert until(lambda: students_program.responses(client)) == [[number, 3]]

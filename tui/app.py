@@ -1,0 +1,303 @@
+"""The application: wires desk, panes, bars and actions together, and owns nothing else.
+
+`run(options)` is what the command line calls. `options` has `scene`, `robot`, `lang`, `glyphs`, `fps`, `home`, `listen`, `connect`
+(all may be None) and `reduced_motion`.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import sys
+import time
+from typing import Any
+
+# Read by Textual at import: how often at most it writes to the terminal.
+os.environ.setdefault("TEXTUAL_FPS", "30")
+_NO_COLOUR = bool(os.environ.get("NO_COLOR"))  # Textual takes it out of the environment
+
+from textual import events  # noqa: E402
+from textual.app import App, ComposeResult  # noqa: E402
+from textual.binding import Binding  # noqa: E402
+
+from day6_tui.tui import actions, chops  # noqa: E402
+from day6_tui.tui.app_actions import AppActions  # noqa: E402
+from day6_tui.tui.bars import Bar, KeyHint, key_pieces  # noqa: E402
+from day6_tui.tui.colours import colours  # noqa: E402
+from day6_tui.tui.desktop import Desktop  # noqa: E402
+from day6_tui.tui.frames import Frames  # noqa: E402
+from day6_tui.tui.glyphs import choose  # noqa: E402
+from day6_tui.tui.locale import Texts, detect  # noqa: E402
+from day6_tui.tui.look import Look  # noqa: E402
+from day6_tui.tui.machine import Machine  # noqa: E402
+from day6_tui.tui.overlay import MessageOverlay  # noqa: E402
+from day6_tui.tui.pane import Piece  # noqa: E402
+from day6_tui.tui.scenes import SCENES, Player  # noqa: E402
+from day6_tui.tui.terminal_pane import TerminalPane  # noqa: E402
+from day6_tui.tui.welcome import WelcomePane  # noqa: E402
+
+chops.install()
+_log = logging.getLogger(__name__)
+
+DEFAULT_FPS = 30.0
+WAITING_OUTPUT = 3
+"""Writes the terminal has not taken yet from which the next frame is put off."""
+
+
+def make_look(options: Any, environ: Any = None) -> Look:
+    """Glyphs, colours and language for the options and the terminal. Raises KeyError for unknown glyphs, ValueError for a language."""
+    environ = os.environ if environ is None else environ
+    glyphs = choose(getattr(options, "glyphs", None), environ)
+    language = getattr(options, "lang", None) or detect(environ, wide_glyphs=glyphs.canvas not in ("cell", "ascii"))
+    if not glyphs.unicode:
+        language = "en"  # Chinese cannot be written there at all
+    sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
+    look = Look(glyphs, colours(sixteen=sixteen, colourless=_NO_COLOUR or bool(environ.get("NO_COLOR"))), Texts(language))
+    look.reduced_motion = bool(getattr(options, "reduced_motion", False))
+    return look
+
+
+class Day6App(AppActions, App[None]):
+    """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
+
+    CSS = "Screen { layout: vertical; overflow: hidden; }"
+    ENABLE_COMMAND_PALETTE = False
+    BINDINGS = [Binding(key, f"do('{id}')", show=False, priority=True) for key, id in actions.bindings()]
+    TITLE = "day6-tui"
+
+    def __init__(self, options: Any = None, *, desk: Any = None, look: Look | None = None) -> None:
+        super().__init__()
+        self.options = options
+        self.look = make_look(options) if look is None else look
+        fps = getattr(options, "fps", None)
+        fps = DEFAULT_FPS if fps is None else float(fps)
+        self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
+        self.look.wake = self.frames.wake
+        self.machine = Machine(desk, wake=self.frames.wake)
+        self.terminals = TerminalPane(self.look)
+        self.terminals.other_pieces = lambda: self.desktop.other_tabs(self.terminals)
+        self.terminals.on_key_before = self.key_before
+        self.welcome = WelcomePane(self.look, self.chosen)
+        self.desktop = Desktop(self.look, self.terminals, self.welcome)
+        self.top = Bar(self.look, self.top_pieces, id="top")
+        self.bottom = Bar(self.look, self.bottom_pieces, id="bottom")
+        self.player: Player | None = None
+        self.queued_keys: list[events.Key] = []
+        self.notice = ""
+        self._notice_until = 0.0
+
+    def compose(self) -> ComposeResult:
+        yield self.top
+        yield self.desktop
+        yield self.bottom
+
+    # -- life ----------------------------------------------------------------------------------------------------------
+
+    def on_mount(self) -> None:
+        # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick (tui-tech.md §3.2).
+        sys.setswitchinterval(0.001)
+        self.frames.attach()
+        self._end_on_signals()
+        self.desktop.focus_pane(self.welcome)
+        self.call_after_refresh(self._open_desk)
+
+    def _open_desk(self) -> None:
+        """Start the simulated machine; after the first frame, because a screen to look at comes first."""
+        try:
+            self.machine.open(self.options)
+        except OSError as error:
+            path = error.filename or getattr(self.options, "home", None) or ""
+            self.exit(return_code=1, message=self.look.texts("error.home", path=path, reason=error.strerror or error))
+            return
+        self.new_terminal()
+        scene = getattr(self.options, "scene", None)
+        if scene is not None:
+            self.start_scene(scene)
+        else:
+            self.desktop.focus_pane(self.welcome)
+        self.frames.wake()
+        if not self.frames.rate:
+            self.frames.step()
+
+    def _end_on_signals(self) -> None:
+        """A closed terminal window or `kill` ends the desktop in order, with all its programs."""
+        import asyncio
+        import signal
+
+        loop = asyncio.get_running_loop()
+        for name in ("SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is not None:
+                try:
+                    loop.add_signal_handler(number, self.exit)
+                except (NotImplementedError, RuntimeError, ValueError):
+                    return  # Windows, or not the main thread (tests): the default stays
+
+    async def on_unmount(self) -> None:
+        self.frames.detach()
+
+    def _congested(self) -> bool:
+        writer = getattr(self._driver, "_writer_thread", None)
+        queue = getattr(writer, "_queue", None)
+        return queue is not None and queue.qsize() > WAITING_OUTPUT
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def draw_frame(self) -> bool:
+        """Pull what is new into the panes. True while something moves by itself."""
+        now = time.monotonic()
+        again = self._play(now)
+        machine = self.machine
+        if machine.desk is not None:
+            if (windows := machine.changed_windows()) is not None:
+                self.desktop.show_windows(windows)
+            self._bury_ended_terminals()
+            shown = self.desktop.shown()
+            for pane in (self.terminals, *self.desktop.panes.values()):
+                if pane is self.terminals or pane in shown:
+                    try:
+                        again = pane.pull(now) or again
+                    except Exception as error:
+                        self.window_failed(pane, error)
+            self.terminals.place_cursor()
+        if self._notice_until and now > self._notice_until:
+            self.notice, self._notice_until = "", 0.0
+        again = again or bool(self._notice_until)
+        self.top.pull(now)
+        self.bottom.pull(now)
+        return again
+
+    def _play(self, now: float) -> bool:
+        if self.player is None:
+            return False
+        self.player.advance(now)
+        if not self.player.done:
+            return True
+        self.player = None
+        for event in self.queued_keys:
+            self.terminals.on_key(event)
+        self.queued_keys.clear()
+        return False
+
+    def frame_failed(self, error: Exception) -> None:
+        """Something in the desktop itself is broken: say so, and keep programs and terminals going."""
+        if self.is_headless:
+            self._handle_exception(error)
+            return
+        _log.error("a frame failed", exc_info=error)
+        if not isinstance(self.desktop.overlay, MessageOverlay):
+            self.desktop.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))
+
+    def window_failed(self, pane: Any, error: Exception) -> None:
+        """A window that cannot be drawn is replaced by the reason; everything else goes on."""
+        if pane not in self.desktop.panes.values():
+            raise error
+        _log.warning("a window failed", exc_info=error)
+        self.desktop.break_window(pane, error)
+
+    def _bury_ended_terminals(self) -> None:
+        for view in [view for view in self.terminals.views if view.terminal.closed]:
+            self.terminals.forget(view)
+        if not self.terminals.views and self.is_running and self.machine.desk is not None:
+            self.new_terminal()
+
+    # -- bars ----------------------------------------------------------------------------------------------------------
+
+    def say(self, text: str, seconds: float = 3.0) -> None:
+        """Show a short notice in the key bar."""
+        self.notice = text
+        self._notice_until = time.monotonic() + seconds
+        self.frames.wake()
+
+    def top_pieces(self) -> tuple[list[Piece], list[Piece]]:
+        look, texts, machine = self.look, self.look.texts, self.machine
+        colours, glyphs = look.colours, look.glyphs
+        kinds = {pane.window.kind for pane in self.desktop.panes.values()}
+        name = "bar.turtle" if "turtlesim" in kinds else "bar.car" if "car" in kinds else "bar.desk"
+        left = [
+            Piece(" day6 ", colours.bar_strong),
+            Piece(f"{glyphs.chevron} ", colours.bar_muted),
+            Piece(f"{texts(name)}   ", colours.bar_strong),
+        ]
+        if machine.desk is None:
+            left.append(Piece(texts("bar.starting"), colours.bar_muted))
+        else:
+            nodes, topics = machine.counts()
+            left.append(Piece(texts("bar.nodes", count=nodes), colours.bar))
+            left.append(Piece(f" {glyphs.dot} ", colours.bar_muted))
+            left.append(Piece(texts("bar.topics", count=topics), colours.bar))
+        mark = glyphs.paused if machine.paused else glyphs.running
+        time_style = colours.hint if machine.paused else colours.bar
+        speed = texts("bar.paused") if machine.paused else f"{machine.speed:g}×" if glyphs.unicode else f"{machine.speed:g}x"
+        right = [
+            Piece(f" {texts('bar.language')} ", colours.bar_muted, self.do_language),
+            Piece(f" {mark} {speed} ", time_style, self.do_pause),
+            Piece(f" {texts('bar.help')} ", colours.bar, self.do_help),
+        ]
+        return left, right
+
+    def bottom_pieces(self) -> tuple[list[Piece], list[Piece]]:
+        look, texts = self.look, self.look.texts
+        if self.notice:
+            return [Piece(f" {self.notice} ", look.colours.hint)], []
+        if self.player is not None:
+            return [Piece(f" {texts('bar.playing')} ", look.colours.hint)], []
+        keys = [KeyHint(key, name) for key, name in self.desktop.focused_pane().key_hints()]
+        for action in actions.bar_actions():
+            name = "action.resume" if action.id == "pause" and self.machine.paused else f"action.{action.id}"
+            keys.append(KeyHint(action.label, texts(name), getattr(self, action.handler), action.weight))
+        return key_pieces(look, keys, self.size.width), []
+
+    # -- scenes --------------------------------------------------------------------------------------------------------
+
+    def chosen(self, does: str) -> None:
+        """An entry of the welcome pane was chosen."""
+        if does.startswith("action."):
+            getattr(self, actions.BY_ID[does.removeprefix("action.")].handler)()
+        elif does.startswith("type:"):
+            self.use_terminal("idle")
+            self.send(does.removeprefix("type:"))
+            self.desktop.focus_pane(self.terminals)
+        else:
+            self.welcome.show_guide()
+            self.desktop.focus_pane(self.terminals)
+        self.frames.wake()
+
+    def start_scene(self, name: str) -> None:
+        """Type the commands of a scene."""
+        scene = SCENES[name]
+        self.welcome.show_guide()
+        self.desktop.focus_pane(self.terminals)
+        if scene.steps:
+            robot = getattr(self.options, "robot", None)
+            visibly = bool(self.frames.rate) and not self.look.reduced_motion
+            self.player = Player(scene, self, values={"robot": str(robot or "")}, visibly=visibly)
+        self.frames.wake()
+
+    def key_before(self, event: events.Key) -> bool:
+        """Keys while a scene types: Esc stops it, others wait until it has finished, which is then at once."""
+        if self.player is None:
+            return False
+        if event.key == "escape":
+            self.player = None
+            self.queued_keys.clear()
+        else:
+            self.player.hurry()
+            self.queued_keys.append(event)
+        return True
+
+
+def run(options: Any) -> int:
+    """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    try:
+        app = Day6App(options)
+    except (KeyError, ValueError) as error:
+        print(f"day6-tui: {error}", file=sys.stderr)
+        return 2
+    try:
+        app.run()
+    finally:
+        app.machine.close()
+    return app.return_code or 0
+
+

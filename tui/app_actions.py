@@ -1,0 +1,247 @@
+"""What every action of `actions` does: the `do_…` methods of the application."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.tui import actions
+from day6_tui.tui.colours import THEMES, colours
+from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
+from day6_tui.tui.locale import LANGUAGES, catalogue
+from day6_tui.tui.pane import Pane
+from day6_tui.tui.terminal_pane import TerminalPane
+
+if TYPE_CHECKING:
+    from day6_tui.tui.desktop import Desktop
+    from day6_tui.tui.frames import Frames
+    from day6_tui.tui.look import Look
+    from day6_tui.tui.machine import Machine
+    from day6_tui.tui.welcome import WelcomePane
+
+TURTLE_TICK = 0.016
+
+
+class AppActions:
+    """Mixed into the application, which has the attributes named here."""
+
+    desktop: Desktop
+    frames: Frames
+    look: Look
+    machine: Machine
+    terminals: TerminalPane
+    welcome: WelcomePane
+    player: Any
+    options: Any
+
+    if TYPE_CHECKING:
+
+        def say(self, text: str, seconds: float = 3.0) -> None: ...
+        def start_scene(self, name: str) -> None: ...
+        def exit(self) -> None: ...
+
+    async def action_do(self, id: str) -> None:  # noqa: A002
+        """Textual's entry: a key of the table was pressed."""
+        getattr(self, actions.BY_ID[id].handler)()
+        self.frames.wake()
+
+    def action_help_quit(self) -> None:
+        """Ctrl-C where nobody wants it does nothing (Textual would explain how to quit)."""
+
+    # -- terminals and windows -----------------------------------------------------------------------------------------
+
+    def new_terminal(self) -> None:
+        """Open a terminal and show it."""
+        if self.machine.desk is not None:
+            columns, rows = self.terminals.terminal_size()
+            self.terminals.add(self.machine.desk.open_terminal(columns, rows))
+
+    def do_terminal(self) -> None:
+        self.new_terminal()
+        self.desktop.focus_pane(self.terminals)
+
+    def do_next(self) -> None:
+        self._cycle(1)
+
+    def do_previous(self) -> None:
+        self._cycle(-1)
+
+    def _cycle(self, step: int) -> None:
+        """Through all terminals and then all windows."""
+        stops: list[tuple[Any, int]] = [(self.terminals, index) for index in range(len(self.terminals.views))]
+        stops += [(pane, 0) for number in self.desktop.numbers if (pane := self.desktop.pane(number)) is not None]
+        if not stops:
+            return
+        pane = self.desktop.focused_pane()
+        here = (pane, self.terminals.active if pane is self.terminals else 0)
+        target, index = stops[(stops.index(here) + step) % len(stops)] if here in stops else stops[0]
+        if target is self.terminals:
+            self.terminals.activate(index)
+        self.desktop.focus_pane(target)
+
+    def do_windows(self) -> None:
+        from day6_tui.tui.menu import Entry, Menu
+
+        texts, entries = self.look.texts, []
+        for index, view in enumerate(self.terminals.views):
+            name = f"{index + 1} {view.terminal.title}"
+            entries.append(
+                Entry(name, texts("menu.terminal"), lambda index=index: self.go_terminal(index), view.terminal.hang_up)
+            )
+        for pane in self.desktop.panes.values():
+            entries.append(
+                Entry(
+                    pane.window.title,
+                    texts("menu.window"),
+                    lambda pane=pane: self.desktop.focus_pane(pane),
+                    pane.window.close_by_user,
+                )
+            )
+        self.desktop.open_overlay(Menu(self.look, "menu.windows", entries))
+
+    def go_terminal(self, index: int) -> None:
+        """Show this terminal and give it the keyboard."""
+        if index < len(self.terminals.views):
+            self.terminals.activate(index)
+            self.desktop.focus_pane(self.terminals)
+
+    def do_enlarge(self) -> None:
+        self.desktop.toggle_enlarged()
+
+    def do_grow(self) -> None:
+        self._change_share(0.05)
+
+    def do_shrink(self) -> None:
+        self._change_share(-0.05)
+
+    def _change_share(self, step: float) -> None:
+        self.desktop.share = max(0.2, min(0.8, self.desktop.share + step))
+        self.desktop.rearrange()
+
+    def do_close(self) -> None:
+        pane = self.desktop.focused_pane()
+        if pane is self.terminals:
+            if self.terminals.view is not None:
+                self.terminals.view.terminal.hang_up()
+        elif pane in self.desktop.panes.values():
+            pane.window.close_by_user()
+
+    def do_copy(self) -> None:
+        if self.terminals.copy_selection():
+            self.say(self.look.texts("terminal.copied"))
+
+    def do_paste(self) -> None:
+        self.terminals.paste(self.terminals.app.clipboard)
+
+    def do_clear(self) -> None:
+        if self.terminals.view is not None:
+            self.terminals.view.forget_history()
+            self.terminals.touch()
+
+    # -- help, palette, scenes -----------------------------------------------------------------------------------------
+
+    def do_help(self) -> None:
+        from day6_tui.tui.help import HelpOverlay
+
+        if isinstance(self.desktop.overlay, HelpOverlay):
+            self.desktop.close_overlay()
+        else:
+            self.desktop.open_overlay(HelpOverlay(self.look, self.desktop.focused_pane()))
+
+    def do_palette(self) -> None:
+        from day6_tui.tui.menu import Entry, Menu
+
+        texts, entries = self.look.texts, []
+        for action in actions.ACTIONS:
+            if action.palette:
+                key = f"action.{action.id}"
+                words = " ".join([catalogue(language)[key] for language in LANGUAGES] + [texts("help." + key)])
+                entries.append(Entry(texts(key), action.label, getattr(self, action.handler), words=words))
+        self.desktop.open_overlay(Menu(self.look, "menu.palette", entries))
+
+    def do_scene_turtle(self) -> None:
+        self.start_scene("turtle")
+
+    def do_scene_car(self) -> None:
+        self.start_scene("car")
+
+    def do_quit(self) -> None:
+        self.exit()
+
+    # -- looks ---------------------------------------------------------------------------------------------------------
+
+    def do_language(self) -> None:
+        if self.look.glyphs.unicode:
+            self.look.texts.switch()
+            self._redraw()
+
+    def do_theme(self) -> None:
+        present = self.look.colours
+        if present.name in THEMES:
+            self.look.colours = colours(THEMES[(THEMES.index(present.name) + 1) % len(THEMES)])
+            self._redraw()
+
+    def do_glyphs(self) -> None:
+        names = CANVASES
+        name = names[(names.index(self.look.glyphs.name) + 1) % len(names)]
+        self.look.glyphs = GLYPH_SETS[name]
+        self._redraw()
+        self.say(name)
+
+    def do_motion(self) -> None:
+        self.look.reduced_motion = not self.look.reduced_motion
+        self._redraw()
+
+    def _redraw(self) -> None:
+        for pane in self.desktop.screen.query(Pane):
+            pane.restyle()
+        self.frames.wake()
+
+    # -- time ----------------------------------------------------------------------------------------------------------
+
+    def do_pause(self) -> None:
+        self.machine.toggle_pause()
+        self.frames.wake()
+
+    def do_step(self) -> None:
+        if self.machine.paused:
+            self.machine.desk.step(TURTLE_TICK)
+
+    def do_faster(self) -> None:
+        self._speed(1)
+
+    def do_slower(self) -> None:
+        self._speed(-1)
+
+    def do_normal(self) -> None:
+        self._speed(0)
+
+    def _speed(self, step: int) -> None:
+        speed = self.machine.change_speed(step)
+        note = "" if speed == 1.0 else f" {self.look.glyphs.dot} {self.look.texts('bar.external')}"
+        self.say(f"{speed:g}x{note}")
+
+    # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
+
+    def use_terminal(self, which: str) -> None:
+        if which == "idle":
+            for index, view in enumerate(self.terminals.views):
+                if view.terminal.idle:
+                    self.terminals.activate(index)
+                    return
+        self.new_terminal()
+
+    def send(self, text: str) -> None:
+        view = self.terminals.view
+        if view is not None:
+            view.terminal.send(text)
+
+    def ready(self) -> bool:
+        view = self.terminals.view
+        return view is not None and bool(view.terminal.idle)
+
+    def has_window(self, kind: str) -> bool:
+        return any(window.kind == kind for window in self.machine.desk.display.windows)
+
+    def reading_keys(self) -> bool:
+        view = self.terminals.view
+        return view is not None and bool(view.terminal.reading_keys)

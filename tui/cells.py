@@ -1,0 +1,75 @@
+"""Text measured in terminal cells: a Chinese character is two of them, a combining accent none."""
+
+from __future__ import annotations
+
+from rich.cells import cell_len, set_cell_size
+
+__all__ = ["cell_len", "clip", "fit", "wrap"]
+
+
+def clip(text: str, width: int, ellipsis: str = "…") -> str:
+    """`text` in at most `width` cells; what does not fit is replaced by the ellipsis."""
+    if width <= 0:
+        return ""
+    if cell_len(text) <= width:
+        return text
+    if width <= cell_len(ellipsis):
+        return set_cell_size(text, width).rstrip()
+    return set_cell_size(text, width - cell_len(ellipsis)).rstrip() + ellipsis
+
+
+def fit(text: str, width: int, ellipsis: str = "…") -> str:
+    """`text` in exactly `width` cells, clipped or padded on the right."""
+    return set_cell_size(clip(text, width, ellipsis), max(0, width))
+
+
+def wrap(text: str, width: int) -> list[str]:
+    """Break `text` into lines of at most `width` cells: between words, and anywhere between Chinese characters."""
+    width = max(2, width)
+    lines: list[str] = []
+    for paragraph in text.split("\n"):
+        line, used = "", 0
+        for word in _words(paragraph):
+            size = cell_len(word)
+            if used + size > width and line:
+                lines.append(line.rstrip())
+                line, used = "", 0
+                word = word.lstrip()
+                size = cell_len(word)
+            while size > width:
+                head = set_cell_size(word, width).rstrip()
+                lines.append(head)
+                word = word[len(head) :]
+                size = cell_len(word)
+            line += word
+            used += size
+        lines.append(line.rstrip())
+    return lines
+
+
+_NO_LINE_START = set("，。、；：！？）》」』”’…")
+
+
+def _words(text: str) -> list[str]:
+    """Pieces that must not be broken: words with the space after them, single wide characters with closing marks."""
+    pieces: list[str] = []
+    word = ""
+    for char in text:
+        if char in _NO_LINE_START and (word or pieces):
+            if word:
+                word += char
+            else:
+                pieces[-1] += char
+        elif cell_len(char) == 2:
+            if word:
+                pieces.append(word)
+            pieces.append(char)
+            word = ""
+        elif char == " ":
+            pieces.append(word + " ")
+            word = ""
+        else:
+            word += char
+    if word:
+        pieces.append(word)
+    return pieces

@@ -1,0 +1,51 @@
+"""Makes Textual send only the dirty part of a line.
+
+`ChopsUpdate.render_segments` of Textual 8.2 sends a line from the left edge of its widget to the right end of the dirty
+span, which is about six times the bytes for everything that moves (tui-tech.md §2.3). The corrected method crops both ends. It
+belongs to a private class, so it is put in place only for the versions it was checked with, and `tests/tui/test_chops.py`
+compares it cell by cell with the original.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+CHECKED_VERSION = "8.2."
+
+
+def render_segments(self: Any, console: Any) -> str:
+    """As `ChopsUpdate.render_segments`, for the dirty spans alone."""
+    sequences: list[str] = []
+    append = sequences.append
+    chops = self.chops
+    chop_ends = self.chop_ends
+    for y, x1, x2 in self.spans:
+        for end, (x, strip) in zip(chop_ends[y], chops[y].items()):
+            if strip is None or x >= x2 or end <= x1:
+                continue
+            left, right = max(x, x1), min(end, x2)
+            if left != x or right != end:
+                strip = strip.crop(left - x, right - x)
+            append(f"\x1b[{y + 1};{left + 1}H")
+            append(strip.render(console))
+    return "".join(sequences)
+
+
+def textual_version() -> str:
+    """The version of Textual that is imported, '' if its installation does not say."""
+    import textual
+
+    # The name of the metadata folder: importlib.metadata would cost the first frame 20 ms for the same answer.
+    folders = Path(textual.__file__).parent.parent.glob("textual-*.dist-info")
+    return next((folder.name.split("-")[1].removesuffix(".dist") for folder in folders if folder.is_dir()), "")
+
+
+def install() -> bool:
+    """Replace the method if this Textual is one of those checked; says whether it did."""
+    if not textual_version().startswith(CHECKED_VERSION):
+        return False
+    from textual._compositor import ChopsUpdate
+
+    ChopsUpdate.render_segments = render_segments  # type: ignore[method-assign]
+    return True

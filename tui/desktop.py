@@ -1,0 +1,210 @@
+"""The area between the bars: one pane for the terminals, one for each window, laid out by `arrangement`."""
+
+from __future__ import annotations
+
+from textual import events
+from textual.containers import Container
+from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
+from textual.layout import ArrangeResult, Layout, WidgetPlacement
+from textual.widget import Widget
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.arrangement import Arrangement, arrange
+from day6_tui.tui.look import Look
+from day6_tui.tui.overlay import Overlay
+from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.terminal_pane import TerminalPane
+from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
+
+WELCOME = 0
+"""The number of the pane that is shown while no window is open; windows of programs count from 1."""
+
+
+class _DesktopLayout(Layout):
+    """Puts every pane where the desktop's arrangement says; a pane that is behind another gets no place."""
+
+    name = "desktop"
+
+    def arrange(self, parent: Widget, children: list[Widget], size: Size, greedy: bool = True) -> ArrangeResult:
+        assert isinstance(parent, Desktop)
+        found = parent.plan(size.width, size.height)
+        placements = []
+        for child in children:
+            if isinstance(child, Overlay):
+                place = child.place(size.width, size.height)
+                placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
+                continue
+            place = found.terminal if child is parent.terminals else found.windows.get(getattr(child, "number", -1))
+            if place is not None:
+                placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
+        return placements
+
+
+class Desktop(Container):
+    """Owns the panes. It knows which window was used last and what is enlarged; the windows themselves belong to the display."""
+
+    DEFAULT_CSS = "Desktop { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
+
+    def __init__(self, look: Look, terminals: TerminalPane, welcome: Pane) -> None:
+        super().__init__(terminals, welcome, id="desktop")
+        self._layout_of_panes = _DesktopLayout()
+        self.look = look
+        self.terminals = terminals
+        self.welcome = welcome
+        welcome.number = WELCOME  # type: ignore[attr-defined]
+        self.panes: dict[int, WindowPane] = {}
+        """The panes of the open windows, by window number, oldest first."""
+        self.active: int | None = None
+        """The window used last."""
+        self.enlarged: str | None = None
+        self.share = 0.5
+        self.guided = True
+        """Whether the place of the windows shows the welcome pane while there are none."""
+        self.overlay: Overlay | None = None
+
+    @property
+    def layout(self) -> Layout:
+        return self._layout_of_panes
+
+    # -- what is shown -------------------------------------------------------------------------------------------------
+
+    @property
+    def numbers(self) -> list[int]:
+        """The numbers of the windows, the welcome pane's if there is none."""
+        return list(self.panes) or ([WELCOME] if self.guided else [])
+
+    def plan(self, width: int, height: int) -> Arrangement:
+        return arrange(
+            width,
+            height,
+            self.numbers,
+            self.active,
+            enlarged=self.enlarged,
+            terminal_focused=self.terminals.has_focus or self._lately_terminal,
+            share=self.share,
+        )
+
+    @property
+    def _lately_terminal(self) -> bool:
+        # While an overlay has the focus the pane below it stays where it is.
+        return self._last_focus is self.terminals
+
+    _last_focus: Pane | None = None
+
+    def shown(self) -> list[Pane]:
+        """The panes that have a place at present."""
+        found = self.plan(*self.size)
+        panes: list[Pane] = [self.terminals] if found.terminal is not None else []
+        for number in found.windows:
+            pane = self.pane(number)
+            if pane is not None:
+                panes.append(pane)
+        return panes
+
+    def pane(self, number: int) -> Pane | None:
+        """The pane of a window, or the welcome pane for its number."""
+        return self.welcome if number == WELCOME and not self.panes else self.panes.get(number)
+
+    def hidden_windows(self) -> list[WindowPane]:
+        """Windows that have no place: their names stand on the frames of others."""
+        places = self.plan(*self.size).windows
+        return [pane for number, pane in self.panes.items() if number not in places]
+
+    # -- windows come and go -------------------------------------------------------------------------------------------
+
+    def show_windows(self, windows: list[Window]) -> None:
+        """Make the panes agree with the display's list."""
+        open_numbers = {window.number for window in windows}
+        focused_gone = False
+        for number in [number for number in self.panes if number not in open_numbers]:
+            pane = self.panes.pop(number)
+            focused_gone = focused_gone or pane.has_focus
+            pane.remove()
+        for window in windows:
+            if window.number not in self.panes:
+                pane = make_window(window, self.look)
+                self.panes[window.number] = pane
+                self.active = window.number
+                self.mount(pane)
+        if self.active not in self.panes:
+            self.active = next(reversed(self.panes), WELCOME)
+            if self.enlarged == "window":
+                self.enlarged = None
+        self.welcome.display = not self.panes and self.guided
+        if focused_gone:
+            self.focus_pane(self.terminals)
+        self.rearrange()
+
+    def break_window(self, pane: Pane, error: Exception) -> None:
+        """Show the reason in the place of a window that failed while it was drawn."""
+        assert isinstance(pane, WindowPane)
+        broken = BrokenPane(pane.window, self.look, error)
+        self.panes[pane.number] = broken
+        pane.remove()
+        self.mount(broken)
+        self.rearrange()
+
+    # -- overlays ------------------------------------------------------------------------------------------------------
+
+    def open_overlay(self, overlay: Overlay) -> None:
+        """Lay something over the panes (instead of what lies there) and give it the keyboard."""
+        self.close_overlay()
+        self.overlay = overlay
+        self.mount(overlay)
+        overlay.focus(scroll_visible=False)
+
+    def close_overlay(self) -> None:
+        """Take it away; the pane that had the keyboard gets it back."""
+        if self.overlay is not None:
+            overlay, self.overlay = self.overlay, None
+            overlay.remove()
+            self.focused_pane().focus(scroll_visible=False)
+
+    # -- focus and size ------------------------------------------------------------------------------------------------
+
+    def rearrange(self) -> None:
+        """Place the panes anew."""
+        self.refresh(layout=True)
+        for pane in (self.terminals, self.welcome, *self.panes.values()):
+            pane.touch()
+
+    def focus_pane(self, pane: Pane) -> None:
+        """Give a pane the keyboard and bring it to the front."""
+        self._last_focus = pane
+        number = getattr(pane, "number", None)
+        if number is not None:
+            self.active = number
+        if self.enlarged is not None:
+            self.enlarged = "terminal" if pane is self.terminals else "window"
+        self.rearrange()
+        pane.focus(scroll_visible=False)
+
+    def focused_pane(self) -> Pane:
+        """The pane that has the keyboard, or had it before an overlay."""
+        last = self._last_focus
+        return last if last is not None and last.is_attached else self.terminals
+
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        pane = event.widget
+        if not isinstance(pane, Pane) or isinstance(pane, Overlay) or pane is self._last_focus:
+            return
+        self._last_focus = pane
+        if (number := getattr(pane, "number", None)) is not None:
+            self.active = number
+        self.rearrange()
+
+    def toggle_enlarged(self) -> None:
+        """Make the focused pane fill the desktop, or put it back."""
+        if self.enlarged is not None:
+            self.enlarged = None
+        else:
+            self.enlarged = "terminal" if self.focused_pane() is self.terminals else "window"
+        self.rearrange()
+
+    def other_tabs(self, pane: Pane) -> list[Piece]:
+        """The names of the windows that cannot be seen, for the upper edge of `pane`."""
+        colours = self.look.colours
+        return [
+            Piece(f" {hidden.window.title} ", colours.title, lambda hidden=hidden: self.focus_pane(hidden))
+            for hidden in self.hidden_windows()
+        ]

@@ -1,0 +1,130 @@
+"""The one frame timer: it runs while something changes, and not at all while nothing does.
+
+`wake` may be called from any thread, as often as one likes: it sets a flag, and only the first call after a rest costs a
+trip into the event loop. Each frame clears the flag, lets the panes pull what is new, and plans the next frame; a frame that
+finds the flag unset ends the series. Keys never wait for frames: the loop handles them in between, and a frame is put off
+while the terminal has not yet taken what was sent before.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextvars
+import time
+from collections.abc import Callable
+
+SLOWEST = 4.0
+"""Frames per second that are drawn on the slowest machine and link."""
+
+
+class Frames:
+    """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests)."""
+
+    def __init__(
+        self,
+        draw: Callable[[], bool],
+        fps: float = 30.0,
+        *,
+        congested: Callable[[], bool] | None = None,
+        failed: Callable[[Exception], None] | None = None,
+    ) -> None:
+        self._draw = draw
+        self._failed = failed
+        self._congested = congested if congested is not None else lambda: False
+        self._shortest = 1.0 / fps if fps > 0 else 0.0
+        self._period = self._shortest
+        self._woken = False
+        self._running = False
+        self._due = 0.0
+        self._calm = 0
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._handle: asyncio.TimerHandle | None = None
+        self._context: contextvars.Context | None = None
+        self.drawn = 0
+        """Frames drawn so far."""
+
+    @property
+    def rate(self) -> float:
+        """Frames per second allowed at present."""
+        return 1.0 / self._period if self._period else 0.0
+
+    def attach(self) -> None:
+        """Start working; call it in the event loop, inside the application's context."""
+        self._loop = asyncio.get_running_loop()
+        self._context = contextvars.copy_context()
+        if self._woken:
+            self._begin()
+
+    def detach(self) -> None:
+        """Stop for good."""
+        self._loop = None
+        if self._handle is not None:
+            self._handle.cancel()
+            self._handle = None
+
+    def wake(self) -> None:
+        """Something changed: draw a frame soon. Any thread."""
+        self._woken = True
+        loop = self._loop
+        if not self._running and loop is not None and self._shortest:
+            self._running = True
+            try:
+                loop.call_soon_threadsafe(self._begin, context=self._context)
+            except RuntimeError:
+                # The loop closed between the look and the call: the desktop is going away.
+                self._running = False
+
+    def step(self) -> None:
+        """Draw one frame now."""
+        self._woken = False
+        self.drawn += 1
+        if self._draw():
+            self._woken = True
+
+    def _begin(self) -> None:
+        if self._handle is None and self._loop is not None:
+            self._running = True
+            self._plan(max(time.monotonic(), self._due))
+
+    def _plan(self, due: float) -> None:
+        assert self._loop is not None
+        self._due = due
+        delay = max(0.0, due - time.monotonic())
+        self._handle = self._loop.call_later(delay, self._tick, context=self._context)
+
+    def _tick(self) -> None:
+        self._handle = None
+        if self._loop is None:
+            return
+        now = time.monotonic()
+        if self._congested():
+            self._adapt(self._period)
+            self._plan(now + self._period)
+            return
+        self._adapt(now - self._due)
+        if self._woken:
+            try:
+                self.step()
+            except Exception as error:
+                # asyncio would print it over the screen.
+                if self._failed is None:
+                    raise
+                self._failed(error)
+            self._plan(max(now, self._due + self._period, time.monotonic() + self._period / 4))
+            return
+        self._running = False
+        if self._woken:
+            # A thread woke us between the look at the flag and the line above.
+            self._running = True
+            self._plan(now + self._period)
+
+    def _adapt(self, late: float) -> None:
+        """Halve the rate when frames come late by most of a period, double it after two calm seconds."""
+        if late > 0.8 * self._period and late > 0.02:
+            self._period = min(self._period * 2, 1.0 / SLOWEST)
+            self._calm = 0
+        else:
+            self._calm += 1
+            if self._period > self._shortest and self._calm * self._period > 2.0:
+                self._period = max(self._period / 2, self._shortest)
+                self._calm = 0

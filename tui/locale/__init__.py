@@ -1,0 +1,50 @@
+"""What a user reads, in Chinese and English. Text that is real ROS output never comes from here.
+
+`zh.py` and `en.py` hold one mapping each with the same keys (a test compares them). The language is a value that is passed
+along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from importlib import import_module
+
+LANGUAGES = ("zh", "en")
+_catalogues: dict[str, Mapping[str, str]] = {}
+
+
+def catalogue(language: str) -> Mapping[str, str]:
+    """All texts of 'zh' or 'en'. Raises ValueError for another language."""
+    if language not in LANGUAGES:
+        raise ValueError(f"no texts in {language!r}, only in {' and '.join(LANGUAGES)}")
+    if language not in _catalogues:
+        _catalogues[language] = import_module(f"{__name__}.{language}").TEXTS
+    return _catalogues[language]
+
+
+class Texts:
+    """The texts of the present language: `texts("key", name=…)`."""
+
+    def __init__(self, language: str) -> None:
+        self.language = language
+        catalogue(language)
+
+    def __call__(self, key: str, **values: object) -> str:
+        """The text for `key` with its {fields} filled in. Raises KeyError for an unknown key."""
+        text = catalogue(self.language)[key]
+        return text.format(**values) if values else text
+
+    def switch(self) -> None:
+        """Go to the other language."""
+        self.language = LANGUAGES[(LANGUAGES.index(self.language) + 1) % len(LANGUAGES)]
+
+
+def detect(environ: Mapping[str, str] | None = None, *, wide_glyphs: bool = True) -> str:
+    """The language of the locale; English where the terminal has no Chinese characters (`wide_glyphs` False)."""
+    environ = os.environ if environ is None else environ
+    if wide_glyphs:
+        for name in ("LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
+            if value := environ.get(name):
+                return "zh" if value.lower().startswith("zh") else "en"
+    return "en"

@@ -1,0 +1,93 @@
+"""The desktop's connection to the simulated machine: starts and ends it, wakes the frames when it did something, counts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+
+class Machine:
+    """Holds the desk (None before it has started) and what the frame of the desktop shows of it."""
+
+    def __init__(self, desk: Any, *, wake: Callable[[], None]) -> None:
+        self.desk: Any = None
+        self._given = desk
+        self._wake = wake
+        self._version = -1
+        self._counts: tuple[int, int] | None = None
+        self._forget: Callable[[], None] | None = None
+
+    def open(self, options: Any) -> None:
+        """Start it. Raises OSError if the home folder cannot be used."""
+        desk = self._given
+        if desk is None:
+            from day6_tui.core.shell.desk import Desk
+
+            home = getattr(options, "home", None)
+            desk = Desk(Path(home) if home else None)
+        desk.scheduler.on_activity = self._wake
+        self._forget = desk.graph.add_listener(self._graph_changed)
+        self.desk = desk
+        if self._given is None:
+            desk.start()
+
+    def close(self) -> None:
+        """End every program."""
+        if self.desk is not None:
+            self.desk.scheduler.on_activity = None
+            if self._forget is not None:
+                self._forget()
+            if self._given is None:
+                self.desk.close()
+
+    def changed_windows(self) -> list[Any] | None:
+        """The open windows if there are others than at the last call."""
+        display = self.desk.display
+        if display.version == self._version:
+            return None
+        self._version = display.version
+        return list(display.windows)
+
+    def _graph_changed(self, event: object) -> None:
+        self._counts = None
+        self._wake()
+
+    def counts(self) -> tuple[int, int]:
+        """How many nodes and topics there are, without the hidden ones."""
+        counts = self._counts
+        if counts is None:
+            from day6_tui.core.graph.endpoints import EndpointKind
+
+            graph = self.desk.graph
+            nodes = {node.full_name for node in graph.nodes if not node.name.startswith("_")}
+            topics = graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+            counts = self._counts = (len(nodes), sum("/_" not in name for name, _ in topics))
+        return counts
+
+    # -- time ----------------------------------------------------------------------------------------------------------
+
+    @property
+    def paused(self) -> bool:
+        return self.desk is not None and bool(self.desk.clock.paused)
+
+    @property
+    def speed(self) -> float:
+        return float(self.desk.clock.speed) if self.desk is not None else 1.0
+
+    def toggle_pause(self) -> None:
+        """Let the world stand still or run on."""
+        if self.desk is not None:
+            (self.desk.resume if self.paused else self.desk.pause)()
+
+    def change_speed(self, step: int) -> float:
+        """Go to the next speed up or down (0: to normal) and return it."""
+        speeds = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+        if step:
+            now = min(range(len(speeds)), key=lambda index: abs(speeds[index] - self.speed))
+            speed = speeds[max(0, min(len(speeds) - 1, now + step))]
+        else:
+            speed = 1.0
+        if self.desk is not None:
+            self.desk.set_speed(speed)
+        return speed

@@ -1,0 +1,129 @@
+"""What lies over the desktop for a moment: it takes the keyboard, and gives it back when it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.tui.arrangement import Place
+from day6_tui.tui.cells import wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Pane, Piece
+
+
+class Overlay(Pane):
+    """Base of menu, help and messages. `place` says where it lies; Esc and a click outside dismiss it."""
+
+    DEFAULT_CSS = "Overlay { layer: above; }"
+    wanted_width = 64
+
+    @property
+    def background(self) -> Style:
+        return self.look.colours.overlay
+
+    def wanted_height(self, width: int) -> int:
+        """Lines of the inside it would like to have at this inner width."""
+        return 10
+
+    def place(self, width: int, height: int) -> Place:
+        """The rectangle on a desktop of this size."""
+        columns = min(self.wanted_width, width)
+        rows = min(self.wanted_height(columns - 2) + 2, height)
+        return Place((width - columns) // 2, max(0, (height - rows) // 3), columns, rows)
+
+    def _border(self) -> tuple:  # type: ignore[type-arg]
+        return self.look.glyphs.strong_border, self.look.colours.overlay_frame
+
+    def dismiss(self) -> None:
+        """Go away."""
+        from day6_tui.tui.desktop import Desktop
+
+        if isinstance(self.parent, Desktop):
+            self.parent.close_overlay()
+
+    def on_key(self, event: events.Key) -> None:
+        event.stop()
+        event.prevent_default()
+        if event.key in ("escape", "ctrl+c"):
+            self.dismiss()
+        else:
+            self.handle_overlay_key(event)
+
+    def handle_overlay_key(self, event: events.Key) -> None:
+        """Keys but Esc."""
+
+
+class TextOverlay(Overlay):
+    """A text to read, with a heading: (style role, text) lines that are wrapped and can be scrolled."""
+
+    def __init__(self, look: Look, title: str, keys: str) -> None:
+        super().__init__(look)
+        self._title = title
+        self._keys = keys
+        self._top = 0
+        self._wrapped: tuple[int, str, list[tuple[str, str]]] | None = None
+
+    def paragraphs(self) -> list[tuple[str, str]]:
+        """What is to be read: (role of the style, text)."""
+        return []
+
+    def lines(self, width: int) -> list[tuple[str, str]]:
+        """The paragraphs in lines of at most `width` cells."""
+        language = self.look.texts.language
+        if self._wrapped is None or self._wrapped[:2] != (width, language):
+            found = [(role, line) for role, text in self.paragraphs() for line in wrap(text, width)]
+            self._wrapped = (width, language, found)
+        return self._wrapped[2]
+
+    def wanted_height(self, width: int) -> int:
+        return len(self.lines(width - 2))
+
+    def title(self) -> list[Piece]:
+        return [Piece(f" {self.look.texts(self._title)} ", self.look.colours.title_focus)]
+
+    def status(self) -> list[Piece]:
+        return [Piece(f" {self.look.texts(self._keys)} ", self.look.colours.overlay_muted)]
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        lines = self.lines(width - 2)
+        if self._top + y >= len(lines):
+            return []
+        role, text = lines[self._top + y]
+        return [Segment(" ", self.background), Segment(text, getattr(self.look.colours, role))]
+
+    def _scroll(self, lines: int) -> None:
+        last = max(0, len(self.lines(self.inner_width - 2)) - self.inner_height)
+        top = max(0, min(last, self._top + lines))
+        if top != self._top:
+            self._top = top
+            self.touch()
+
+    def handle_overlay_key(self, event: events.Key) -> None:
+        page = self.inner_height - 1
+        step = {"down": 1, "up": -1, "pagedown": page, "pageup": -page, "space": page, "home": -9999, "end": 9999}.get(event.key)
+        if step is not None:
+            self._scroll(step)
+        elif event.key in ("enter", "q", "f1"):
+            self.dismiss()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._scroll(3)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._scroll(-3)
+
+
+class MessageOverlay(TextOverlay):
+    """Something went wrong: in plain words, and in the catalogue's or the real tool's own."""
+
+    def __init__(self, look: Look, text: str) -> None:
+        super().__init__(look, "error.title", "error.continue")
+        self._text = text
+
+    def paragraphs(self) -> list[tuple[str, str]]:
+        return [("overlay", self._text)]

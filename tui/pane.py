@@ -1,0 +1,248 @@
+"""A framed rectangle of the desktop that draws itself line by line.
+
+The frame belongs to the pane's own lines, because it carries things: the tabs and the title above, the status below. The lines
+are kept as strips until they are touched, and only the touched cells are refreshed, so a frame in which nothing changed costs
+nothing and a moving turtle costs its own cells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.geometry import Region
+from textual.strip import Strip
+from textual.widget import Widget
+
+from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.look import Look
+
+Action = Callable[[], object]
+
+
+class Piece(NamedTuple):
+    """A run of text on a frame or bar; a click on it calls `action`."""
+
+    text: str
+    style: Style
+    action: Action | None = None
+
+
+class Pane(Widget, can_focus=True):
+    """Base of everything framed. A subclass gives `content_line`, and what it likes of title, status, keys and `pull`."""
+
+    DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
+
+    help_key = "desk"
+    """The help page (`help.<key>` of the catalogue) that F1 opens when this pane has the focus."""
+
+    framed = True
+
+    def __init__(self, look: Look, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self.look = look
+        self._lines: dict[int, Strip] = {}
+        self._hits: dict[int, list[tuple[int, int, Action]]] = {}
+
+    # -- for subclasses ------------------------------------------------------------------------------------------------
+
+    def title(self) -> list[Piece]:
+        """The pieces on the upper edge, from the left."""
+        return []
+
+    def title_right(self) -> list[Piece]:
+        """The pieces on the upper edge, from the right."""
+        return []
+
+    def status(self) -> list[Piece]:
+        """The pieces on the lower edge, from the left."""
+        return []
+
+    def status_right(self) -> list[Piece]:
+        return []
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        """The segments of line `y` of the inside; shorter than `width` is filled up."""
+        return ()
+
+    def pull(self, now: float) -> bool:
+        """Look at the model and touch what changed; `now` is the monotonic time. True asks for another frame."""
+        return False
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        """Keys of this pane for the key bar while it is focused: (key, what it does)."""
+        return []
+
+    @property
+    def background(self) -> Style:
+        """The style of empty cells inside."""
+        return self.look.colours.text
+
+    # -- geometry ------------------------------------------------------------------------------------------------------
+
+    @property
+    def inner_width(self) -> int:
+        return max(0, self.size.width - 2) if self.framed else self.size.width
+
+    @property
+    def inner_height(self) -> int:
+        return max(0, self.size.height - 2) if self.framed else self.size.height
+
+    @property
+    def inner_offset(self) -> int:
+        return 1 if self.framed else 0
+
+    # -- touching ------------------------------------------------------------------------------------------------------
+
+    def touch(self) -> None:
+        """Everything has to be drawn again."""
+        self._lines.clear()
+        self._hits.clear()
+        self.refresh()
+
+    def restyle(self) -> None:
+        """Colours, characters or language changed. A subclass drops here what it built with the old ones."""
+        self.touch()
+
+    def touch_lines(self, lines: Iterable[int]) -> None:
+        """These lines of the inside have to be drawn again."""
+        offset, width = self.inner_offset, self.inner_width
+        self.touch_spans((line, 0, width) for line in lines if offset + line >= 0)
+
+    def touch_spans(self, spans: Iterable[tuple[int, int, int]]) -> None:
+        """These parts (line, first column, end column) of the inside have to be drawn again."""
+        offset, width, height = self.inner_offset, self.inner_width, self.inner_height
+        regions = []
+        for line, first, end in spans:
+            if 0 <= line < height and first < width and end > first:
+                self._lines.pop(line + offset, None)
+                regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
+        if regions:
+            self.refresh(*regions)
+
+    def touch_frame(self) -> None:
+        """Title and status have to be drawn again."""
+        if self.framed:
+            for y in (0, self.size.height - 1):
+                self._lines.pop(y, None)
+            width = self.size.width
+            self.refresh(Region(0, 0, width, 1), Region(0, self.size.height - 1, width, 1))
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        # Not through Textual's styles cache: these lines are finished, with frame and colours, and cached here.
+        left, right = crop.x, crop.right
+        whole = left == 0 and right == self.size.width
+        lines = [self._line(y) for y in range(crop.y, crop.bottom)]
+        return lines if whole else [line.crop(left, right) for line in lines]
+
+    def _line(self, y: int) -> Strip:
+        strip = self._lines.get(y)
+        if strip is None:
+            strip = self._lines[y] = self._build(y)
+        return strip
+
+    def _build(self, y: int) -> Strip:
+        width, height = self.size
+        if not self.framed:
+            segments = list(self.content_line(y, width))
+            strip = Strip(segments).adjust_cell_length(width, self.background)
+        elif y == 0:
+            strip = self._edge(0, self.title(), self.title_right())
+        elif y == height - 1:
+            strip = self._edge(y, self.status(), self.status_right())
+        else:
+            border, style = self._border()
+            inside = Strip(self.content_line(y - 1, width - 2)).adjust_cell_length(width - 2, self.background)
+            side = Segment(border.vertical, style)
+            strip = Strip([side, *inside, side], width)
+        if not self.look.glyphs.unicode:
+            strip = _in_ascii(strip)
+        return strip
+
+    def _border(self) -> tuple:  # type: ignore[type-arg]
+        glyphs, colours = self.look.glyphs, self.look.colours
+        if self.has_focus:
+            return glyphs.strong_border, colours.frame_focus
+        return glyphs.border, colours.frame
+
+    def _edge(self, y: int, left: Sequence[Piece], right: Sequence[Piece]) -> Strip:
+        """The upper or lower edge of the frame with pieces set into it; the right ones go first when room is short."""
+        border, style = self._border()
+        width = self.size.width
+        start, end = (border.top_left, border.top_right) if y == 0 else (border.bottom_left, border.bottom_right)
+        room = width - 2
+        left_width = sum(cell_len(piece.text) for piece in left)
+        right_width = sum(cell_len(piece.text) for piece in right)
+        if left_width + right_width + 2 > room:
+            right, right_width = (), 0
+        hits: list[tuple[int, int, Action]] = []
+        segments = [Segment(start, style)]
+        x = 1
+        for piece in left:
+            text = clip(piece.text, room - (x - 1), self.look.glyphs.ellipsis)
+            if not text:
+                break
+            size = cell_len(text)
+            if piece.action is not None:
+                hits.append((x, x + size, piece.action))
+            segments.append(Segment(text, piece.style))
+            x += size
+        segments.append(Segment(border.horizontal * (width - 1 - right_width - x), style))
+        x = width - 1 - right_width
+        for piece in right:
+            size = cell_len(piece.text)
+            if piece.action is not None:
+                hits.append((x, x + size, piece.action))
+            segments.append(Segment(piece.text, piece.style))
+            x += size
+        segments.append(Segment(end, style))
+        self._hits[y] = hits
+        return Strip(segments)
+
+    # -- events --------------------------------------------------------------------------------------------------------
+
+    def hit(self, x: int, y: int) -> Action | None:
+        """What a click at this cell of the pane does, if it is on a piece with an action."""
+        for first, end, action in self._hits.get(y, ()):
+            if first <= x < end:
+                return action
+        return None
+
+    def add_hit(self, y: int, first: int, end: int, action: Action) -> None:
+        """Make cells of the line being drawn (counted with the frame) clickable."""
+        self._hits.setdefault(y, []).append((first, end, action))
+
+    def on_click(self, event: events.Click) -> None:
+        action = self.hit(event.x, event.y)
+        if action is not None:
+            event.stop()
+            action()
+
+    def on_resize(self, event: events.Resize) -> None:
+        self._lines.clear()
+        self._hits.clear()
+        self.look.wake()
+
+    def on_focus(self, event: events.Focus) -> None:
+        self.touch()
+
+    def on_blur(self, event: events.Blur) -> None:
+        self.touch()
+
+
+def _in_ascii(strip: Strip) -> Strip:
+    """What a terminal without UTF-8 can show: every other character is a question mark, wide ones two."""
+    if all(segment.text.isascii() for segment in strip):
+        return strip
+    return Strip(
+        [
+            Segment("".join(char if char.isascii() else "?" * cell_len(char) for char in segment.text), segment.style)
+            for segment in strip
+        ],
+        strip.cell_length,
+    )

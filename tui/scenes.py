@@ -1,0 +1,136 @@
+"""Scenes: the steps a teacher would take, as data, and the player that types them where everybody can see it.
+
+A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return, ('window',
+kind) waits until such a window is open, ('reading', '') until the program reads keys, ('pause', seconds) lets one look.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple, Protocol
+
+Step = tuple[str, str]
+
+
+class Scene(NamedTuple):
+    """A name, the window it is about, and what is done."""
+
+    name: str
+    title: str
+    steps: tuple[Step, ...]
+
+
+SCENES: dict[str, Scene] = {
+    "turtle": Scene(
+        "turtle",
+        "bar.turtle",
+        (
+            ("terminal", "idle"),
+            ("type", "ros2 run turtlesim turtlesim_node"),
+            ("window", "turtlesim"),
+            ("pause", "0.4"),
+            ("terminal", "new"),
+            ("type", "ros2 run turtlesim turtle_teleop_key"),
+            ("reading", ""),
+        ),
+    ),
+    "car": Scene(
+        "car",
+        "bar.car",
+        (
+            ("terminal", "idle"),
+            ("type", "ros2 run robot_state_publisher robot_state_publisher {robot}"),
+            ("pause", "0.6"),
+            ("terminal", "new"),
+            ("type", "ros2 run day6_car car_view"),
+            ("window", "car"),
+            ("pause", "0.4"),
+            ("terminal", "new"),
+            ("type", "ros2 run day6_car wheel_spinner"),
+        ),
+    ),
+    "empty": Scene("empty", "bar.desk", ()),
+}
+
+KEYS_PER_SECOND = 28.0
+"""How fast a teacher types who wants to be read."""
+
+LONGEST_WAIT = 6.0
+"""Seconds a step waits for a window or program before the next one is taken anyway."""
+
+
+class Stage(Protocol):
+    """What a scene acts on."""
+
+    def use_terminal(self, which: str) -> None:
+        """Make an idle terminal ('idle') or a new one ('new') the active one."""
+
+    def send(self, text: str) -> None:
+        """Type into the active terminal."""
+
+    def ready(self) -> bool:
+        """Whether the active terminal shows its prompt and waits for a command."""
+
+    def has_window(self, kind: str) -> bool: ...
+
+    def reading_keys(self) -> bool:
+        """Whether the program in the active terminal reads single keys."""
+
+
+class Player:
+    """Plays a scene in small pieces: call `advance` with the time until `done`."""
+
+    def __init__(self, scene: Scene, stage: Stage, *, values: dict[str, str], visibly: bool = True) -> None:
+        self.scene = scene
+        self.done = False
+        self._stage = stage
+        self._values = values
+        self._visibly = visibly
+        self._play: Iterator[float] = self._perform()
+        self._next = 0.0
+        self._now = 0.0
+
+    def advance(self, now: float) -> None:
+        """Do what is due at the monotonic time `now`."""
+        self._now = now
+        while not self.done and now >= self._next:
+            try:
+                self._next = self._now + next(self._play)
+            except StopIteration:
+                self.done = True
+
+    def hurry(self) -> None:
+        """Type the rest at once (somebody pressed a key)."""
+        self._visibly = False
+        self._next = 0.0
+
+    def _perform(self) -> Iterator[float]:
+        stage = self._stage
+        for kind, value in self.scene.steps:
+            if kind == "terminal":
+                stage.use_terminal(value)
+                yield from self._until(stage.ready)
+            elif kind == "type":
+                yield from self._type(value.format(**self._values))
+            elif kind == "window":
+                yield from self._until(lambda kind=value: stage.has_window(kind))
+            elif kind == "reading":
+                yield from self._until(stage.reading_keys)
+            elif kind == "pause" and self._visibly:
+                yield float(value)
+
+    def _type(self, command: str) -> Iterator[float]:
+        if self._visibly:
+            for char in command:
+                self._stage.send(char)
+                yield 1.0 / KEYS_PER_SECOND
+            yield 0.25
+            self._stage.send("\r")
+        else:
+            self._stage.send(command + "\r")
+        yield 0.0
+
+    def _until(self, condition: Callable[[], bool]) -> Iterator[float]:
+        end = self._now + LONGEST_WAIT
+        while not condition() and self._now < end:
+            yield 0.03

@@ -1,0 +1,272 @@
+"""The pane of the terminals: one is shown, the others are tabs on its upper edge that tell what runs and what is new."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.tui.cells import clip, fit
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.terminal_keys import encode, pasted
+from day6_tui.tui.terminal_view import TerminalView
+
+TAB_WIDTH = 18
+"""Cells the name of a tab may take."""
+
+WHEEL_LINES = 3
+
+
+class TerminalPane(Pane):
+    """Shows the active terminal and sends it the keys. Terminals belong to the desk; here are only their views."""
+
+    help_key = "terminal"
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(look, id="terminals")
+        self.views: list[TerminalView] = []
+        self.active = 0
+        self.other_pieces: Callable[[], list[Piece]] = list
+        """Names of hidden windows for the right of the upper edge."""
+        self.on_key_before: Callable[[events.Key], bool] = lambda event: False
+        """Asked first about every key; True if it was used."""
+        self._size_told: tuple[int, int] | None = None
+        self._shown_title: list[Piece] = []
+        self._shown_hint = False
+        self._drag: tuple[int, int] | None = None
+
+    # -- the list of terminals -----------------------------------------------------------------------------------------
+
+    @property
+    def view(self) -> TerminalView | None:
+        """The view of the terminal that is shown."""
+        return self.views[self.active] if self.views else None
+
+    def add(self, terminal: Any) -> TerminalView:
+        """Show another terminal and make it the active one."""
+        view = TerminalView(terminal)
+        self.views.append(view)
+        self.activate(len(self.views) - 1)
+        return view
+
+    def activate(self, index: int) -> None:
+        """Show the terminal with this index."""
+        self.active = index % len(self.views)
+        view = self.views[self.active]
+        view.news = False
+        view.stale()
+        self._tell_size()
+        self.touch()
+
+    def forget(self, view: TerminalView) -> None:
+        """Take a terminal that has ended away."""
+        index = self.views.index(view)
+        self.views.remove(view)
+        if self.views:
+            self.activate(max(0, self.active - 1) if index < self.active else min(self.active, len(self.views) - 1))
+        self.touch()
+
+    def terminal_size(self) -> tuple[int, int]:
+        """Columns and rows a terminal has here; a usable one before the first layout."""
+        if not self.size.width:
+            return 80, 24
+        return max(2, self.inner_width), max(1, self.inner_height)
+
+    def _tell_size(self) -> None:
+        # Every terminal has the size of the pane, so that none has to be redrawn when its tab is chosen.
+        columns, rows = self.terminal_size()
+        for view in self.views:
+            if (view.columns, view.lines) != (columns, rows):
+                view.terminal.resize(columns, rows)
+                view.stale()
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._tell_size()
+
+    # -- frame ---------------------------------------------------------------------------------------------------------
+
+    def title(self) -> list[Piece]:
+        colours, glyphs = self.look.colours, self.look.glyphs
+        pieces = []
+        for index, view in enumerate(self.views):
+            name = view.terminal.title or ""
+            label = clip(f"{index + 1} {name}".rstrip(), TAB_WIDTH, glyphs.ellipsis)
+            if view.news:
+                label += f" {glyphs.news}"
+            if index == self.active:
+                style = colours.title_focus if self.has_focus else colours.strong
+            else:
+                style = colours.title
+            pieces.append(Piece(f" {label} ", style, lambda index=index: self._choose(index)))
+        return pieces
+
+    def _choose(self, index: int) -> None:
+        self.activate(index)
+        self.focus(scroll_visible=False)
+
+    def title_right(self) -> list[Piece]:
+        return self.other_pieces()
+
+    def status(self) -> list[Piece]:
+        view = self.view
+        if view is not None and view.scroll:
+            return [Piece(f" {self.look.texts('terminal.scrolled', count=view.scroll)} ", self.look.colours.hint, self._to_bottom)]
+        return []
+
+    @property
+    def background(self) -> Style:
+        return self.look.colours.terminal
+
+    def _to_bottom(self) -> None:
+        view = self.view
+        if view is not None and view.scroll:
+            view.scroll = 0
+            view.stale()
+            self.touch()
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        if self.size.width and self._size_told != self.terminal_size():
+            self._size_told = self.terminal_size()
+            self._tell_size()
+        for index, view in enumerate(self.views):
+            before = len(view.history)
+            printed = view.terminal.update()
+            if index != self.active:
+                view.news = view.news or printed
+                continue
+            view.keep_place(len(view.history) - before)
+            spans = view.changes()
+            if spans:
+                self.touch_spans(spans)
+        hint = self._wants_hint()
+        if hint != self._shown_hint:
+            self._shown_hint = hint
+            self.touch_lines([self.inner_height - 1])
+        title = self.title()
+        if [piece[:2] for piece in title] != self._shown_title:
+            self._shown_title = [piece[:2] for piece in title]
+            self.touch_frame()
+        return False
+
+    def _wants_hint(self) -> bool:
+        view = self.view
+        return view is not None and not self.has_focus and bool(view.terminal.reading_keys)
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        view = self.view
+        if view is None:
+            return []
+        if y == self.inner_height - 1 and self._wants_hint():
+            text = f" {self.look.texts('terminal.hint', key='F3')} "
+            return [Segment(fit(text, width, self.look.glyphs.ellipsis), self.look.colours.hint)]
+        return view.segments(y, self.look.colours, focused=self.has_focus)
+
+    def place_cursor(self) -> None:
+        """Put the real cursor where the drawn one is: input methods open their window there."""
+        view = self.view
+        if view is not None and self.has_focus and view.cursor is not None:
+            x, y = view.cursor
+            self.app.cursor_position = self.content_region.offset + (x + 1, y + 1)
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def on_key(self, event: events.Key) -> None:
+        if self.on_key_before(event):
+            event.stop()
+            event.prevent_default()
+            return
+        view = self.view
+        if view is None:
+            return
+        event.stop()
+        event.prevent_default()
+        if event.key in ("shift+pageup", "shift+pagedown"):
+            self._scroll(self.inner_height - 1 if event.key == "shift+pageup" else 1 - self.inner_height)
+            return
+        if event.key == "shift+insert":
+            self.paste(self.app.clipboard)
+            return
+        text = encode(event.key, event.character, application_cursor=bool(view.terminal.application_cursor))
+        if text:
+            self._to_bottom()
+            view.terminal.send(text)
+
+    def on_paste(self, event: events.Paste) -> None:
+        event.stop()
+        self.paste(event.text)
+
+    def paste(self, text: str) -> None:
+        """Type text that came from the clipboard."""
+        view = self.view
+        if view is not None and text:
+            self._to_bottom()
+            view.terminal.send(pasted(text, bracketed=bool(view.terminal.bracketed_paste)))
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        return []
+
+    # -- mouse ---------------------------------------------------------------------------------------------------------
+
+    def _scroll(self, lines: int) -> None:
+        view = self.view
+        if view is not None and view.scroll_by(lines):
+            self.touch()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._scroll(WHEEL_LINES)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._scroll(-WHEEL_LINES)
+
+    def _cell(self, event: events.MouseEvent) -> tuple[int, int]:
+        """Line (counted from the beginning of the scrollback) and column under the mouse."""
+        view = self.views[self.active]
+        line = max(0, min(self.inner_height - 1, event.y - 1))
+        column = max(0, min(view.columns, event.x - 1))
+        return len(view.history) - view.scroll + line, column
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        view = self.view
+        if view is None or self.hit(event.x, event.y) is not None:
+            return
+        if event.button == 2:
+            self.paste(self.app.clipboard)
+        elif event.button == 1:
+            self._drag = self._cell(event)
+            if view.selection is not None:
+                view.selection = None
+                self.touch()
+            self.capture_mouse()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        view = self.view
+        if self._drag is None or view is None:
+            return
+        here = self._cell(event)
+        if (self._drag, here) != view.selection:
+            view.selection = (self._drag, here)
+            self.touch()
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        self.release_mouse()
+        self._drag = None
+        self.copy_selection()
+
+    def copy_selection(self) -> bool:
+        """Put the selected text on the clipboard; False if there is none."""
+        view = self.view
+        text = view.selected_text() if view is not None else ""
+        if text:
+            self.app.copy_to_clipboard(text)
+        return bool(text)
+
+

@@ -1,0 +1,231 @@
+"""The pane in the place of the windows while there are none: first the welcome choices, later what opens a window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.tui.canvas import Canvas
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.colours import background_of
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.windows.turtle_shapes import COATS, pixels
+
+LOGO_SIZE = 20
+"""Columns of the turtle of the welcome pane."""
+
+
+class Choice(NamedTuple):
+    """An entry: the texts to show, and what choosing it does ('action.<id>' or 'type:<command>')."""
+
+    text: str
+    more: str
+    does: str
+
+
+WELCOME = (
+    Choice("welcome.turtle", "welcome.turtle.more", "action.scene.turtle"),
+    Choice("welcome.car", "welcome.car.more", "action.scene.car"),
+    Choice("welcome.empty", "welcome.empty.more", "guide"),
+)
+"""The choices of the start, by their text keys."""
+
+GUIDE_COMMANDS = (
+    "ros2 run turtlesim turtlesim_node",
+    "ros2 run turtlesim turtle_teleop_key",
+    "rqt_graph",
+)
+GUIDE_QUESTIONS = ("ros2 node list", "ros2 topic list -t", "ros2 topic echo /turtle1/cmd_vel")
+
+_LOGO_ASCII = (
+    r"    __   ____   ",
+    r"   /  \_/    \  ",
+    r"     /  /\/\  \__",
+    r"    |  <    > |o )",
+    r"     \  \/\/  /~~",
+    r"   \__/~\____/  ",
+)
+
+
+class WelcomePane(Pane):
+    """The welcome choices, or (`guide`) the commands worth trying. `on_choice` gets what the chosen entry does."""
+
+    help_key = "welcome"
+
+    def __init__(self, look: Look, on_choice: Callable[[str], None]) -> None:
+        super().__init__(look, id="welcome")
+        self.guide = False
+        self.chosen = 0
+        self._on_choice = on_choice
+        self._built: list[list[Segment]] = []
+        self._rows: dict[int, int] = {}
+        self._built_for: object = None
+
+    # -- state ---------------------------------------------------------------------------------------------------------
+
+    def show_guide(self) -> None:
+        """Change from the choices of the start to the guide."""
+        if not self.guide:
+            self.guide = True
+            self.chosen = 0
+            self.touch()
+
+    @property
+    def choices(self) -> list[Choice]:
+        if not self.guide:
+            return list(WELCOME)
+        commands = [Choice(command, "", f"type:{command}") for command in (*GUIDE_COMMANDS, *GUIDE_QUESTIONS)]
+        scenes = [Choice(choice.text, choice.more, choice.does) for choice in WELCOME[:2]]
+        return [*commands, *scenes]
+
+    def choose(self, index: int) -> None:
+        """Do what the entry with this index does."""
+        choices = self.choices
+        if 0 <= index < len(choices):
+            self.chosen = index
+            self.touch()
+            self._on_choice(choices[index].does)
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def title(self) -> list[Piece]:
+        colours = self.look.colours
+        name = self.look.texts("guide.title" if self.guide else "welcome.title")
+        return [Piece(f" {name} ", colours.title_focus if self.has_focus else colours.title)]
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        state = (width, self.inner_height, self.chosen, self.guide, self.look.texts.language, self.look.colours, self.has_focus)
+        if state != self._built_for:
+            self._built_for = state
+            self._built = self._build_guide(width) if self.guide else self._build_welcome(width)
+        if y in self._rows:
+            index = self._rows[y]
+            self.add_hit(y + 1, 1, 1 + width, lambda: self.choose(index))
+        return self._built[y] if y < len(self._built) else []
+
+    def _build_welcome(self, width: int) -> list[list[Segment]]:
+        texts, colours, height = self.look.texts, self.look.colours, self.inner_height
+        lines: list[list[Segment]] = []
+        self._rows = {}
+        roomy = height >= 22
+        if roomy and width >= 30:
+            lines += self._logo(width)
+            lines.append([])
+        if height >= 8:
+            lines.append(_centred(texts("welcome.heading"), width, colours.strong))
+        if height >= 12:
+            lines += [[], _centred(texts("welcome.question"), width, colours.text), []]
+        block = min(width - 2, 44)
+        margin = (width - block) // 2
+        for index, choice in enumerate(WELCOME):
+            on = index == self.chosen
+            style, more = (colours.choice, colours.choice) if on else (colours.strong, colours.muted)
+            marker = self.look.glyphs.marker if on else " "
+            name = f" {marker} {index + 1}  {texts(choice.text)}"
+            self._rows[len(lines)] = index
+            if height >= 14:
+                lines.append([Segment(" " * margin, colours.text), Segment(fit(name, block), style)])
+                self._rows[len(lines)] = index
+                detail = f"      {texts(choice.more)}"
+                lines.append([Segment(" " * margin, colours.text), Segment(fit(detail, block), more)])
+                if height >= 18:
+                    lines.append([])
+            else:
+                lines.append([Segment(" " * margin, colours.text), Segment(fit(name, block), style)])
+        if height >= 16:
+            if height < 18:
+                lines.append([])
+            lines += [_centred(line, width, colours.muted) for line in wrap(texts("welcome.truth"), min(width - 4, 60))]
+        if height >= 6:
+            if height >= 9:
+                lines.append([])
+            lines.append(_centred(clip(texts("welcome.keys"), width), width, colours.muted))
+        return self._centre_vertically(lines)
+
+    def _logo(self, width: int) -> list[list[Segment]]:
+        """A turtle, drawn as those of turtlesim are."""
+        colours = self.look.colours
+        if self.look.glyphs.canvas not in ("half", "braille"):
+            return [_centred(line, width, colours.publisher) for line in _LOGO_ASCII]
+        canvas = Canvas(LOGO_SIZE, LOGO_SIZE // 2, "half", background_of(colours.text), colourless=colours.colourless)
+        middle = LOGO_SIZE // 2
+        sprites = {}
+        for dx, dy, part in pixels(LOGO_SIZE - 2, 3):
+            if (index := canvas.index(middle + dx, middle + dy)) is not None:
+                sprites[index] = COATS[0][part]
+        canvas.set_sprites(sprites)
+        margin = Segment(" " * ((width - LOGO_SIZE) // 2), colours.text)
+        return [[margin, *canvas.line(row)] for row in range(canvas.rows)]
+
+    def _build_guide(self, width: int) -> list[list[Segment]]:
+        texts, colours = self.look.texts, self.look.colours
+        self._rows = {}
+        entries = self.choices
+        roomy = self.inner_height >= len(entries) + 9
+        lines: list[list[Segment]] = []
+
+        def heading(key: str) -> None:
+            if roomy and lines:
+                lines.append([])
+            lines.append([Segment(" " + clip(texts(key), width - 1), colours.text)])
+
+        for index, choice in enumerate(entries):
+            if index == 0:
+                heading("guide.heading")
+            elif index == len(GUIDE_COMMANDS):
+                heading("guide.ask")
+            elif index == len(GUIDE_COMMANDS) + len(GUIDE_QUESTIONS):
+                heading("guide.scene")
+            on = index == self.chosen and self.has_focus
+            marker = self.look.glyphs.marker if on else " "
+            command = choice.does.startswith("type:")
+            text = choice.text if command else texts(choice.text)
+            style = colours.choice if on else colours.publisher if command else colours.strong
+            self._rows[len(lines)] = index
+            text = clip(f" {marker} {text} ", width, self.look.glyphs.ellipsis)
+            lines.append([Segment("  " if roomy else "", colours.text), Segment(text, style)])
+        if roomy:
+            lines.append([])
+        if len(lines) < self.inner_height:
+            lines.append([Segment(" " + clip(texts("guide.try"), width - 1), colours.muted)])
+        return self._centre_vertically(lines, top=1 if roomy else 0)
+
+    def _centre_vertically(self, lines: list[list[Segment]], top: int | None = None) -> list[list[Segment]]:
+        spare = self.inner_height - len(lines)
+        if spare < 0:
+            # Too low for everything: keep the chosen entry in sight.
+            row = next((row for row, index in self._rows.items() if index == self.chosen), 0)
+            first = max(0, min(row - self.inner_height // 2, -spare))
+            self._rows = {row - first: index for row, index in self._rows.items() if row >= first}
+            return lines[first:]
+        above = spare // 2 if top is None else min(top, spare)
+        self._rows = {row + above: index for row, index in self._rows.items()}
+        return [[] for _ in range(above)] + lines
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def on_key(self, event: events.Key) -> None:
+        count = len(self.choices)
+        if event.key in ("down", "tab", "j"):
+            self.chosen = (self.chosen + 1) % count
+        elif event.key in ("up", "shift+tab", "k"):
+            self.chosen = (self.chosen - 1) % count
+        elif event.key in ("enter", "space"):
+            self.choose(self.chosen)
+        elif event.character and event.character.isdigit() and event.character != "0":
+            self.choose(int(event.character) - 1)
+        else:
+            return
+        event.stop()
+        event.prevent_default()
+        self.touch()
+
+
+def _centred(text: str, width: int, style: Style) -> list[Segment]:
+    left = max(0, (width - cell_len(text)) // 2)
+    return [Segment(" " * left, style), Segment(text, style)]

@@ -1,0 +1,83 @@
+"""One module per kind of window. A window's pane is made for a kind by name, and its module imported only then."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from rich.segment import Segment
+from textual.geometry import Region
+from textual.strip import Strip
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Pane, Piece
+
+KINDS: dict[str, tuple[str, str]] = {
+    "turtlesim": ("turtlesim", "TurtleSimPane"),
+    "car": ("car", "CarPane"),
+    "rqt_graph": ("rqt_graph", "RqtGraphPane"),
+    "topics": ("topics", "TopicsPane"),
+}
+"""Kind of window -> module in this package and class in it."""
+
+
+class WindowPane(Pane):
+    """Base of the panes that draw a program's window: its number, its title with the others' names, its model."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(look)
+        self.window = window
+        self.model = window.model
+        self.help_key = window.kind
+        self._failed = False
+
+    @property
+    def number(self) -> int:
+        return self.window.number
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        try:
+            return super().render_lines(crop)
+        except Exception as error:
+            # A window that cannot be drawn must not take the desktop with it.
+            if not self._failed:
+                self._failed = True
+                self.app.call_later(self.app.window_failed, self, error)  # type: ignore[attr-defined]
+            return [Strip.blank(crop.width, self.background)] * crop.height
+
+    def title(self) -> list[Piece]:
+        colours = self.look.colours
+        style = colours.title_focus if self.has_focus else colours.title
+        return [Piece(f" {self.window.title} ", style)]
+
+    def title_right(self) -> list[Piece]:
+        from day6_tui.tui.desktop import Desktop
+
+        desktop = self.parent
+        others = desktop.other_tabs(self) if isinstance(desktop, Desktop) and desktop.active == self.number else []
+        close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.window.close_by_user)
+        return [*others, close]
+
+
+class BrokenPane(WindowPane):
+    """What is shown for a window that cannot be drawn: the reason, in the place of the picture."""
+
+    def __init__(self, window: Window, look: Look, error: Exception) -> None:
+        super().__init__(window, look)
+        self._error = error
+
+    def content_line(self, y: int, width: int) -> list[Segment]:
+        reason = f"{type(self._error).__name__}: {self._error}"
+        lines = wrap(self.look.texts("error.window", reason=reason), width)
+        return [Segment(lines[y], self.look.colours.warning)] if y < len(lines) else []
+
+
+def make_window(window: Window, look: Look) -> WindowPane:
+    """The pane for a window. A window whose pane cannot be made gets one that says why; the program runs on."""
+    try:
+        module, name = KINDS[window.kind]
+        pane: WindowPane = getattr(import_module(f"{__name__}.{module}"), name)(window, look)
+    except Exception as error:
+        return BrokenPane(window, look, error)
+    return pane

@@ -1,0 +1,166 @@
+"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`, this window adds what is wrong in plain words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+from day6_tui.urdf.topview import render_top
+
+MOST_STATUS_LINES = 4
+
+_ROLES = {
+    "": "text",
+    "chassis": "node",
+    "body": "node",
+    "wheel": "strong",
+    "mark": "topic",
+    "caster": "muted",
+    "arrow": "publisher",
+    "axle": "muted",
+    "label": "text",
+    "missing": "warning",
+    "scale": "muted",
+}
+"""Look of `topview.STYLES` -> role in `Colours`."""
+
+_LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
+
+Row = Sequence[tuple[str, str]]
+
+
+class CarPane(WindowPane):
+    """Draws the newest snapshot; a new one costs the cells in which its picture differs."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self._snapshot: Any = None
+        self._rows: list[Row] = []
+        self._said: list[tuple[str, str]] = []
+        self._lines_drawn = False
+        self._boxes = False
+        """Box lines instead of ASCII."""
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        snapshot = self.model.snapshot()
+        if snapshot is self._snapshot and self._rows:
+            return False
+        before, spoken = self._rows, self._said
+        rate_before = self._rate()
+        self._take_over(snapshot)
+        if spoken != self._said or len(before) != len(self._rows):
+            self.touch()
+            return False
+        spans = []
+        for line, (old, new) in enumerate(zip(before, self._rows)):
+            span = _difference(old, new)
+            if span is not None:
+                spans.append((line, *span))
+        self.touch_spans(spans)
+        if rate_before != self._rate():
+            self.touch_frame()
+        return False
+
+    def _take_over(self, snapshot: Any) -> None:
+        self._snapshot = snapshot
+        self._said = [(line.level, self._words(line)) for line in snapshot.status][:MOST_STATUS_LINES]
+        rows = max(0, self.inner_height - len(self._said))
+        if snapshot.robot is None:
+            self._rows = [()] * rows
+            return
+        glyphs = "half" if self._boxes and self.look.glyphs.unicode else "ascii"
+        degree = "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
+        labels = snapshot.labels(degree)
+        self._rows = list(render_top(snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels))
+
+    def _words(self, line: Any) -> str:
+        return self.look.texts(line.id, **dict(line.parameters))
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._rows = []
+
+    def restyle(self) -> None:
+        self._rows = []
+        super().restyle()
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def title(self) -> list[Piece]:
+        robot = getattr(self._snapshot, "robot", None)
+        name = [Piece(f" {robot.name} ", self.look.colours.node)] if robot is not None else []
+        return [*super().title(), *name]
+
+    def _rate(self) -> str:
+        rate = getattr(self._snapshot, "rate", None)
+        return f"/joint_states {rate:.0f} Hz" if rate is not None else ""
+
+    def status(self) -> list[Piece]:
+        rate = self._rate()
+        return [Piece(f" {rate} ", self.look.colours.topic)] if rate else []
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if not self._rows:
+            self._take_over(self.model.snapshot())
+        colours = self.look.colours
+        if y < len(self._rows):
+            return [Segment(text, self._style(style)) for text, style in self._rows[y]]
+        index = y - len(self._rows)
+        if index < len(self._said):
+            level, words = self._said[index]
+            mark = "" if level == "info" else f"{self.look.glyphs.warning} "
+            text = clip(f" {mark}{words}", width, self.look.glyphs.ellipsis)
+            return [Segment(text, getattr(colours, _LEVELS[level]))]
+        return []
+
+    def _style(self, name: str) -> Style:
+        style: Style = getattr(self.look.colours, _ROLES.get(name, "text"))
+        return style
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        return [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
+
+    def on_key(self, event: events.Key) -> None:
+        if event.key == "b":
+            event.stop()
+            self._boxes = not self._boxes
+            self.restyle()
+            self.look.wake()
+
+
+def _difference(old: Row, new: Row) -> tuple[int, int] | None:
+    """The first and end column of what differs between two rows of runs; None if they are equal."""
+    if old == new:
+        return None
+    before, after = _cells(old), _cells(new)
+    width = min(len(before), len(after))
+    first = next((x for x in range(width) if before[x] != after[x]), width)
+    end = max(len(before), len(after))
+    while end > first and end <= width and before[end - 1] == after[end - 1]:
+        end -= 1
+    if first and after[first : first + 1] == [("", "")]:
+        first -= 1
+    return first, end + 1
+
+
+def _cells(row: Row) -> list[tuple[str, str]]:
+    cells: list[tuple[str, str]] = []
+    for text, style in row:
+        for char in text:
+            cells.append((char, style))
+            if cell_len(char) == 2:
+                cells.append(("", ""))
+    return cells

@@ -1,0 +1,311 @@
+"""The TurtleSim window: the turtles, their trails and the background of a `Simulation` (programs/turtlesim/model).
+
+The world is always square. The trail is the program's own picture of 500 x 500 pixels, made smaller: a drawn pixel stands for a
+block of that picture.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from rich.segment import Segment
+from textual import events
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.canvas import Canvas, Mark, new_canvas, square
+from day6_tui.tui.cells import cell_len, clip, fit
+from day6_tui.tui.colours import pixel_style
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.turtle_shapes import COATS, REAL_SIZE, Coat, characters, heading_step, pixels
+
+IMAGE = 500
+"""Pixels of turtlesim's path image along one side."""
+
+METRES = 499 / 45
+"""Side of the world (ros2-facts.md)."""
+
+SIDE_WIDTH = 26
+"""Columns the list of turtles takes beside the world."""
+
+_RGB = 0xFFFFFF
+
+
+class TurtleSimPane(WindowPane):
+    """Draws a simulation. It keeps the pixels shown, and what of the trail they already contain."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self._canvas: Canvas | None = None
+        self._scene: Any = None
+        self._generation = -1
+        self._drawn = -1
+        self._coats: dict[str, Coat] = {}
+        self._followed = ""
+        """The turtle the status line tells about: the one that moved last."""
+        self._names = False
+        self._shown_status: list[str] = []
+
+    # -- geometry ------------------------------------------------------------------------------------------------------
+
+    def _world_place(self) -> tuple[int, int, int, int]:
+        """Column, row, columns and rows of the world inside the frame."""
+        width, height = self.inner_width, self.inner_height
+        columns, rows = square(width, height)
+        if width - columns >= SIDE_WIDTH:
+            return 0, (height - rows) // 2, columns, rows
+        return (width - columns) // 2, 0, columns, rows
+
+    def _list_place(self) -> tuple[int, int, int, int] | None:
+        """Column, row, width and height of the list of turtles, where there is room for one."""
+        x, _, columns, rows = self._world_place()
+        width, height = self.inner_width, self.inner_height
+        if width - columns >= SIDE_WIDTH:
+            return x + columns + 1, 0, width - columns - 1, height
+        if height - rows >= 2:
+            return 0, rows, width, height - rows
+        return None
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._canvas = None
+
+    def restyle(self) -> None:
+        self._canvas = None
+        super().restyle()
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        if not self.inner_width or not self.inner_height:
+            return False
+        if self._canvas is None:
+            self._take_over()
+            self.touch()
+            return False
+        scene, trail = self.model.scene, self.model.trail
+        if scene is self._scene and (trail.generation, trail.drawn) == (self._generation, self._drawn):
+            return False
+        canvas = self._take_over()
+        x, y, _, _ = self._world_place()
+        self.touch_spans((row + y, first + x, end + x) for row, first, end in canvas.take_changes())
+        self._touch_texts()
+        return False
+
+    def _take_over(self) -> Canvas:
+        """Bring the canvas to what the model shows now."""
+        scene, fresh = self.model.scene, self._canvas is None
+        canvas = self._up_to_date(scene, self.model.trail)
+        if scene is not self._scene or fresh:
+            self._follow(scene)
+            self._scene = scene
+            self._put_turtles(canvas, scene)
+        if fresh:
+            canvas.take_changes()
+        return canvas
+
+    def _up_to_date(self, scene: Any, trail: Any) -> Canvas:
+        """The canvas with the trail as it is now."""
+        red, green, blue = scene.background
+        background = red << 16 | green << 8 | blue
+        canvas = self._canvas
+        generation, drawn, image = trail.generation, trail.drawn, trail.pixels
+        segments = trail.segments_since(self._drawn) if generation == self._generation else None
+        if canvas is None or background != canvas.background or segments is None:
+            if canvas is None:
+                _, _, columns, rows = self._world_place()
+                canvas = new_canvas(columns, rows, self.look.glyphs.canvas, background, self.look.colours)
+                self._canvas = canvas
+            else:
+                canvas.fill(background)
+            if drawn:
+                _shrink(image, canvas, range(canvas.width), range(canvas.height))
+        else:
+            for segment in segments:
+                _shrink(image, canvas, *_blocks(segment, canvas))
+        self._generation, self._drawn = generation, drawn
+        return canvas
+
+    def _follow(self, scene: Any) -> None:
+        before = {turtle.name: turtle for turtle in self._scene.turtles} if self._scene is not None else {}
+        names = [turtle.name for turtle in scene.turtles]
+        moved = [turtle.name for turtle in scene.turtles if before and before.get(turtle.name) != turtle]
+        if self._followed not in names:
+            self._followed = names[0] if names else ""
+        if moved and self._followed not in moved:
+            self._followed = moved[0]
+        for name in names:
+            if name not in self._coats:
+                worn = {self._coats[other] for other in names if other in self._coats}
+                free = [coat for coat in COATS if coat not in worn]
+                self._coats[name] = free[0] if free else COATS[len(self._coats) % len(COATS)]
+
+    def _put_turtles(self, canvas: Canvas, scene: Any) -> None:
+        sprites: dict[int, int] = {}
+        marks: dict[tuple[int, int], Mark] = {}
+        labelled = self._names or len(scene.turtles) > 1
+        for number, turtle in enumerate(scene.turtles, 1):
+            coat = self._coats[turtle.name]
+            x = _clamp(turtle.x / METRES, canvas.width)
+            y = _clamp(1 - turtle.y / METRES, canvas.height)
+            step = heading_step(turtle.theta)
+            if canvas.mode in ("half", "braille"):
+                size = _size(canvas.width)
+                for dx, dy, part in pixels(size, step):
+                    index = canvas.index(x + dx, y + dy)
+                    if index is not None:
+                        sprites[index] = coat[part]
+                above = y // canvas.down - (size // 2 + 1) // canvas.down - 1
+            else:
+                body = "@" if len(scene.turtles) == 1 else str(number % 10)
+                for dx, dy, char in characters(step, body):
+                    marks[x + dx, y + dy] = Mark(char, 0xFFFFFF, coat.pattern if canvas.mode == "cell" else None)
+                above = y - 2
+            if labelled:
+                _put_label(canvas, marks, turtle.name, x // canvas.across, above)
+        canvas.set_sprites(sprites)
+        canvas.set_marks(marks)
+
+    def _touch_texts(self) -> None:
+        """The status line and the list of turtles, if they say something else than before."""
+        status = [piece.text for piece in self.status()]
+        if status != self._shown_status:
+            self._shown_status = status
+            self.touch_frame()
+            place = self._list_place()
+            if place is not None:
+                x, y, width, height = place
+                self.touch_spans((line, x, x + width) for line in range(y, min(y + height, y + 2 + len(self._scene.turtles))))
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        canvas = self._canvas or self._take_over()
+        left, top, columns, rows = self._world_place()
+        segments: list[Segment] = []
+        if top <= y < top + rows:
+            segments = [Segment(" " * left, self.background), *canvas.line(y - top)]
+        place = self._list_place()
+        if place is not None and place[1] <= y:
+            used = left + columns if segments else 0
+            segments.append(Segment(" " * max(0, place[0] - used), self.background))
+            segments += self._list_line(y - place[1], place[2])
+        return segments
+
+    def _list_line(self, line: int, width: int) -> list[Segment]:
+        """One turtle to a line, with its colour."""
+        turtles = self._scene.turtles if self._scene is not None else ()
+        place = self._list_place()
+        if not 0 <= line < len(turtles) or place is None:
+            return []
+        if line == place[3] - 1 and line < len(turtles) - 1:
+            return [Segment(" " + self.look.texts("turtlesim.more", count=len(turtles) - line), self.look.colours.muted)]
+        turtle = turtles[line]
+        coat = self._coats[turtle.name]
+        colours = self.look.colours
+        swatch = Segment(f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, coat.pattern))
+        text = f" {turtle.name}"
+        numbers = f"  {turtle.x:5.2f} {turtle.y:5.2f} {_arrow(turtle.theta, self.look.glyphs.unicode)}"
+        if width >= 4 + cell_len(text) + len(numbers):
+            return [Segment(" ", self.background), swatch, Segment(text, colours.strong), Segment(numbers, colours.muted)]
+        return [Segment(" ", self.background), swatch, Segment(fit(clip(text, width - 4), width - 4), colours.strong)]
+
+    def status(self) -> list[Piece]:
+        texts, colours = self.look.texts, self.look.colours
+        scene = self._scene if self._scene is not None else self.model.scene
+        if not scene.turtles:
+            return [Piece(f" {texts('turtlesim.none')} ", colours.muted)]
+        turtle = next((turtle for turtle in scene.turtles if turtle.name == self._followed), scene.turtles[0])
+        text = texts("turtlesim.pose", x=turtle.x, y=turtle.y, theta=turtle.theta, v=turtle.linear_velocity)
+        if not self.look.glyphs.unicode:
+            text = text.replace("θ", "theta")
+        pieces = [Piece(f" {text} ", colours.text)]
+        if len(scene.turtles) > 1:
+            pieces.insert(0, Piece(f" {turtle.name}", colours.accent))
+        return pieces
+
+    def status_right(self) -> list[Piece]:
+        return [Piece(f" {self.model.node_name} ", self.look.colours.node)]
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        return [("n", self.look.texts("turtlesim.label"))]
+
+    def on_key(self, event: events.Key) -> None:
+        if event.key == "n":
+            event.stop()
+            self._names = not self._names
+            self.restyle()
+
+
+def _clamp(part: float, size: int) -> int:
+    """The pixel of a place given as a part of the side; undefined numbers lie at the edge."""
+    if not math.isfinite(part):
+        return 0
+    return max(0, min(size - 1, int(part * size)))
+
+
+def _size(width: int) -> int:
+    """Pixels across a turtle in a world of this many pixels: never too small to be seen."""
+    if width < 60:
+        return 5 if width < 44 else 7
+    return max(9, round(width * REAL_SIZE * 1.3))
+
+
+def _put_label(canvas: Canvas, marks: dict[tuple[int, int], Mark], name: str, column: int, row: int) -> None:
+    width = cell_len(name)
+    first = max(0, min(canvas.columns - width, column - width // 2))
+    row = row if row >= 0 else min(canvas.rows - 1, row + 5)
+    for offset, char in enumerate(name):
+        marks[first + offset, row] = Mark(char, -1, canvas.background)
+
+
+def _arrow(theta: float, unicode: bool) -> str:
+    if not unicode or not math.isfinite(theta):
+        return f"{theta:5.2f}"
+    return "→↗↑↖←↙↓↘"[round(theta / (math.pi / 4)) % 8]
+
+
+def _blocks(segment: Any, canvas: Canvas) -> tuple[range, range]:
+    """The pixels of the canvas that a segment of the trail can have touched."""
+    margin = segment.width / 2 + 1
+
+    def span(a: float, b: float, size: int) -> range:
+        low, high = min(a, b) - margin, max(a, b) + margin
+        return range(max(0, int(low * size / IMAGE)), min(size, int(high * size / IMAGE) + 1))
+
+    return span(segment.x0, segment.x1, canvas.width), span(segment.y0, segment.y1, canvas.height)
+
+
+def _shrink(image: Any, canvas: Canvas, columns: range, rows: range) -> None:
+    """Set pixels of the canvas from their blocks of the path image (one number 0xAARRGGBB per pixel, 0 undrawn).
+
+    A block has the colour of the ink in the diamond between the middles of its sides: a line that passes through a block
+    crosses the diamond, one that only clips a corner does not, so thin lines stay thin and unbroken.
+    """
+    if not columns or not rows:
+        return
+    xs = [x * IMAGE // canvas.width for x in range(canvas.width + 1)]
+    ys = [y * IMAGE // canvas.height for y in range(canvas.height + 1)]
+    left, right = xs[columns.start], xs[columns.stop]
+    background, set_base = canvas.background, canvas.set_base
+    for y in rows:
+        top, height = ys[y], ys[y + 1] - ys[y]
+        lines = []
+        for offset in range(height):
+            line = image[(top + offset) * IMAGE + left : (top + offset) * IMAGE + right].tolist()
+            if any(line):
+                lines.append((1 - abs(2 * offset + 1 - height) / (height + 1), line))
+        for x in columns:
+            ink: list[int] = []
+            if lines:
+                half = (xs[x + 1] - xs[x]) / 2
+                middle = xs[x] - left + half
+                for part, line in lines:
+                    reach = max(0.5, half * part)
+                    ink += [value for value in line[int(middle - reach + 0.5) : int(middle + reach + 0.5)] if value]
+            set_base(x, y, max(set(ink), key=ink.count) & _RGB if ink else background)

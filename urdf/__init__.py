@@ -1,0 +1,53 @@
+"""The robot model: reading and checking URDF, plain data, kinematics, the car seen from above, the shipped robots.
+
+Imports neither `core` nor `tui`. yourdfpy (and the numpy it brings) is loaded by the first
+`load_robot`, never at import.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.urdf.check import check_file, check_text
+    from day6_tui.urdf.load import RobotError, load_robot, parse_robot
+    from day6_tui.urdf.model import Robot
+    from day6_tui.urdf.report import Diagnostic, Report
+    from day6_tui.urdf.shipped import shipped_model, shipped_models
+
+__all__ = [
+    "Diagnostic",
+    "Report",
+    "Robot",
+    "RobotError",
+    "check_file",
+    "check_text",
+    "load_robot",
+    "parse_robot",
+    "shipped_model",
+    "shipped_models",
+]
+
+_HOME = {
+    "Diagnostic": "report",
+    "Report": "report",
+    "Robot": "model",
+    "RobotError": "load",
+    "check_file": "check",
+    "check_text": "check",
+    "load_robot": "load",
+    "parse_robot": "load",
+    "shipped_model": "shipped",
+    "shipped_models": "shipped",
+}
+
+
+def __getattr__(name: str) -> object:
+    module = _HOME.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    value: object = getattr(import_module(f"{__name__}.{module}"), name)
+    globals()[name] = value
+    return value

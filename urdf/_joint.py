@@ -1,0 +1,139 @@
+"""Reads <joint> with urdfdom 4.0.1's messages; the numbers are lines of its joint.cpp."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from day6_tui.urdf._said import Refused, Said
+from day6_tui.urdf._values import ParseError, to_double, to_vector
+from day6_tui.urdf.model import JOINT_TYPES, Calibration, Dynamics, Joint, Limit, Mimic, Pose, Safety, Vector
+from day6_tui.urdf.xmlreader import Element
+
+_Part = TypeVar("_Part")
+
+
+def read_joint(element: Element, said: Said) -> Joint:
+    """Return the joint. Raises Refused: one malformed joint and urdfdom refuses the robot."""
+    name = element.attributes.get("name")
+    if name is None:
+        raise said.refuse("joint", 345, "unnamed joint found", element)
+    origin = _read_origin(element, name, said)
+    parent, child = _link_of(element.first("parent")), _link_of(element.first("child"))
+    kind = element.attributes.get("type")
+    if kind is None:
+        raise said.refuse("joint", 401, f"joint [{name}] has no type, check to see if it's a reference.", element)
+    if kind not in JOINT_TYPES:
+        raise said.refuse("joint", 420, f"Joint [{name}] has no known type [{kind}]", element)
+    axis = _read_axis(element, name, said) if kind not in ("floating", "fixed") else (0.0, 0.0, 0.0)
+    limit = _part(element, "limit", _read_limit, said, 454, f"Could not parse limit element for joint [{name}]")
+    if limit is None and kind == "revolute":
+        text = f"Joint [{name}] is of type REVOLUTE but it does not specify limits"
+        raise said.refuse("joint", 461, text, element)
+    if limit is None and kind == "prismatic":
+        raise said.refuse("joint", 466, f"Joint [{name}] is of type PRISMATIC without limits", element)
+    # The double blanks of two of these texts are urdfdom's.
+    safety = _part(
+        element, "safety_controller", _read_safety, said, 477, f"Could not parse safety element for joint [{name}]"
+    )
+    calibration = _part(
+        element, "calibration", _read_calibration, said, 490, f"Could not parse calibration element for joint  [{name}]"
+    )
+    mimic = _part(element, "mimic", _read_mimic, said, 503, f"Could not parse mimic element for joint  [{name}]")
+    dynamics = _part(
+        element, "dynamics", _read_dynamics, said, 516, f"Could not parse joint_dynamics element for joint [{name}]"
+    )
+    return Joint(name, kind, parent, child, origin, axis, limit, mimic, dynamics, safety, calibration)
+
+
+def _read_origin(element: Element, name: str, said: Said) -> Pose:
+    origin = element.first("origin")
+    if origin is None:
+        return Pose()
+    try:
+        return said.pose(origin)
+    except Refused:
+        raise said.refuse("joint", 362, f"Malformed parent origin element for joint [{name}]", origin) from None
+
+
+def _link_of(element: Element | None) -> str:
+    return "" if element is None else element.attributes.get("link", "")
+
+
+def _read_axis(element: Element, name: str, said: Said) -> Vector:
+    axis = element.first("axis")
+    if axis is None:
+        return 1.0, 0.0, 0.0
+    text = axis.attributes.get("xyz")
+    if text is None:
+        return 0.0, 0.0, 0.0
+    try:
+        return to_vector(text)
+    except ParseError as error:
+        raise said.refuse("joint", 440, f"Malformed axis element for joint [{name}]: {error}", axis) from error
+
+
+def _part(
+    element: Element, tag: str, read: Callable[[Element, Said], _Part], said: Said, source_line: int, text: str
+) -> _Part | None:
+    child = element.first(tag)
+    if child is None:
+        return None
+    try:
+        return read(child, said)
+    except Refused:
+        raise said.refuse("joint", source_line, text, child) from None
+
+
+def _read_limit(element: Element, said: Said) -> Limit:
+    lower = _number(element, "lower", 112, said)
+    upper = _number(element, "upper", 128, said)
+    effort = _required(element, "effort", 144, said, 136, "joint limit: no effort")
+    velocity = _required(element, "velocity", 160, said, 152, "joint limit: no velocity")
+    return Limit(lower, upper, effort, velocity)
+
+
+def _read_safety(element: Element, said: Said) -> Safety:
+    lower = _number(element, "soft_lower_limit", 184, said)
+    upper = _number(element, "soft_upper_limit", 201, said)
+    k_position = _number(element, "k_position", 218, said)
+    k_velocity = _required(element, "k_velocity", 234, said, 226, "joint safety: no k_velocity")
+    return Safety(lower, upper, k_position, k_velocity)
+
+
+def _read_calibration(element: Element, said: Said) -> Calibration:
+    given = element.attributes
+    rising = _number(element, "rising", 258, said) if "rising" in given else None
+    return Calibration(rising, _number(element, "falling", 275, said) if "falling" in given else None)
+
+
+def _read_mimic(element: Element, said: Said) -> Mimic:
+    joint = element.attributes.get("joint")
+    if joint is None:
+        raise said.refuse("joint", 292, "joint mimic: no mimic joint specified", element)
+    multiplier = _number(element, "multiplier", 311, said, 1.0)
+    return Mimic(joint, multiplier, _number(element, "offset", 329, said))
+
+
+def _read_dynamics(element: Element, said: Said) -> Dynamics:
+    damping = _number(element, "damping", 65, said)
+    friction = _number(element, "friction", 81, said)
+    if "damping" not in element.attributes and "friction" not in element.attributes:
+        raise said.refuse("joint", 88, "joint dynamics element specified with no damping and no friction", element)
+    return Dynamics(damping, friction)
+
+
+def _number(element: Element, name: str, source_line: int, said: Said, default: float = 0.0) -> float:
+    text = element.attributes.get(name)
+    if text is None:
+        return default
+    try:
+        return to_double(text)
+    except ParseError as error:
+        raise said.refuse("joint", source_line, f"{name} value ({text}) is not a valid float", element) from error
+
+
+def _required(element: Element, name: str, source_line: int, said: Said, missing_line: int, missing: str) -> float:
+    if name not in element.attributes:
+        raise said.refuse("joint", missing_line, missing, element)
+    return _number(element, name, source_line, said)

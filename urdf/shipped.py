@@ -1,0 +1,20 @@
+"""The robots that come with day6-tui."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+_MODELS = Path(__file__).resolve().parent / "models"
+
+
+def shipped_model(name: str = "day6_bot") -> Path:
+    """Return the URDF file of a shipped robot ('day6_bot', with or without '.urdf'). Raises KeyError."""
+    stem = name.removesuffix(".urdf")
+    if stem not in shipped_models():
+        raise KeyError(name)
+    return _MODELS / f"{stem}.urdf"
+
+
+def shipped_models() -> list[str]:
+    """Return the names of the shipped robots, sorted."""
+    return sorted(path.stem for path in _MODELS.glob("*.urdf"))

@@ -1,0 +1,266 @@
+"""The robot from above as text: chassis, wheels with treads that run as the wheel turns, caster, heading, axle, scale.
+
+Pure drawing. The robot looks to the right (x right, y up, as on paper and in RViz's TopDownOrtho), to scale, a cell
+being twice as high as wide. `render_top` is given where the links are, in the root link's frame, and draws only that: a
+wheel turns because its transform does. A link without a transform stands where the URDF puts it, drawn as missing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from day6_tui.urdf._canvas import Canvas, Row, cell_width
+from day6_tui.urdf.kinematics import Transform
+from day6_tui.urdf.model import Robot
+from day6_tui.urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
+
+STYLES = ("", "chassis", "body", "wheel", "mark", "caster", "arrow", "axle", "label", "missing", "scale")
+"""Names of the looks a run can have; the empty one is background."""
+
+_LINES = {"ascii": "++++-|"}
+_BOX_LINES = "┌┐└┘─│"
+_MARGIN_RIGHT = 5  # the heading arrow reaches out in front
+_LABEL_ROWS = 13  # from this many rows on there is room for labels above and below
+
+
+_kept: Plan | None = None
+
+
+def render_top(
+    robot: Robot,
+    transforms: Mapping[str, Transform],
+    columns: int,
+    rows: int,
+    glyphs: str = "ascii",
+    labels: Mapping[str, str] | None = None,
+) -> list[Row]:
+    """Return `rows` rows of (text, style) runs, each exactly `columns` cells wide.
+
+    `transforms` gives links in the root link's frame. `labels` are short texts by link name, put beside the wheels
+    where there is room (by default the link names). `glyphs` 'ascii' draws with ASCII only, other sets with box lines.
+    """
+    global _kept
+    plan = _kept
+    if plan is None or plan.robot is not robot:
+        plan = _kept = plan_top(robot)
+    canvas = Canvas(columns, rows)
+    if columns > 0 and rows > 0:
+        _Drawing(plan, transforms, canvas, _LINES.get(glyphs, _BOX_LINES), labels or {}).draw()
+    return canvas.rows()
+
+
+class _Drawing:
+    """One picture: the scale that fits the canvas, then the parts from the ground up."""
+
+    def __init__(
+        self, plan: Plan, transforms: Mapping[str, Transform], canvas: Canvas, lines: str, labels: Mapping[str, str]
+    ) -> None:
+        self._plan = plan
+        self._given = transforms
+        self._at = {**plan.rest, **transforms}
+        self._canvas = canvas
+        self._lines = lines
+        self._labels = labels
+        left, bottom, right, top = plan.bounds
+        self._label_rows = 1 if canvas.height >= _LABEL_ROWS else 0
+        self._scale_rows = 1 if canvas.height >= 6 else 0
+        height = max(canvas.height - self._scale_rows - 2 * self._label_rows, 1)
+        width = max(canvas.width - _MARGIN_RIGHT - 1, 1)
+        # Half a cell is left at every side, because a line at the very edge is rounded to the nearest cell.
+        per_row = max((top - bottom) / max(height - 0.1, 0.9), 1e-6)
+        per_column = max((right - left) / max(width - 0.1, 0.9), 1e-6)
+        self._column = max(per_column, per_row / 2)
+        self._row = 2 * self._column
+        self._middle = ((left + right) / 2, (bottom + top) / 2)
+        self._zero = ((canvas.width - _MARGIN_RIGHT) / 2 - 0.5, self._label_rows + height / 2 - 0.5)
+
+    def draw(self) -> None:
+        for body in sorted(self._plan.bodies, key=lambda body: body.style != "chassis"):
+            self._draw_body(body)
+        self._draw_axles()
+        for wheel in self._plan.wheels:
+            self._draw_wheel(wheel)
+        self._draw_heading()
+        if self._label_rows:
+            self._draw_name()
+            self._draw_labels()
+        if self._scale_rows:
+            self._draw_scale()
+
+    def _x(self, x: float) -> float:
+        return self._zero[0] + (x - self._middle[0]) / self._column
+
+    def _y(self, y: float) -> float:
+        return self._zero[1] - (y - self._middle[1]) / self._row
+
+    def _cell(self, x: float, y: float) -> tuple[int, int]:
+        return _nearest(self._x(x)), _nearest(self._y(y))
+
+    def _style(self, link: str, style: str) -> str:
+        return style if link in self._given or link == self._plan.robot.root else "missing"
+
+    def _draw_body(self, body: Body) -> None:
+        transform = self._at[body.link]
+        style = self._style(body.link, body.style)
+        points = [flat(transform, point) for point in body.points]
+        if len(points) == 1:
+            if body.radius > 0:
+                self._draw_circle(*points[0], body.radius, style)
+            else:
+                self._canvas.put(*self._cell(*points[0]), "x", style)
+            return
+        outline = [self._cell(*point) for point in hull(points)]
+        xs, ys = [x for x, _ in outline], [y for _, y in outline]
+        corners = {(x, y) for x in (min(xs), max(xs)) for y in (min(ys), max(ys))}
+        if set(outline) <= corners:
+            self._canvas.box(min(xs), min(ys), max(xs), max(ys), self._lines, style)
+        else:
+            for start, end in zip(outline, outline[1:] + outline[:1], strict=True):
+                self._canvas.line(*start, *end, self._lines, style)
+
+    def _draw_circle(self, x: float, y: float, radius: float, style: str) -> None:
+        column, row = self._cell(x, y)
+        reach = int(radius / self._row)
+        wide = radius / self._column
+        for step in range(-reach, reach + 1):
+            share = math.sqrt(max(1 - (step * self._row / radius) ** 2, 0.0)) if reach else 1.0
+            half = max(int(wide * share + 0.5), 1 if wide > 0.4 else 0)
+            if reach and abs(step) == reach:
+                edge = "." if step < 0 else "'"
+                text = edge + "-" * (2 * half - 1) + edge if half else edge
+                self._canvas.text(column - half, row + step, text, style)
+            elif half:
+                self._canvas.put(column - half, row + step, "(", style)
+                self._canvas.put(column + half, row + step, ")", style)
+            else:
+                self._canvas.put(column, row, "o", style)
+
+    def _draw_axles(self) -> None:
+        """A line between two wheels that share an axis, with its length."""
+        stands = [(wheel, *stand(wheel, self._at)) for wheel in self._plan.wheels]
+        for index, (wheel, (x, y), heading) in enumerate(stands):
+            for other, (ox, oy), other_heading in stands[index + 1 :]:
+                along = (ox - x) * heading[0] + (oy - y) * heading[1]
+                across = math.hypot(ox - x, oy - y)
+                alike = abs(heading[0] * other_heading[0] + heading[1] * other_heading[1]) > 0.98
+                if wheel.joint.parent == other.joint.parent and alike and abs(along) < 0.05 * across:
+                    self._draw_axle((x, y), (ox, oy), across)
+
+    def _draw_axle(self, start: tuple[float, float], end: tuple[float, float], length: float) -> None:
+        (x, y), (ox, oy) = sorted((self._cell(*start), self._cell(*end)), key=lambda cell: cell[1])
+        if x != ox or oy - y < 3:
+            return
+        for row in range(y + 1, oy):
+            self._canvas.put(x, row, ":", "axle")
+        text = f" {length:.2f} m"
+        self._canvas.text(x + 1, (y + oy) // 2 + (1 if oy - y > 6 else 0), text, "axle")
+
+    def _draw_wheel(self, wheel: Wheel) -> None:
+        (x, y), (hx, hy) = stand(wheel, self._at)
+        known = wheel.joint.child in self._given
+        radius, half = max(wheel.radius, self._column / 2), max(wheel.width / 2, self._row / 2)
+        # How far a cell reaches along the wheel, half of it: a mark belongs to the cell it lies in.
+        reach = (abs(hx) * self._column + abs(hy) * self._row) / 2
+        marks = _tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach) if known else []
+        left, right = _nearest(self._x(x - radius - half)), _nearest(self._x(x + radius + half))
+        top, bottom = _nearest(self._y(y + radius + half)), _nearest(self._y(y - radius - half))
+        cells = []
+        for row in range(top, bottom + 1):
+            inside = []
+            for column in range(left, right + 1):
+                dx = (column - self._x(x)) * self._column
+                dy = -(row - self._y(y)) * self._row
+                along, across = dx * hx + dy * hy, dy * hx - dx * hy
+                reaches = (
+                    math.hypot(along / radius, across / half) <= 1 + 1e-6
+                    if wheel.ball
+                    else abs(along) <= radius + 1e-6 and abs(across) <= half + 1e-6
+                )
+                if reaches:
+                    inside.append((column, along))
+            if inside:
+                cells.append((row, inside))
+        for index, (row, inside) in enumerate(cells):
+            if not known:
+                for column, _ in inside:
+                    self._canvas.put(column, row, "?", "missing")
+                continue
+            off = index - (len(cells) - 1) / 2  # rows below the middle of the wheel
+            character, back = _tread(off, hx)
+            for column, along in inside:
+                self._canvas.put(column, row, "=", "wheel")
+                for place, first in marks:
+                    if -reach < along - place + back * self._column <= reach:
+                        self._canvas.put(column, row, "#" if first else character, "mark" if first else "wheel")
+                        if first:
+                            break
+            if len(inside) > 6 and abs(hx) > 0.9:
+                self._canvas.put(inside[0][0], row, "(", "wheel")
+                self._canvas.put(inside[-1][0], row, ")", "wheel")
+
+    def _draw_heading(self) -> None:
+        """An arrow out of the front, on the line through the root's origin."""
+        column, row = self._cell(self._plan.bounds[2], 0.0)
+        self._canvas.text(column + 1, row, "==>", "arrow")
+
+    def _draw_name(self) -> None:
+        """The chassis' name inside it, behind."""
+        for body in self._plan.bodies:
+            if body.style == "chassis" and len(body.points) > 1:
+                corners = [self._cell(*flat(self._at[body.link], point)) for point in body.points]
+                text = self._labels.get(body.link, body.link)
+                column, row = min(x for x, _ in corners) + 2, min(y for _, y in corners) + 1
+                if cell_width(text) < (max(x for x, _ in corners) - column) / 2:
+                    self._canvas.text(column, row, text, "label")
+                return
+
+    def _draw_labels(self) -> None:
+        for wheel in self._plan.wheels:
+            (x, y), _ = stand(wheel, self._at)
+            link = wheel.joint.child
+            text = self._labels.get(link, link)
+            half = max(wheel.width / 2, self._row / 2)
+            up = y >= self._middle[1]
+            row = _nearest(self._y(y + half)) - 1 if up else _nearest(self._y(y - half)) + 1
+            column = _nearest(self._x(x)) - cell_width(text) // 2
+            column = max(min(column, self._canvas.width - cell_width(text)), 0)
+            self._canvas.text(column, row, text, self._style(link, "label"))
+
+    def _draw_scale(self) -> None:
+        """A bar of a round length in the last row."""
+        wanted = self._column * self._canvas.width / 5
+        power = 10.0 ** math.floor(math.log10(wanted))
+        length = max(step * power for step in (1, 2, 5) if step * power <= wanted)
+        cells = _nearest(length / self._column)
+        if cells >= 3:
+            bar = "|" + "-" * (cells - 1) + "|"
+            self._canvas.text(1, self._canvas.height - 1, f"{bar} {length:g} m", "scale")
+
+
+def _tread(off: float, hx: float) -> tuple[str, int]:
+    """Return the character of a tread mark `off` rows below the wheel's middle, and how many cells it lags there.
+
+    Together the rows make chevrons that point the way the wheel rolls, as on a tractor's tyre.
+    """
+    if abs(hx) < 0.9 or off == 0:
+        return "|", 0
+    return ("\\" if (off < 0) == (hx > 0) else "/"), int(abs(off))
+
+
+def _tread_marks(radius: float, spin: float, cell: float) -> list[tuple[float, bool]]:
+    """Return where the tread marks of the upper half stand, metres along the wheel from its centre; True for the first.
+
+    The first one is painted, so that whole turns can be counted. There are as many as leave three cells between two.
+    """
+    count = min(max(int(2 * math.pi * radius / (3 * cell)), 3), 12) if cell > 0 else 3
+    marks = []
+    for number in range(count):
+        angle = math.remainder(2 * math.pi * number / count + spin, 2 * math.pi)
+        if abs(angle) < math.pi / 2:
+            marks.append((radius * math.sin(angle), number == 0))
+    return sorted(marks, key=lambda mark: not mark[1])
+
+
+def _nearest(value: float) -> int:
+    return math.floor(value + 0.5)
