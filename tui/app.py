@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import os
 import sys
+import threading
 import time
 from typing import Any
 
@@ -198,6 +199,8 @@ class Day6App(AppActions, App[None]):
     def _bury_ended_terminals(self) -> None:
         for view in [view for view in self.terminals.views if view.terminal.closed]:
             self.terminals.forget(view)
+            # Ending what it still runs may take seconds; the desktop does not wait for that.
+            threading.Thread(target=view.terminal.close, name="day6-close-terminal", daemon=True).start()
         if not self.terminals.views and self.is_running and self.machine.desk is not None:
             self.new_terminal()
 

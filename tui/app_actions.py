@@ -10,6 +10,7 @@ from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
 from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.pane import Pane
 from day6_tui.tui.terminal_pane import TerminalPane
+from day6_tui.tui.terminal_view import tab_name
 
 if TYPE_CHECKING:
     from day6_tui.tui.desktop import Desktop
@@ -83,7 +84,7 @@ class AppActions:
 
         texts, entries = self.look.texts, []
         for index, view in enumerate(self.terminals.views):
-            name = f"{index + 1} {view.terminal.title}"
+            name = f"{index + 1} {tab_name(view.terminal.title)}"
             entries.append(
                 Entry(name, texts("menu.terminal"), lambda index=index: self.go_terminal(index), view.terminal.hang_up)
             )
@@ -225,7 +226,7 @@ class AppActions:
     def use_terminal(self, which: str) -> None:
         if which == "idle":
             for index, view in enumerate(self.terminals.views):
-                if view.terminal.idle:
+                if view.at_prompt:
                     self.terminals.activate(index)
                     return
         self.new_terminal()
@@ -237,11 +238,11 @@ class AppActions:
 
     def ready(self) -> bool:
         view = self.terminals.view
-        return view is not None and bool(view.terminal.idle)
+        return view is not None and view.at_prompt
 
     def has_window(self, kind: str) -> bool:
         return any(window.kind == kind for window in self.machine.desk.display.windows)
 
     def reading_keys(self) -> bool:
         view = self.terminals.view
-        return view is not None and bool(view.terminal.reading_keys)
+        return view is not None and view.reading_keys

@@ -22,12 +22,19 @@ day6-tui COMMAND --help says more."""
 def build_parser() -> argparse.ArgumentParser:
     """The options of the desktop."""
     parser = argparse.ArgumentParser(
-        prog="day6-tui", description=_DESCRIPTION, epilog=_COMMANDS, formatter_class=argparse.RawDescriptionHelpFormatter
+        prog="day6-tui",
+        description=_DESCRIPTION,
+        epilog=_COMMANDS,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--scene", metavar="NAME", help="begin with a scene: turtle, car or empty")
     parser.add_argument("--robot", metavar="FILE", help="a URDF file of your own instead of the shipped car")
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the screen (default: that of the system)")
-    parser.add_argument("--glyphs", choices=("half", "braille", "cell", "ascii"), help="what pictures are drawn with (default: by terminal)")
+    parser.add_argument(
+        "--glyphs",
+        choices=("half", "braille", "cell", "ascii"),
+        help="what pictures are drawn with (default: by terminal)",
+    )
     parser.add_argument("--fps", type=float, metavar="N", help="most frames a second (default: 30)")
     parser.add_argument("--reduced-motion", action="store_true", help="no pulses and no animation")
     parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ in the terminals")
@@ -68,7 +75,8 @@ def _python(words: list[str]) -> int:
     from day6_tui.core.ros.environment import program_environment
 
     if words and words[0] in ("-h", "--help"):
-        print("usage: day6-tui python FILE [ARG ...]\n\nRun a Python file unmodified as a ROS program: python3 with rclpy on its path.")
+        print("usage: day6-tui python FILE [ARG ...]\n")
+        print("Run a Python file unmodified as a ROS program: python3 with rclpy on its path.")
         return 0
     argv = [sys.executable, *words]
     environment = program_environment()
@@ -84,7 +92,8 @@ def _ros2(words: list[str]) -> int:
 
     from day6_tui.core.session.local import run_local
 
-    return run_local(importlib.import_module("day6_tui.core.ros.ros2").main, ["ros2", *words])
+    lasting = words[:1] in (["run"], ["launch"], ["daemon"]) or "echo" in words or "hz" in words
+    return run_local(importlib.import_module("day6_tui.core.ros.ros2").main, ["ros2", *words], one_shot=not lasting)
 
 
 def _shell(words: list[str]) -> int:

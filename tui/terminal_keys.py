@@ -61,9 +61,3 @@ def encode(key: str, character: str | None, *, application_cursor: bool = False)
         return "\x1b" + base
     return ""
 
-
-def pasted(text: str, *, bracketed: bool = False) -> str:
-    """What a terminal sends for pasted text: line ends become Return, and control characters cannot hide in it."""
-    text = text.replace("\r\n", "\r").replace("\n", "\r")
-    text = "".join(char for char in text if char in "\r\t" or char.isprintable())
-    return f"\x1b[200~{text}\x1b[201~" if bracketed else text

@@ -12,8 +12,8 @@ from textual import events
 from day6_tui.tui.cells import clip, fit
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
-from day6_tui.tui.terminal_keys import encode, pasted
-from day6_tui.tui.terminal_view import TerminalView
+from day6_tui.tui.terminal_keys import encode
+from day6_tui.tui.terminal_view import TerminalView, tab_name
 
 TAB_WIDTH = 18
 """Cells the name of a tab may take."""
@@ -57,7 +57,6 @@ class TerminalPane(Pane):
         """Show the terminal with this index."""
         self.active = index % len(self.views)
         view = self.views[self.active]
-        view.news = False
         view.stale()
         self._tell_size()
         self.touch()
@@ -94,9 +93,9 @@ class TerminalPane(Pane):
         colours, glyphs = self.look.colours, self.look.glyphs
         pieces = []
         for index, view in enumerate(self.views):
-            name = view.terminal.title or ""
+            name = tab_name(view.terminal.title)
             label = clip(f"{index + 1} {name}".rstrip(), TAB_WIDTH, glyphs.ellipsis)
-            if view.news:
+            if index != self.active and view.terminal.has_news:
                 label += f" {glyphs.news}"
             if index == self.active:
                 style = colours.title_focus if self.has_focus else colours.strong
@@ -135,16 +134,13 @@ class TerminalPane(Pane):
         if self.size.width and self._size_told != self.terminal_size():
             self._size_told = self.terminal_size()
             self._tell_size()
-        for index, view in enumerate(self.views):
-            before = len(view.history)
-            printed = view.terminal.update()
-            if index != self.active:
-                view.news = view.news or printed
-                continue
-            view.keep_place(len(view.history) - before)
+        view = self.view
+        more = False
+        if view is not None:
             spans = view.changes()
             if spans:
                 self.touch_spans(spans)
+            more = view.has_more
         hint = self._wants_hint()
         if hint != self._shown_hint:
             self._shown_hint = hint
@@ -153,11 +149,11 @@ class TerminalPane(Pane):
         if [piece[:2] for piece in title] != self._shown_title:
             self._shown_title = [piece[:2] for piece in title]
             self.touch_frame()
-        return False
+        return more
 
     def _wants_hint(self) -> bool:
         view = self.view
-        return view is not None and not self.has_focus and bool(view.terminal.reading_keys)
+        return view is not None and not self.has_focus and view.reading_keys
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         view = self.view
@@ -193,7 +189,7 @@ class TerminalPane(Pane):
         if event.key == "shift+insert":
             self.paste(self.app.clipboard)
             return
-        text = encode(event.key, event.character, application_cursor=bool(view.terminal.application_cursor))
+        text = encode(event.key, event.character, application_cursor=view.terminal.screen.application_cursor_keys)
         if text:
             self._to_bottom()
             view.terminal.send(text)
@@ -207,7 +203,7 @@ class TerminalPane(Pane):
         view = self.view
         if view is not None and text:
             self._to_bottom()
-            view.terminal.send(pasted(text, bracketed=bool(view.terminal.bracketed_paste)))
+            view.terminal.paste(text)
 
     def key_hints(self) -> list[tuple[str, str]]:
         return []
@@ -232,7 +228,7 @@ class TerminalPane(Pane):
         view = self.views[self.active]
         line = max(0, min(self.inner_height - 1, event.y - 1))
         column = max(0, min(view.columns, event.x - 1))
-        return len(view.history) - view.scroll + line, column
+        return view.history - view.scroll + line, column
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         view = self.view

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from pyte.screens import Char
+from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
 
@@ -113,11 +115,10 @@ class TerminalView:
         self.terminal = terminal
         self.scroll = 0
         self.selection: tuple[tuple[int, int], tuple[int, int]] | None = None
-        self.news = False
-        """Something was printed while nobody could see it."""
         self._rows: list[list[Any]] = []
         self._cursor: tuple[int, int] | None = None
         self._stale = True
+        self._scrolled = 0
 
     # -- reading the terminal ------------------------------------------------------------------------------------------
 
@@ -130,9 +131,26 @@ class TerminalView:
         return int(self.terminal.screen.lines)
 
     @property
-    def history(self) -> Sequence[Any]:
-        """Lines that have scrolled away, oldest first."""
-        return self.terminal.history  # type: ignore[no-any-return]
+    def history(self) -> int:
+        """How many lines of the scrollback there are."""
+        return len(self.terminal.screen.scrollback)
+
+    @property
+    def has_more(self) -> bool:
+        """Whether the terminal has text that its screen does not show yet."""
+        return bool(self.terminal.has_more)
+
+    @property
+    def at_prompt(self) -> bool:
+        """Whether the shell waits for a command."""
+        front = self.terminal.discipline.front
+        return not self.terminal.busy and front is not None and front.is_raw
+
+    @property
+    def reading_keys(self) -> bool:
+        """Whether a program (not the shell's line editor) reads single keys."""
+        front = self.terminal.discipline.front
+        return self.terminal.busy and front is not None and front.is_raw
 
     @property
     def cursor(self) -> tuple[int, int] | None:
@@ -152,23 +170,24 @@ class TerminalView:
         return self._rows[line] if line < len(self._rows) else ()
 
     def changes(self) -> list[Span]:
-        """Take over what the terminal shows now and return the cells that differ from before."""
+        """Bring the screen up to date and return the cells of the view that differ from before."""
+        dirty = self.terminal.update()
+        self.terminal.mark_seen()
         screen = self.terminal.screen
         columns, lines = screen.columns, screen.lines
+        if self.scroll:
+            # Looking back, the view stays with its lines however many more scroll away.
+            self.scroll = min(self.history, max(0, self.scroll + screen.scrolled - self._scrolled))
+            dirty = range(lines)
+        self._scrolled = screen.scrolled
         cursor = self.cursor
         if self._stale or len(self._rows) != lines or (self._rows and len(self._rows[0]) != columns):
-            screen.dirty.clear()
             self._rows = [self._read(line, columns) for line in range(lines)]
             self._cursor = cursor
             self._stale = False
             return [Span(line, 0, columns) for line in range(lines)]
-        if self.scroll:
-            dirty: Iterable[int] = range(lines)
-        else:
-            dirty = sorted(line for line in screen.dirty if line < lines)
-        screen.dirty.clear()
         spans = []
-        for line in dirty:
+        for line in sorted(line for line in dirty if line < lines):
             new, old = self._read(line, columns), self._rows[line]
             if new == old:
                 continue
@@ -198,32 +217,32 @@ class TerminalView:
         return [self._around(self._cursor)] if self._cursor is not None else []
 
     def _read(self, line: int, columns: int) -> list[Any]:
-        row = self._source(line)
-        return [row[x] for x in range(columns)]
+        return self._absolute_row(self.history - self.scroll + line, columns)
 
-    def _source(self, line: int) -> Any:
-        history = self.history
-        index = len(history) - self.scroll + line
-        return history[index] if index < len(history) else self.terminal.screen.buffer[index - len(history)]
+    def _absolute_row(self, index: int, columns: int) -> list[Any]:
+        """The characters of a line counted from the beginning of the scrollback."""
+        screen = self.terminal.screen
+        if index < self.history:
+            return _unfold(screen.history_row(index), columns, screen.default_char)
+        y = index - self.history
+        if y not in screen.buffer:  # asking would make the line
+            return [screen.default_char] * columns
+        row = screen.buffer[y]
+        return [row[x] for x in range(columns)]
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
     def scroll_by(self, lines: int) -> bool:
         """Look back (positive) or forward; True if the view moved."""
-        target = max(0, min(len(self.history), self.scroll + lines))
+        target = max(0, min(self.history, self.scroll + lines))
         moved = target != self.scroll
         self.scroll = target
         self._stale = self._stale or moved
         return moved
 
-    def keep_place(self, grown: int) -> None:
-        """While looking back, stay at the same lines although `grown` more have scrolled away."""
-        if self.scroll and grown > 0:
-            self.scroll = min(len(self.history), self.scroll + grown)
-
     def forget_history(self) -> None:
         """Forget what has scrolled away."""
-        self.terminal.clear_history()
+        self.terminal.screen.scrollback.clear()
         self.scroll = 0
         self.selection = None
         self._stale = True
@@ -262,7 +281,7 @@ class TerminalView:
         marks: dict[int, Style] = {}
         if self.selection is not None:
             (first_line, first), (last_line, last) = sorted(self.selection)
-            absolute = len(self.history) - self.scroll + line
+            absolute = self.history - self.scroll + line
             if first_line <= absolute <= last_line:
                 start = first if absolute == first_line else 0
                 end = last if absolute == last_line else self.columns
@@ -279,14 +298,38 @@ class TerminalView:
         if self.selection is None:
             return ""
         (first_line, first), (last_line, last) = sorted(self.selection)
-        history, buffer = self.history, self.terminal.screen.buffer
         found = []
         for absolute in range(first_line, last_line + 1):
-            row = history[absolute] if absolute < len(history) else buffer[absolute - len(history)]
+            row = self._absolute_row(absolute, self.columns)
             start = first if absolute == first_line else 0
             end = last if absolute == last_line else self.columns
-            found.append("".join(row[x].data for x in range(start, end)).rstrip())
+            found.append("".join(char.data for char in row[start:end]).rstrip())
         return "\n".join(found)
+
+
+def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
+    """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
+    cells: list[Any] = []
+    for text, style in ((row, ()),) if isinstance(row, str) else row:
+        for char in text:
+            if char == "":
+                continue
+            cells.append(Char(char, *style))
+            if cell_len(char) == 2:
+                cells.append(Char("", *style))
+    return cells[:columns] + [blank] * (columns - len(cells))
+
+
+def tab_name(command: str) -> str:
+    """A short name for what runs: of `ros2 run turtlesim turtle_teleop_key` the executable, of `ros2 topic echo /x` 'echo /x'."""
+    words = [word for word in command.split() if not word.startswith("-")]
+    if words[:2] in (["ros2", "run"], ["ros2", "launch"]) and len(words) > 3:
+        return words[3]
+    if words[:1] == ["ros2"] and len(words) > 2:
+        return " ".join(words[2:4])
+    if words[:1] in (["python3"], ["python"]) and len(words) > 1:
+        return words[1].rpartition("/")[2]
+    return command
 
 
 _CURSOR_FOCUSED = Style(reverse=True)

@@ -48,6 +48,12 @@ class Canvas:
                     self._cells[row][column + 1] = ("", style)
             column += width
 
+    def is_free(self, column: int, row: int, width: int) -> bool:
+        """Say whether `width` cells from here on are all on the sheet and blank."""
+        if not 0 <= row < self.height or column < 0 or column + width > self.width:
+            return False
+        return all(text == " " for text, _ in self._cells[row][column : column + width])
+
     def box(self, left: int, top: int, right: int, bottom: int, lines: str, style: str) -> None:
         """Draw a rectangle; `lines` are its four corners row by row, then the level and the upright line."""
         for column in range(left, right + 1):

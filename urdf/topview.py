@@ -21,6 +21,7 @@ STYLES = ("", "chassis", "body", "wheel", "mark", "caster", "arrow", "axle", "la
 _LINES = {"ascii": "++++-|"}
 _BOX_LINES = "┌┐└┘─│"
 _MARGIN_RIGHT = 5  # the heading arrow reaches out in front
+_STRAIGHT = 0.98  # a wheel that is turned out by less is drawn as if it were straight
 _LABEL_ROWS = 13  # from this many rows on there is room for labels above and below
 
 
@@ -154,50 +155,57 @@ class _Drawing:
         for row in range(y + 1, oy):
             self._canvas.put(x, row, ":", "axle")
         text = f" {length:.2f} m"
-        self._canvas.text(x + 1, (y + oy) // 2 + (1 if oy - y > 6 else 0), text, "axle")
+        middle = (y + oy) // 2
+        # Beside the middle of the line, or as near to it as there is room.
+        rows = sorted(range(y + 2, oy - 1), key=lambda row: abs(row - middle))
+        free = [row for row in rows if self._canvas.is_free(x + 1, row, len(text))]
+        self._canvas.text(x + 1, free[0] if free else middle, text, "axle")
 
     def _draw_wheel(self, wheel: Wheel) -> None:
-        (x, y), (hx, hy) = stand(wheel, self._at)
-        known = wheel.joint.child in self._given
-        radius, half = max(wheel.radius, self._column / 2), max(wheel.width / 2, self._row / 2)
-        # How far a cell reaches along the wheel, half of it: a mark belongs to the cell it lies in.
-        reach = (abs(hx) * self._column + abs(hy) * self._row) / 2
-        marks = _tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach) if known else []
-        left, right = _nearest(self._x(x - radius - half)), _nearest(self._x(x + radius + half))
-        top, bottom = _nearest(self._y(y + radius + half)), _nearest(self._y(y - radius - half))
-        cells = []
-        for row in range(top, bottom + 1):
-            inside = []
-            for column in range(left, right + 1):
-                dx = (column - self._x(x)) * self._column
-                dy = -(row - self._y(y)) * self._row
-                along, across = dx * hx + dy * hy, dy * hx - dx * hy
-                reaches = (
-                    math.hypot(along / radius, across / half) <= 1 + 1e-6
-                    if wheel.ball
-                    else abs(along) <= radius + 1e-6 and abs(across) <= half + 1e-6
-                )
-                if reaches:
-                    inside.append((column, along))
-            if inside:
-                cells.append((row, inside))
-        for index, (row, inside) in enumerate(cells):
-            if not known:
+        _, (hx, hy) = stand(wheel, self._at)
+        rows = self._wheel_cells(wheel)
+        if wheel.joint.child not in self._given:
+            for row, inside in rows:
                 for column, _ in inside:
                     self._canvas.put(column, row, "?", "missing")
-                continue
-            off = index - (len(cells) - 1) / 2  # rows below the middle of the wheel
-            character, back = _tread(off, hx)
+            return
+        # How far half a cell reaches along the wheel: a mark belongs to the cell it lies in.
+        reach = max(abs(hx) * self._column, abs(hy) * self._row) / 2
+        marks = _tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach)
+        for index, (row, inside) in enumerate(rows):
+            character, back = _tread(index - (len(rows) - 1) / 2, hx)
+            rims = {}
+            if len(inside) > 6 and abs(hx) > _STRAIGHT:
+                rims = {inside[0][0]: "(", inside[-1][0]: ")"}
             for column, along in inside:
-                self._canvas.put(column, row, "=", "wheel")
+                shown, style = rims.get(column, "="), "wheel"
                 for place, first in marks:
-                    if -reach < along - place + back * self._column <= reach:
-                        self._canvas.put(column, row, "#" if first else character, "mark" if first else "wheel")
+                    ahead = place - along - back * self._column
+                    if -reach <= ahead < reach:
                         if first:
+                            shown, style = "#", "mark"
                             break
-            if len(inside) > 6 and abs(hx) > 0.9:
-                self._canvas.put(inside[0][0], row, "(", "wheel")
-                self._canvas.put(inside[-1][0], row, ")", "wheel")
+                        if column not in rims:
+                            shown = _part_of_cell(ahead / reach, hx) if character == "|" else character
+                self._canvas.put(column, row, shown, style)
+
+    def _wheel_cells(self, wheel: Wheel) -> list[tuple[int, list[tuple[int, float]]]]:
+        """Return by row the columns the wheel covers, with how far along the wheel from its centre (metres) each lies."""
+        (x, y), (hx, hy) = stand(wheel, self._at)
+        radius, half = max(wheel.radius, self._column / 2), max(wheel.width / 2, self._row / 2)
+        columns = range(_nearest(self._x(x - radius - half)), _nearest(self._x(x + radius + half)) + 1)
+        rows = []
+        for row in range(_nearest(self._y(y + radius + half)), _nearest(self._y(y - radius - half)) + 1):
+            dy = -(row - self._y(y)) * self._row
+            inside = []
+            for column in columns:
+                dx = (column - self._x(x)) * self._column
+                along, across = (dx * hx + dy * hy) / radius, (dy * hx - dx * hy) / half
+                if (math.hypot(along, across) if wheel.ball else max(abs(along), abs(across))) <= 1 + 1e-6:
+                    inside.append((column, along * radius))
+            if inside:
+                rows.append((row, inside))
+        return rows
 
     def _draw_heading(self) -> None:
         """An arrow out of the front, on the line through the root's origin."""
@@ -217,10 +225,10 @@ class _Drawing:
 
     def _draw_labels(self) -> None:
         for wheel in self._plan.wheels:
-            (x, y), _ = stand(wheel, self._at)
+            (x, y), (hx, hy) = stand(wheel, self._at)
             link = wheel.joint.child
             text = self._labels.get(link, link)
-            half = max(wheel.width / 2, self._row / 2)
+            half = max(abs(hx) * wheel.width / 2 + abs(hy) * wheel.radius, self._row / 2)
             up = y >= self._middle[1]
             row = _nearest(self._y(y + half)) - 1 if up else _nearest(self._y(y - half)) + 1
             column = _nearest(self._x(x)) - cell_width(text) // 2
@@ -243,9 +251,16 @@ def _tread(off: float, hx: float) -> tuple[str, int]:
 
     Together the rows make chevrons that point the way the wheel rolls, as on a tractor's tyre.
     """
-    if abs(hx) < 0.9 or off == 0:
+    if abs(hx) <= _STRAIGHT or off == 0:
         return "|", 0
     return ("\\" if (off < 0) == (hx > 0) else "/"), int(abs(off))
+
+
+def _part_of_cell(share: float, hx: float) -> str:
+    """Return an upright stroke at the left, in the middle or at the right of its cell; `share` is -1..1 along the roll."""
+    if abs(hx) <= _STRAIGHT or abs(share) < 1 / 3:
+        return "|"
+    return "[" if (share < 0) == (hx > 0) else "]"
 
 
 def _tread_marks(radius: float, spin: float, cell: float) -> list[tuple[float, bool]]:

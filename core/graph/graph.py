@@ -223,18 +223,19 @@ class Graph:
     def _fit(self, publisher: Publisher, subscription: Subscription) -> bool:
         if publisher.origin is not None and subscription.origin is not None:
             return False
+        if publisher.type_name != subscription.type_name:
+            # Nobody is told: Fast DDS, whose behaviour this is, never raises the event for another type name.
+            return False
         policies = incompatible_policies(publisher.qos, subscription.qos)
-        same_type = publisher.type_name == subscription.type_name
-        if same_type and not policies:
+        if not policies:
             return True
-        kind = EventKind.INCOMPATIBLE_QOS if same_type else EventKind.INCOMPATIBLE_TYPE
+        kind = EventKind.INCOMPATIBLE_QOS
         for endpoint, peer in ((publisher, subscription), (subscription, publisher)):
             if peer.gid not in endpoint._incompatible:
                 endpoint._incompatible.add(peer.gid)
                 status = endpoint.events[kind]
                 status.add()
-                if policies:
-                    status.last_policy_kind = policies[-1]
+                status.last_policy_kind = policies[-1]
                 self._raise(endpoint, kind)
         return False
 

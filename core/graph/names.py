@@ -136,7 +136,7 @@ def flaw_of_topic_name(name: str) -> Flaw | None:
     digit = _token_starting_with_digit(name)
     if digit is not None:
         return Flaw("topic name token must not start with a number", digit)
-    if name[0] == "~" and len(name) > 1 and name[1] != "/":
+    if name[0] == "~" and len(name) > 2 and name[1] != "/":  # rcl looks at names of three characters and more
         return Flaw("topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1)
     return None
 

@@ -4,16 +4,10 @@ from __future__ import annotations
 
 from struct import Struct
 
-from day6_tui.core.interfaces.definition import Structure
-from day6_tui.core.interfaces.fields import ARRAY, BOUNDED, SINGLE, UNBOUNDED
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
+from day6_tui.core.interfaces.fields import BOUNDED, SINGLE, UNBOUNDED, FieldType
+from day6_tui.core.interfaces.registry import is_light, structure
 
 HEADER_SIZE = 4
-INLINE_LIMIT = 80
-"""Fields of nested messages that generated code handles in place; larger messages are handled by their own function."""
 
 
 class Run:
@@ -53,33 +47,19 @@ def padding_to(alignment: int) -> tuple[int, ...]:
     return tuple(-(index - HEADER_SIZE) % alignment for index in range(8))
 
 
-def weight(structure: Structure, find_class: Any) -> int:
-    """Return how many values a message's code would handle, nested ones included."""
-    total = 1
-    for field in structure.fields:
-        total += weight(find_class(field.type.base)._structure, find_class) if field.type.nested else 1
-    return total
+def least_size(type_: FieldType) -> int:
+    """Return a lower bound, in bytes, of one element of this type: what a count is compared with before a loop."""
+    if type_.primitive is not None:
+        return type_.primitive.size
+    if not type_.nested:
+        return 4
+    if not is_light(type_.base):
+        return 1
+    fields = structure(type_.base).fields
+    return max(sum(_least_field(field.type) for field in fields), 1)
 
 
-def least_size(structure: Structure, find_class: Any) -> int:
-    """Return a lower bound, in bytes, of any message of this structure: what a count is compared with before a loop."""
-    total = 0
-    for field in structure.fields:
-        type_ = field.type
-        if type_.count in (BOUNDED, UNBOUNDED):
-            total += 4
-            continue
-        if type_.primitive is not None:
-            size = type_.primitive.size
-        elif type_.nested:
-            size = least_size(find_class(type_.base)._structure, find_class)
-        else:
-            size = 4
-        total += size * (type_.size if type_.count != SINGLE else 1)
-    return max(total, 1)
-
-
-def is_block(structure_field: Any) -> bool:
-    """Say whether a field is a fixed array of primitives, which one struct code covers."""
-    type_ = structure_field.type
-    return bool(type_.count == ARRAY and type_.primitive is not None)
+def _least_field(type_: FieldType) -> int:
+    if type_.count in (BOUNDED, UNBOUNDED):
+        return 4
+    return least_size(type_) * (1 if type_.count == SINGLE else type_.size)

@@ -8,7 +8,7 @@ from array import array
 from day6_tui.core.interfaces import cdr_layout, checks
 from day6_tui.core.interfaces.definition import Structure
 from day6_tui.core.interfaces.fields import ARRAY, BOUNDED, SINGLE, FieldType
-from day6_tui.core.interfaces.registry import find_class
+from day6_tui.core.interfaces.registry import find_class, is_light
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -166,7 +166,7 @@ class _Generator:
 
     def nested(self, cls: Any, target: str) -> None:
         """Read a nested message, in place when it is small."""
-        if cdr_layout.weight(cls._structure, find_class) > cdr_layout.INLINE_LIMIT:
+        if not is_light(cls._interface_name):
             self.flush()
             self.line(f"{target}, position = {self.name(self.readers[cls])}(data, position, size)")
             self.phase = None
@@ -202,7 +202,7 @@ class _Generator:
         if type_.count == BOUNDED:
             self.line(f"if {count} > {type_.size}: refuse({count}, {type_.size})")
         if primitive is None:
-            least = 4 if not type_.nested else cdr_layout.least_size(find_class(type_.base)._structure, find_class)
+            least = cdr_layout.least_size(type_)
             self.line(f"if {count} * {least} > size - position: refuse({count}, (size - position) // {least})")
             self.loop(type_, target, count)
             return

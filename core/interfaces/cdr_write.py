@@ -8,7 +8,7 @@ from array import array
 from day6_tui.core.interfaces import cdr_layout
 from day6_tui.core.interfaces.definition import Structure
 from day6_tui.core.interfaces.fields import ARRAY, BOUNDED, SINGLE, FieldType
-from day6_tui.core.interfaces.registry import find_class
+from day6_tui.core.interfaces.registry import find_class, is_light
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ class _Generator:
 
     def nested(self, cls: Any, expression: str) -> None:
         """Write a nested message, in place when it is small."""
-        if cdr_layout.weight(cls._structure, find_class) > cdr_layout.INLINE_LIMIT:
+        if not is_light(cls._interface_name):
             self.flush()
             self.line(f"{self.name(self.writers[cls])}(buffer, {expression})")
             self.phase = None

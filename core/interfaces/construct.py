@@ -60,13 +60,8 @@ def constructor_lines(structure: Structure, find_class: Callable[[str], type], n
     for field in structure.fields:
         name, primitive = field.name, field.type.primitive
         lines.append(f"    if {name!r} in kwargs:")
-        # As in real ROS: what is no number raises array()'s TypeError here, but the setter's AssertionError with a default.
-        if (
-            primitive is not None
-            and primitive.numpy
-            and field.type.count in (BOUNDED, UNBOUNDED)
-            and field.default is None
-        ):
+        # As in real ROS a text among numbers is array()'s TypeError here, and the setter's AssertionError with a default.
+        if _is_stored_array(field.type) and field.default is None and primitive is not None:
             lines.append(f"        self.{name} = array({primitive.code!r}, kwargs[{name!r}])")
         else:
             lines.append(f"        self.{name} = kwargs[{name!r}]")
@@ -116,6 +111,10 @@ class _Defaults:
         name = f"C{self.count}"
         self.names[name] = self.find_class(field.type.base)
         return name
+
+
+def _is_stored_array(type_: FieldType) -> bool:
+    return type_.count in (BOUNDED, UNBOUNDED) and type_.is_numeric_array()
 
 
 def uses_numpy(type_: FieldType) -> bool:

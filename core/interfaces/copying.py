@@ -5,7 +5,7 @@ from __future__ import annotations
 from day6_tui.core.interfaces import checks
 from day6_tui.core.interfaces.definition import Structure
 from day6_tui.core.interfaces.fields import ARRAY, SINGLE
-from day6_tui.core.interfaces.registry import find_class, type_name
+from day6_tui.core.interfaces.registry import find_class, is_light, type_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -67,14 +67,17 @@ class _Writer:
                 self.count += 1
                 name = f"C{self.count}"
                 nested = self.names[name] = find_class(type_.base)
-                if type_.count == SINGLE:
+                if type_.count == SINGLE and is_light(type_.base):
                     inner, made = f"s{self.count}", f"t{self.count}"
                     lines.append(f"    {inner} = {old}")
                     self.copy(name, inner, made, nested._structure)
                     lines.append(f"    {new} = {made}")
                 else:
                     self.names[name] = _copiers[nested]
-                    lines.append(f"    {new} = [{name}(item) for item in {old}]")
+                    one = type_.count == SINGLE
+                    lines.append(
+                        f"    {new} = {name}({old})" if one else f"    {new} = [{name}(item) for item in {old}]"
+                    )
             elif type_.count == SINGLE:
                 lines.append(f"    {new} = {old}")
             elif type_.is_numeric_array():

@@ -61,9 +61,12 @@ class Constant:
 
 
 class Structure:
-    """A message, or a message-like part of a service or action: 'std_srvs/srv/SetBool_Request'."""
+    """A message, or a message-like part of a service or action: 'std_srvs/srv/SetBool_Request'.
 
-    __slots__ = ("constants", "fields", "kind", "name", "package")
+    `weight` is how many values it holds with all messages inside, 0 until `weigh` has counted them.
+    """
+
+    __slots__ = ("constants", "fields", "kind", "name", "package", "weight")
 
     def __init__(self, package: str, kind: str, name: str, fields: list[Field], constants: list[Constant]) -> None:
         self.package = package
@@ -71,6 +74,7 @@ class Structure:
         self.name = name
         self.fields = fields
         self.constants = constants
+        self.weight = 0
 
     @property
     def full_name(self) -> str:

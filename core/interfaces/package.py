@@ -10,9 +10,19 @@ from day6_tui.core.interfaces.generate import module_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
     from types import ModuleType
     from typing import Any
+
+_WORDS = {"msg": "Message", "srv": "Service", "action": "Action"}
+_PACKAGE_FILE = '''"""The ROS package {package}; its interface texts are in share/{package}."""
+'''
+_KIND_FILE = '''"""{word} classes of {package}, each made when first used."""
+
+from day6_tui.core.interfaces.package import lazy_interfaces
+
+__getattr__, __dir__ = lazy_interfaces(__name__)
+'''
 
 # What `from package.srv import *` gives beside the interface itself, as in the real packages' __init__ files.
 _EXPORTED_PARTS = {
@@ -47,6 +57,17 @@ def lazy_interfaces(module: str) -> tuple[Callable[[str], Any], Callable[[], lis
         return sorted({*vars(sys.modules[module]), *exported()})
 
     return getattr_, dir_
+
+
+def package_files(package: str, kinds: Iterable[str]) -> dict[str, str]:
+    """Return the files, by path, that make a package with interfaces of these kinds (msg, srv, action) importable.
+
+    What a build installs for a package of the user's; the packages that come with this simulator have the same files.
+    """
+    files = {f"{package}/__init__.py": _PACKAGE_FILE.format(package=package)}
+    for kind in kinds:
+        files[f"{package}/{kind}/__init__.py"] = _KIND_FILE.format(word=_WORDS[kind], package=package)
+    return files
 
 
 def _find(package: str, kind: str, name: str) -> Any:

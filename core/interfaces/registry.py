@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 KINDS = ("msg", "srv", "action")
+_LIGHT = 80
 OWN_SHARE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "ros", "share")
 
 # Endings of the names of parts, longest first: 'Fibonacci_SendGoal_Request' is a part of 'Fibonacci'.
@@ -162,6 +163,19 @@ def structure(name: str) -> Structure:
     return known
 
 
+def is_light(name: str) -> bool:
+    """Say whether a message is small enough that generated code handles it in place instead of calling its own function."""
+    return weigh(structure(name)) <= _LIGHT
+
+
+def weigh(counted: Structure) -> int:
+    """Return how many values a structure holds, those of messages inside included (sequences count once)."""
+    if not counted.weight:
+        nested = [weigh(structure(field.type.base)) for field in counted.fields if field.type.nested]
+        counted.weight = 1 + len(counted.fields) + sum(nested)
+    return counted.weight
+
+
 def find_class(name: str) -> Any:
     """Return the class of a message, service, action or part of one by its full name; made on first use, then kept."""
     known = _classes.get(name)
@@ -219,22 +233,22 @@ def get_interface(name: str) -> Any:
 
 def get_message(name: str) -> Any:
     """Return the class of a message; raises as `get_interface`, and InterfaceNameError for a service or action."""
-    return _get_kind(name, "msg", "message")
+    return _get_kind(name, "msg", "a message")
 
 
 def get_service(name: str) -> Any:
     """Return the class of a service; raises as `get_interface`, and InterfaceNameError for a message or action."""
-    return _get_kind(name, "srv", "service")
+    return _get_kind(name, "srv", "a service")
 
 
 def get_action(name: str) -> Any:
     """Return the class of an action; raises as `get_interface`, and InterfaceNameError for a message or service."""
-    return _get_kind(name, "action", "action")
+    return _get_kind(name, "action", "an action")
 
 
 def _get_kind(name: str, kind: str, word: str) -> Any:
     if split_name(name)[1] != kind:
-        raise InterfaceNameError(f"'{name}' is not the full name of a {word}, like 'package/{kind}/Name'")
+        raise InterfaceNameError(f"'{name}' is not the full name of {word}, like 'package/{kind}/Name'")
     return find_class(name)
 
 

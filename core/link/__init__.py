@@ -27,14 +27,18 @@ def join(
     listen: str | Sequence[str] | None = None,
     connect: str | Sequence[str] | None = None,
     one_shot: bool = False,
+    never_wait: bool = False,
 ) -> Link:
     """Join `graph` to those of this user's other processes on this machine and domain; returns the link it has.
 
     Returns when the session is open and every present node and endpoint is announced (milliseconds); connections come
-    up meanwhile, `Link.wait_settled` waits for them. `one_shot` is for commands that ask and go: a client of the
-    meeting point that never keeps one. `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`) and the only way
-    to leave this machine. Never raises for want of a network: `Link.problem` says why there is none, and a warning is
-    logged. Every link is closed when the interpreter exits.
+    up meanwhile, `Link.wait_settled` waits for them. Never raises for want of a network: `Link.problem` says why there
+    is none, and a warning is logged. Every link is closed when the interpreter exits.
+
+    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine. `one_shot` is
+    for commands that ask and go: a client of the meeting point that never keeps one. `never_wait` is for a process with
+    a screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish`
+    would otherwise wait up to five seconds.
     """
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.paths import LinkError
@@ -44,7 +48,9 @@ def join(
         if link is not None and not link.closed:
             return link
         _prepare()
-        link = _links[graph] = Link(graph, listen=_names(listen), connect=_names(connect), one_shot=one_shot)
+        link = _links[graph] = Link(
+            graph, listen=_names(listen), connect=_names(connect), one_shot=one_shot, never_wait=never_wait
+        )
         try:
             if _forked:
                 raise LinkError("this process was forked from one that had joined already")

@@ -45,13 +45,20 @@ class Link:
     """
 
     def __init__(
-        self, graph: Graph, *, listen: Sequence[str] = (), connect: Sequence[str] = (), one_shot: bool = False
+        self,
+        graph: Graph,
+        *,
+        listen: Sequence[str] = (),
+        connect: Sequence[str] = (),
+        one_shot: bool = False,
+        never_wait: bool = False,
     ) -> None:
         self.graph = graph
         self.zid = _new_zid()
         self.problem: str | None = None
         self.problems: deque[str] = deque(maxlen=_MOST_PROBLEMS)
         self._one_shot = one_shot
+        self._never_wait = never_wait
         self._listen, self._connect = tuple(listen), tuple(connect)
         self._remote = RemoteGraph(graph, self.zid)
         self._place: Place | None = None
@@ -215,7 +222,7 @@ class Link:
         import zenoh
 
         domain_id = self.graph.domain_id
-        self._topics = Topics(session, self.zid, self._remote, self._report)
+        self._topics = Topics(session, self.zid, self._remote, self._report, never_wait=self._never_wait)
         self._services = Services(session, self.zid, self._report)
         self._session = session
         liveliness = session.liveliness()
@@ -359,7 +366,7 @@ class Link:
         self.graph.identify = lambda _: self.graph.new_gid()
         self.graph.renew_lock()
         if self._place is not None and not self._place.tcp:
-            close_inherited_sockets(self._place)
+            pass
 
     def _report(self, what: str, error: Exception) -> None:
         self.problems.append(f"{what}: {error}")

@@ -70,6 +70,8 @@ class Services:
             target=zenoh.QueryTarget.ALL_COMPLETE,
             consolidation=zenoh.ConsolidationMode.NONE,
             congestion_control=zenoh.CongestionControl.BLOCK,
+            # A queue of their own: calls, and the answers to them, do not wait behind messages.
+            priority=zenoh.Priority.INTERACTIVE_HIGH,
             timeout=_FOREVER,
             payload=serialize(request),
             attachment=pack(number, client.node.graph.now_ns(), gid),

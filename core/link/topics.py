@@ -23,11 +23,14 @@ Report = Callable[[str, Exception], None]
 class Topics:
     """Carries the messages of local publishers out and those of remote publishers in."""
 
-    def __init__(self, session: zenoh.Session, zid: str, remote: RemoteGraph, report: Report) -> None:
+    def __init__(
+        self, session: zenoh.Session, zid: str, remote: RemoteGraph, report: Report, *, never_wait: bool = False
+    ) -> None:
         self._session = session
         self._zid = zid
         self._remote = remote
         self._report = report
+        self._never_wait = never_wait
         self._lock = threading.Lock()
         self._outlets: dict[Publisher, tuple[Any, bytes]] = {}
 
@@ -80,8 +83,8 @@ class Topics:
     def _declare(self, publisher: Publisher) -> Any:
         import zenoh
 
-        reliable = publisher.qos.reliability == Reliability.RELIABLE
-        control = zenoh.CongestionControl.BLOCK if reliable else zenoh.CongestionControl.DROP
+        waits = publisher.qos.reliability == Reliability.RELIABLE and not self._never_wait
+        control = zenoh.CongestionControl.BLOCK if waits else zenoh.CongestionControl.DROP
         remote = zenoh.Locality.REMOTE
         if publisher.cache is None:
             return self._session.declare_publisher(

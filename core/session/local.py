@@ -12,7 +12,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.keys import split_keys
@@ -20,6 +20,9 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph import Graph
 
 
 class RealOutput(OutputStream):
@@ -200,9 +203,10 @@ class RealInput(InputStream):
             self._saved = None
 
 
-def run_local(main: Main, argv: list[str]) -> int:
+def run_local(main: Main, argv: list[str], *, one_shot: bool = False) -> int:
     """Run one program on the real terminal, on this machine's graph, in this thread. Returns its exit status.
 
+    `one_shot` is for a command that asks and goes (see `core.link.join`).
     Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen.
     """
     from day6_tui.core.graph import graph_for_domain
@@ -212,11 +216,18 @@ def run_local(main: Main, argv: list[str]) -> int:
     clock = WorldClock()
     scheduler = Scheduler(clock)
     graph = graph_for_domain(_domain())
-    link = _join(graph)
+
+    def linked_graph() -> Graph:
+        if os.environ.get("DAY6_LINK") != "off":
+            from day6_tui.core.link import join
+
+            join(graph, one_shot=one_shot)
+        return graph
+
     stdin, stdout, stderr = RealInput(), RealOutput(sys.stdout), RealOutput(sys.stderr)
     session = Session(
         scheduler,
-        graph,
+        linked_graph,
         argv,
         env=dict(os.environ),
         cwd=Path.cwd(),
@@ -234,23 +245,16 @@ def run_local(main: Main, argv: list[str]) -> int:
         restore()
         stdin.restore()
         stdout.flush_quietly()
-        leave = getattr(link, "close", None)
-        if leave is not None:
-            leave()
+        if os.environ.get("DAY6_LINK") != "off":
+            from day6_tui.core.link import leave
+
+            leave(graph)
     return program.status or 0
 
 
 def _domain() -> int:
     text = os.environ.get("ROS_DOMAIN_ID", "").strip()
     return int(text) if text.isdigit() else 0
-
-
-def _join(graph: object) -> object:
-    if os.environ.get("DAY6_LINK") == "off":
-        return None
-    from day6_tui.core.link import join
-
-    return join(graph)
 
 
 def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None]:
@@ -288,7 +292,12 @@ async def _python_in_place(session: Session, args: list[str]) -> int:
         done.set()
 
     threading.Thread(target=wait, name="day6-process", daemon=True).start()
-    session.defer(lambda: popen.poll() is None and popen.terminate())
+
+    def end() -> None:
+        if popen.poll() is None:
+            popen.terminate()
+
+    session.defer(end)
     while not done.is_set():
         with contextlib.suppress(KeyboardInterrupt):
             await wait_for(done)

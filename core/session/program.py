@@ -38,10 +38,12 @@ class Program:
         return self.status
 
     def send(self, number: int) -> None:
-        """Deliver a signal by its number: interrupt, terminate, kill, stop, continue; others are ignored."""
+        """Deliver a signal by its number; those that a program may ignore by default are ignored."""
         action = _SIGNALS.get(number)
         if action is not None:
             action(self)
+        elif number in _ENDING:
+            self._task.throw(KilledBySignal(number))
 
     def interrupt(self) -> None:
         self.session.interrupt()
@@ -112,13 +114,14 @@ async def _status_of(session: Session, main: Main) -> int:
 
 
 _SIGNALS = {
-    1: Program.terminate,
     2: Program.interrupt,
-    3: Program.interrupt,
     9: Program.kill,
     15: Program.terminate,
     18: Program.resume,
     19: Program.stop,
     20: Program.stop,
 }
-"""By Linux signal number: HUP INT QUIT KILL TERM CONT STOP TSTP; what `kill -NUMBER` means on the simulated machine."""
+"""By Linux signal number: INT KILL TERM CONT STOP TSTP; what `kill -NUMBER` means on the simulated machine."""
+
+_ENDING = frozenset({1, 3, 4, 6, 8, 10, 11, 12, 13, 14})
+"""Signals that end a program which does not handle them."""

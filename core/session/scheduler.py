@@ -27,6 +27,9 @@ MAX_LAG_NS = nanoseconds(0.25)
 STEPS_PER_DEADLINE = 10_000
 """Programs that keep waking each other at one moment get so many steps before time moves on."""
 
+BUSY_ANNOUNCEMENT = 0.03
+"""Wall seconds after which a scheduler that never comes to rest says that something happened."""
+
 _log = logging.getLogger(__name__)
 
 
@@ -134,6 +137,9 @@ class Scheduler:
         self._thread_id: int | None = None
         self._thread: threading.Thread | None = None
         self._stopping = False
+        self._worked: bool = False
+        """Something ran since `on_activity` was called last."""
+        self._announced = 0.0
         self.on_activity: Callable[[], None] | None = None
         """Called on the scheduler's thread after something ran: a screen may have to be drawn. Must return at once."""
 
@@ -177,7 +183,7 @@ class Scheduler:
             self._thread = None
 
     def run(self, until: Callable[[], bool], timeout: float | None = None) -> bool:
-        """Run on the caller's thread, paced by the wall, until `until()` holds; False when `timeout` wall seconds passed first."""
+        """Run on the caller's thread, paced by the wall, until `until()` holds; False after `timeout` wall seconds."""
         give_up = None if timeout is None else time.monotonic() + timeout
         previous, self._thread_id = self._thread_id, threading.get_ident()
         try:
@@ -211,9 +217,9 @@ class Scheduler:
 
     def _turn(self, *, wait: bool, longest: float | None) -> bool:
         """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
-        if self._drain() or self._ready:
-            self._settle()
+        if (self._drain() or self._ready) and self._settle():
             return True
+        # Either nothing is ready, or programs keep waking each other; then time has to go on all the same.
         deadline = self._next_deadline()
         target = self.clock.target_ns()
         if deadline is not None and deadline <= target:
@@ -222,6 +228,10 @@ class Scheduler:
             self.clock.hold(deadline)
             self._release_due(deadline)
             self._settle()
+            if time.monotonic() - self._announced > BUSY_ANNOUNCEMENT:
+                self.announce_activity()
+            return True
+        if self._ready:
             return True
         if not wait:
             self.clock.hold(target)
@@ -231,13 +241,14 @@ class Scheduler:
         if longest is not None:
             timeout = longest if timeout is None else min(timeout, longest)
         self.clock.release(deadline)
+        if self._worked:
+            self.announce_activity()
         try:
             item = self._inbox.get(timeout=timeout)
         except Empty:
             return True
         self._hold_at_wall(deadline)
         self._run_item(item)
-        self._tell()
         return True
 
     def _drain(self) -> bool:
@@ -259,13 +270,24 @@ class Scheduler:
     def _run_item(self, item: Callable[[], None] | None) -> None:
         if item is None:
             return
+        self._worked = True
         try:
             item()
         except Exception:
             # A broken callback of one program must not end the thread that runs all the others.
             _log.exception("a call into the scheduler failed")
 
-    def _settle(self) -> None:
+    def announce_activity(self) -> None:
+        """Something happened that a view may want to show."""
+        self._worked = False
+        self._announced = time.monotonic()
+        notify = self.on_activity
+        if notify is not None:
+            notify()
+
+    def _settle(self) -> bool:
+        """Step what is ready until nothing is; False if that took too many steps and something still is."""
+        self._worked = True
         ready = self._ready
         for _ in range(STEPS_PER_DEADLINE):
             if not ready:
@@ -276,11 +298,7 @@ class Scheduler:
                     task._held_wake = outcome
                 else:
                     self._step(task, outcome)
-        self._tell()
-
-    def _tell(self) -> None:
-        if self.on_activity is not None:
-            self.on_activity()
+        return not ready
 
     # -- tasks ---------------------------------------------------------------------------------------------------------
 

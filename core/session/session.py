@@ -13,15 +13,22 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.display import Display, ProgramDisplay
-from day6_tui.core.session.scheduler import Scheduler, Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
+from day6_tui.core.session.scheduler import (
+    Scheduler,
+    Signal,
+    Task,
+    TaskCancelled,
+    let_others_run,
+    sleep_until,
+    wait_for,
+)
 from day6_tui.core.session.streams import InputStream, OutputStream
 
 if TYPE_CHECKING:
+    from day6_tui.core.graph.graph import Graph
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
     from rclpy.node import Node
-
-    from day6_tui.core.graph.graph import Graph
 
 _log = logging.getLogger(__name__)
 
@@ -47,7 +54,7 @@ class Session:
     def __init__(
         self,
         scheduler: Scheduler,
-        graph: Graph | None,
+        graph: Graph | Callable[[], Graph] | None,
         argv: list[str],
         *,
         env: dict[str, str] | None = None,
@@ -60,7 +67,7 @@ class Session:
     ) -> None:
         self.scheduler = scheduler
         self.clock: WorldClock = scheduler.clock
-        self.graph = graph
+        self._graph = graph
         self.argv = argv
         self.env: dict[str, str] = {} if env is None else env
         self.cwd: Path = Path.cwd() if cwd is None else cwd
@@ -89,6 +96,14 @@ class Session:
         self._ros_wake = Signal()
         self._closed = False
 
+    @property
+    def graph(self) -> Graph | None:
+        """The graph of the program's ROS domain; it may be joined to other processes only when it is first asked for."""
+        graph = self._graph
+        if callable(graph):
+            graph = self._graph = graph()
+        return graph
+
     # -- ROS -----------------------------------------------------------------------------------------------------------
 
     @property
@@ -97,9 +112,10 @@ class Session:
         if self._context is None:
             from rclpy.context import Context
 
-            if self.graph is None:
+            graph = self.graph
+            if graph is None:
                 raise RuntimeError("this session has no graph")
-            self._context = Context._for_session(self.graph, self.clock, self.argv)
+            self._context = Context._for_session(graph, self.clock, self.argv)
             self._context._log_write = self._log_write
             self._context.on_shutdown(lambda: self._ros_wake.set())
         return self._context

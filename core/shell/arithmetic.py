@@ -29,7 +29,12 @@ _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
     "%": (10, lambda a, b: a - b * _divide(a, b)),
     "**": (11, lambda a, b: a ** min(b, 64)),
 }
-_UNARY: dict[str, Callable[[int], int]] = {"-": operator.neg, "+": operator.pos, "!": lambda a: int(not a), "~": operator.inv}
+_UNARY: dict[str, Callable[[int], int]] = {
+    "-": operator.neg,
+    "+": operator.pos,
+    "!": lambda a: int(not a),
+    "~": operator.inv,
+}
 
 
 def evaluate(source: str, variables: Mapping[str, str]) -> int:

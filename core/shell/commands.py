@@ -16,16 +16,49 @@ _PACKAGE = "day6_tui.core.shell.builtins"
 
 MODULES: dict[str, tuple[str, ...]] = {
     "state": (
-        "cd", "pwd", "export", "unset", "set", "shift", "exit", "logout", "break", "continue", "return", "source", ".", "eval",
-        "history", "alias", "read",
+        "cd",
+        "pwd",
+        "export",
+        "unset",
+        "set",
+        "shift",
+        "exit",
+        "logout",
+        "break",
+        "continue",
+        "return",
+        "source",
+        ".",
+        "eval",
+        "history",
+        "alias",
+        "read",
     ),
     "jobs": ("jobs", "fg", "bg", "wait", "kill", "disown", "ps", "pkill", "killall"),
     "files": ("ls", "cat", "mkdir", "rmdir", "touch", "rm", "cp", "mv", "tee", "chmod", "tree"),
     "text": ("echo", "printf", "grep", "head", "tail", "wc", "sort", "uniq"),
     "times": ("sleep", "timeout", "date"),
     "about": (
-        "help", "clear", "reset", "which", "type", "command", "whoami", "hostname", "uname", "id", "env", "printenv", "true", "false",
-        ":", "test", "[", "basename", "dirname", "seq",
+        "help",
+        "clear",
+        "reset",
+        "which",
+        "type",
+        "command",
+        "whoami",
+        "hostname",
+        "uname",
+        "id",
+        "env",
+        "printenv",
+        "true",
+        "false",
+        ":",
+        "test",
+        "[",
+        "basename",
+        "dirname",
+        "seq",
     ),
     "programs": ("python3", "python", "ros2", "rqt_graph", "sudo", "apt", "apt-get", "bash", "sh"),
 }
@@ -33,10 +66,8 @@ MODULES: dict[str, tuple[str, ...]] = {
 
 _MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
 
-SHELL_BUILTINS = frozenset(
-    (*MODULES["state"], "jobs", "fg", "bg", "wait", "kill", "disown", "echo", "printf", "help", "type", "command", "true", "false", ":",
-     "test", "[")
-)  # fmt: skip
+_ALSO_BUILTIN = "jobs fg bg wait kill disown echo printf help type command true false : test ["
+SHELL_BUILTINS = frozenset((*MODULES["state"], *_ALSO_BUILTIN.split()))
 """What is part of bash itself; all others have a place in /usr/bin or /opt/ros."""
 
 

@@ -99,9 +99,7 @@ def _current_words(before: str) -> tuple[list[str], int, str]:
     command: list[Token] = []
     skip = False
     for token in tokens[:-1]:
-        if token.kind == "op" and token.text not in ("<", ">", ">>", ">&", "&>"):
-            command = []
-        elif token.kind == "newline":
+        if (token.kind == "op" and token.text not in ("<", ">", ">>", ">&", "&>")) or token.kind == "newline":
             command = []
         elif token.kind == "op":
             skip = True
@@ -136,4 +134,6 @@ def _quoted(text: str, quote: str) -> str:
 
 def _wants_file(words: list[str]) -> bool:
     """Whether a `ros2` argument can be a file: after --params-file and its like, or what is being typed looks like a path."""
-    return words[-2] in ("--params-file", "load", "play", "-o", "--output-dir") or words[-1].startswith(("./", "../", "~/"))
+    return words[-2] in ("--params-file", "load", "play", "-o", "--output-dir") or words[-1].startswith(
+        ("./", "../", "~/")
+    )

@@ -30,7 +30,20 @@ HOST = "day6"
 GRACE = 2.0
 """Seconds between asking a program to end by Ctrl-C, by SIGTERM and by SIGKILL."""
 
-_PASSED_ON = ("LANG", "LANGUAGE", "LC_ALL", "LC_CTYPE", "TZ", "TMPDIR", "TEMP", "TMP", "SYSTEMROOT", "PATH", "PATHEXT", "PYTHONPATH")
+_PASSED_ON = (
+    "LANG",
+    "LANGUAGE",
+    "LC_ALL",
+    "LC_CTYPE",
+    "TZ",
+    "TMPDIR",
+    "TEMP",
+    "TMP",
+    "SYSTEMROOT",
+    "PATH",
+    "PATHEXT",
+    "PYTHONPATH",
+)
 """Variables of the real environment that the simulated machine keeps, with everything that begins with ROS_, RCUTILS_, DAY6_."""
 
 
@@ -77,7 +90,8 @@ class Desk:
         self.terminals: list[Terminal] = []
         self.booted_ns = self.clock.steady_ns()
         self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
-        self._links: list[object] = []
+        self._joined: set[Graph] = set()
+        self._on_demand = False
         self._link_threads: list[threading.Thread] = []
         self._last_pid = FIRST_PID - 1
         self._changed = threading.Condition()
@@ -92,6 +106,13 @@ class Desk:
             graph.now_ns = self.clock.now_ns
             if self._link_opened:
                 self._join_in_background(graph)
+        return graph
+
+    def _linked_graph_of(self, domain_id: int) -> Graph:
+        """The same, joined before it is used where `link_on_demand` was chosen."""
+        graph = self.graph_of(domain_id)
+        if self._on_demand and graph not in self._joined:
+            self._join(graph)
         return graph
 
     # -- programs ------------------------------------------------------------------------------------------------------
@@ -109,7 +130,12 @@ class Desk:
         kept.setdefault("LANG", "C.UTF-8")
         env = program_environment(kept)
         env.update(
-            HOME=str(self.home), USER=USER, LOGNAME=USER, SHELL="/bin/bash", TERM="xterm-256color", ROS_DOMAIN_ID=str(self.domain_id)
+            HOME=str(self.home),
+            USER=USER,
+            LOGNAME=USER,
+            SHELL="/bin/bash",
+            TERM="xterm-256color",
+            ROS_DOMAIN_ID=str(self.domain_id),
         )
         return env
 
@@ -136,7 +162,7 @@ class Desk:
 
         session = Session(
             self.scheduler,
-            self.graph_of(domain_of(env, self.domain_id)),
+            lambda: self._linked_graph_of(domain_of(env, self.domain_id)),
             argv,
             env=env,
             cwd=cwd,
@@ -203,33 +229,35 @@ class Desk:
         self.scheduler.start()
         self.open_link()
 
-    def open_link(self, *, wait: bool = False) -> None:
-        """Let the graph meet the other processes of this user, in the background or (`wait`) now."""
+    def open_link(self) -> None:
+        """Let the graphs meet the other processes of this user, in the background."""
         if not self._join_link or self._link_opened:
             return
         self._link_opened = True
         for graph in list(self.graphs.values()):
             self._join_in_background(graph)
-        if wait:
-            for thread in self._link_threads:
-                thread.join()
+
+    def link_on_demand(self) -> None:
+        """Join a graph when a program first uses it, and before it does (a script that uses none should not pay for it)."""
+        self._on_demand = self._join_link
 
     def _join_in_background(self, graph: Graph) -> None:
-        def run() -> None:
-            try:
-                from day6_tui.core.link import join
-
-                self._links.append(join(graph))
-            except Exception:
-                # Without the link the desk still works for itself; who asks for other processes sees none.
-                _log.warning("the link could not be opened", exc_info=True)
-
-        thread = threading.Thread(target=run, name="day6-link", daemon=True)
+        thread = threading.Thread(target=self._join, args=(graph,), name="day6-join", daemon=True)
         self._link_threads.append(thread)
         thread.start()
 
+    def _join(self, graph: Graph) -> None:
+        from day6_tui.core.link import join
+
+        self._joined.add(graph)
+        try:
+            join(graph, never_wait=True)
+        except Exception:
+            # Without the link the desk still works for itself; who asks for other processes sees none.
+            _log.warning("the link could not be opened", exc_info=True)
+
     def close(self) -> None:
-        """End every program, by Ctrl-C, SIGTERM and SIGKILL two seconds apart, then the link and the thread. May be called twice."""
+        """End every program (Ctrl-C, SIGTERM, SIGKILL two seconds apart), then the link and the thread. May be called twice."""
         if self._closed:
             return
         self._closed = True
@@ -241,10 +269,11 @@ class Desk:
             terminal.close()
         for thread in self._link_threads:
             thread.join(GRACE)
-        for link in self._links:
-            leave = getattr(link, "close", None)
-            if leave is not None:
-                leave()
+        if self._joined:
+            from day6_tui.core.link import leave
+
+            for graph in self._joined:
+                leave(graph)
         self.scheduler.stop()
 
     def end_programs(self, programs: list[Program]) -> None:

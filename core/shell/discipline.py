@@ -114,6 +114,11 @@ class Discipline:
         self._line = ""
         self.arrived.set()
 
+    @property
+    def has_pending(self) -> bool:
+        """Whether something was typed that nobody has read."""
+        return bool(self._ready or self._line)
+
     # -- reading -------------------------------------------------------------------------------------------------------
 
     def take_key(self) -> str | None:

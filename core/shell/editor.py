@@ -64,6 +64,7 @@ class LineEditor:
             self._draw()
             try:
                 while not self._done:
+                    self._terminal.waiting_at_prompt = not self._text
                     if not await stdin.wait_for_resize_or_key():
                         self._draw()
                         continue
@@ -75,6 +76,7 @@ class LineEditor:
                         raise EndOfLines
                     await self._handle(key)
             finally:
+                self._terminal.waiting_at_prompt = False
                 if not self._done:
                     self._write(PASTE_OFF)
         return self._text
@@ -315,8 +317,7 @@ class LineEditor:
         self._draw()
 
     def _column(self, text: str) -> int:
-        row, column = self._place(_COLOUR.sub("", self._prompt) + text)
-        return column
+        return self._place(_COLOUR.sub("", self._prompt) + text)[1]
 
     def _place(self, text: str) -> tuple[int, int]:
         """(row, column) of the cursor after `text` was printed from column 0."""
@@ -413,5 +414,5 @@ def _last_part(choice: str) -> str:
     """What is listed of a completion: of a path only its last part."""
     if choice.startswith("/") and choice.count("/") == 1:
         return choice
-    head, slash, tail = choice.rstrip("/").rpartition("/")
+    _, slash, tail = choice.rstrip("/").rpartition("/")
     return tail + ("/" if choice.endswith("/") else "") if slash and not choice.startswith("/") else choice

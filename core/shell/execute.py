@@ -23,11 +23,15 @@ def build_parser() -> argparse.ArgumentParser:
         prog="day6-tui exec",
         description="Run lines of the simulated terminal without a screen, print what it would show, exit with the last status.",
     )
-    parser.add_argument("-c", dest="commands", metavar="COMMANDS", help="the lines to run (otherwise FILE, otherwise standard input)")
+    parser.add_argument(
+        "-c", dest="commands", metavar="COMMANDS", help="the lines to run (otherwise FILE, otherwise standard input)"
+    )
     parser.add_argument("file", nargs="?", metavar="FILE", help="a file of lines")
     parser.add_argument("arguments", nargs="*", metavar="ARG", help="become $1, $2 … in them")
     parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
-    parser.add_argument("--timeout", type=float, metavar="S", help=f"end everything after S seconds, with status {TIMED_OUT}")
+    parser.add_argument(
+        "--timeout", type=float, metavar="S", help=f"end everything after S seconds, with status {TIMED_OUT}"
+    )
     return parser
 
 
@@ -57,7 +61,9 @@ def main(arguments: list[str]) -> int:
     return run(desk, commands, words, name=name, stdin=stdin, timeout=options.timeout)
 
 
-def run(desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: RealInput | None, timeout: float | None) -> int:
+def run(
+    desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: RealInput | None, timeout: float | None
+) -> int:
     """Run command lines on a desk that nobody drives yet, in this thread; closes the desk."""
     shell = desk.shell(cwd=Path.cwd())
     shell.name = name
@@ -76,7 +82,7 @@ def run(desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: Re
         except (LoopControl, ReturnFromSource):
             return shell.status
 
-    desk.open_link()
+    desk.link_on_demand()
     program = desk.start_program([name], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)
     status = TIMED_OUT
     before = _handle_signals(desk, program)

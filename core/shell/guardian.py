@@ -1,8 +1,8 @@
 """Ends students' processes when our own process is gone without having been able to do it itself (`kill -9`, a crash).
 
-One tiny shell waits at the end of a pipe that only we hold open. It is told every group that starts and ends; when the pipe closes,
-we are gone, and it ends what is left. (Linux alone would have PR_SET_PDEATHSIG, which looks at threads instead of processes and
-reaches the child but not its group.)
+One tiny shell waits at the end of a pipe that only we hold open. It is told every group that starts and ends; when the
+pipe closes, we are gone, and it ends what is left. (Linux alone would have PR_SET_PDEATHSIG, which looks at threads instead
+of processes and reaches the child but not its group.)
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ KEPT = 1000
 
 
 class History:
-    """`lines`, oldest first; a line equal to the one before it, or beginning with a space, is not kept (HISTCONTROL=ignoreboth)."""
+    """`lines`, oldest first; repeated lines and lines that begin with a space are not kept (HISTCONTROL=ignoreboth)."""
 
     def __init__(self, file: Path) -> None:
         self._file = file

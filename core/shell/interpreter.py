@@ -83,6 +83,8 @@ class Shell:
         self.history: list[str] = []
         self.depth = 0
         self.subshell = False
+        self._substitution_status = 0
+        """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
         self._front: list[Job] = []
         """Jobs being waited for, the innermost last."""
 
@@ -171,6 +173,10 @@ class Shell:
             return 2
         return await self.run_tree(tree, streams)
 
+    async def run_line(self, source: str, session: Session) -> int:
+        """Run command lines for a program, on its streams; for commands that start others (`ros2 run --prefix`)."""
+        return await self.run(source, Streams(session.stdin, session.stdout, session.stderr))
+
     async def run_tree(self, tree: syntax.Sequence, streams: Streams) -> int:
         for item in tree.items:
             await self._and_or(item, streams)
@@ -184,7 +190,7 @@ class Shell:
         program = self._start(["$()"], _subshell_main(inner, lambda: inner.run(source, inner_streams)), inner_streams)
         job = Job([program], source, inner_streams.stdin)
         await self._wait_front(job)
-        self.status = job.status
+        self.status = self._substitution_status = job.status
         if job.interrupted:
             raise Interrupted
         return captured.text.rstrip("\n")
@@ -302,6 +308,7 @@ class Shell:
         """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""
         from day6_tui.core.shell.commands import find_command
 
+        self._substitution_status = 0
         argv = await expand(command.words, self, streams)
         if argv and argv[0] in self.aliases and command.words[0].plain == argv[0]:
             argv = [*self.aliases[argv[0]], *argv[1:]]
@@ -321,7 +328,7 @@ class Shell:
             env.update(values)
         else:
             self.variables.update(values)
-            self.status = 0
+            self.status = self._substitution_status
         main = find_command(argv[0], self) if argv else _nothing
         return _Prepared(argv, main, redirected, env, opened)
 
@@ -353,7 +360,11 @@ class Shell:
             if operator in ("&>", "&>>") or (operator == ">&" and redirection.fd is None and not target.isdigit()):
                 table[2] = stream
         stdin, stdout, stderr = table[0], table[1], table[2]
-        if not isinstance(stdin, InputStream) or not isinstance(stdout, OutputStream) or not isinstance(stderr, OutputStream):
+        if (
+            not isinstance(stdin, InputStream)
+            or not isinstance(stdout, OutputStream)
+            or not isinstance(stderr, OutputStream)
+        ):
             raise OSError(9, "Bad file descriptor", str(fd))
         return Streams(stdin, stdout, stderr)
 
@@ -435,7 +446,13 @@ class Shell:
     """What Ubuntu's .bashrc defines."""
 
     def _start(
-        self, argv: list[str], main: Main, streams: Streams, *, env: dict[str, str] | None = None, shell: Shell | None = None
+        self,
+        argv: list[str],
+        main: Main,
+        streams: Streams,
+        *,
+        env: dict[str, str] | None = None,
+        shell: Shell | None = None,
     ) -> Program:
         environment = self.environment if env is None else env
         return self.desk.start_program(argv, main, streams, env=environment, cwd=self.cwd, shell=shell)

@@ -224,7 +224,9 @@ class Process:
         env.setdefault("PYTHONUNBUFFERED", "1")
         flags = 0
         if not _POSIX:
-            flags = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0) | getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
+            flags = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0) | getattr(
+                subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0
+            )
         stdin = session.stdin.fileno()
         feeds = stdin is None and type(session.stdin) is not InputStream
         session.stdout.flush()

@@ -1,4 +1,4 @@
-"""The picture of a terminal: pyte's VT emulation with a scrollback, an alternate screen, right widths and a fast way for plain text.
+"""The picture of a terminal: pyte's VT emulation with scrollback, alternate screen, right widths, and a fast way for text.
 
 Only the thread that draws touches a screen; `Terminal.update` feeds it.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import deque
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import pyte
@@ -52,7 +53,7 @@ def is_plain(text: str) -> bool:
     return match is not None
 
 
-class Stream(pyte.Stream):  # type: ignore[misc]
+class Stream(pyte.Stream):
     """pyte's parser, which here skips a sequence it cannot understand instead of dropping the rest of the text."""
 
     @property
@@ -61,12 +62,12 @@ class Stream(pyte.Stream):  # type: ignore[misc]
 
     def _send_to_parser(self, data: str) -> bool | None:
         try:
-            return super()._send_to_parser(data)  # type: ignore[no-any-return]
+            return super()._send_to_parser(data)
         except (TypeError, ValueError, IndexError, KeyError):
             return True  # the parser was reset: what follows is text again
 
 
-class Screen(pyte.Screen):  # type: ignore[misc]
+class Screen(pyte.Screen):
     """A VT100 screen of `columns` x `lines` cells with `scrollback` above it."""
 
     def __init__(self, columns: int, lines: int) -> None:
@@ -85,7 +86,7 @@ class Screen(pyte.Screen):  # type: ignore[misc]
 
     def row(self, y: int) -> Row:
         """Line `y` of the screen, 0 at the top."""
-        return _as_row(self.buffer[y] if y in self.buffer else {})
+        return _as_row(self.buffer.get(y, {}))
 
     def history_row(self, index: int) -> Row:
         """Line `index` of the scrollback, 0 the oldest."""
@@ -342,16 +343,50 @@ class Screen(pyte.Screen):  # type: ignore[misc]
         for y in sorted((y for y in self.buffer), reverse=True):
             self.buffer[y + count] = self.buffer.pop(y)
         for y, row in enumerate(rows):
-            line = self.buffer[y]
-            x = 0
-            for text, style in (((row, PLAIN_STYLE),) if isinstance(row, str) else row):
-                for char in text:
-                    line[x] = Char(char, *style)
-                    x += 1
-                    if char_width(char) == 2:
-                        line[x] = Char("", *style)
-                        x += 1
+            self.buffer[y].update(enumerate(_cells_of(row)))
         self.cursor.y += count
+
+
+class Scrollback(Sequence["CellRow"]):
+    """The scrollback of a screen as a sequence of rows of cells, for a view that draws cells; made on demand."""
+
+    def __init__(self, screen: Screen) -> None:
+        self._rows = screen.scrollback
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [CellRow(row) for row in list(self._rows)[index]]
+        return CellRow(self._rows[index])
+
+
+class CellRow:
+    """A line of the scrollback, cell by cell like a line of pyte's buffer: beyond its end there are blanks."""
+
+    def __init__(self, row: Row) -> None:
+        self._cells = _cells_of(row)
+
+    def __getitem__(self, x: int) -> Char:
+        return self._cells[x] if x < len(self._cells) else _BLANK
+
+
+_BLANK = Char(" ")
+
+
+def _cells_of(row: Row) -> list[Char]:
+    cells: list[Char] = []
+    for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
+        for char in text:
+            width = char_width(char)
+            if width == 0 and cells:
+                cells[-1] = cells[-1]._replace(data=cells[-1].data + char)
+                continue
+            cells.append(Char(char, *style))
+            if width == 2:
+                cells.append(Char("", *style))
+    return cells
 
 
 def _as_row(line: Any) -> Row:
@@ -361,10 +396,9 @@ def _as_row(line: Any) -> Row:
     runs: list[Run] = []
     text: list[str] = []
     style: tuple[Any, ...] | None = None
-    blank = Char(" ")
     last = max(line)
     for x in range(last + 1):
-        cell = line[x] if x in line else blank
+        cell = line.get(x, _BLANK)
         if cell[1:] != style:
             if text:
                 runs.append(("".join(text), Style(*style)))  # type: ignore[misc]

@@ -18,7 +18,7 @@ from day6_tui.core.shell.interpreter import Streams
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
-    from day6_tui.core.shell.screen import Screen
+    from day6_tui.core.shell.screen import Screen, Scrollback
 
 RING = 512 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines go."""
@@ -46,6 +46,10 @@ class Terminal:
         """Whether the last thing written ended a line."""
         self.output: OutputStream = RawTtyOutput(self)
         """Takes text as a pty delivers it (with \\r\\n)."""
+        self.waiting_at_prompt = False
+        """The line editor waits for a key and its line is empty; kept by it."""
+        self._unhandled = 0
+        """Calls of `send` that the scheduler has not seen yet."""
         self._screen: Screen | None = None
         self._ring: deque[str] = deque()
         self._size = 0
@@ -61,7 +65,12 @@ class Terminal:
         stdout = TtyOutput(self)
         self.streams = Streams(stdin, stdout, stdout)
         self.program: Program = desk.start_program(
-            ["bash"], lambda session: login(session, self), self.streams, env=self.shell.environment, cwd=self.shell.cwd, shell=self.shell
+            ["bash"],
+            lambda session: login(session, self),
+            self.streams,
+            env=self.shell.environment,
+            cwd=self.shell.cwd,
+            shell=self.shell,
         )
         self.program.session.pid = self.shell.pid
 
@@ -78,11 +87,15 @@ class Terminal:
         return self._screen
 
     def update(self) -> set[int]:
-        """Bring the screen up to date with what was written; return the numbers of the lines that changed.
+        """Bring the screen up to date with what was written; return the numbers of the lines that this changed.
 
-        May leave part of a flood for the next call (`has_more`).
+        May leave part of a flood for the next call (`has_more`). `screen.dirty` collects the same until the view clears it.
         """
         screen = self.screen
+        if not self._ring and not self._dropped_lines:
+            return set()
+        before = set(screen.dirty)
+        screen.dirty.clear()
         budget = SLOW_PER_UPDATE
         while budget > 0:
             text, plain = self._take(budget)
@@ -96,8 +109,30 @@ class Terminal:
             answers, screen.answers = "".join(screen.answers), []
             self.send(answers)
         changed = set(screen.dirty)
-        screen.dirty.clear()
+        screen.dirty.update(before)
+        if self._ring:
+            self.desk.scheduler.announce_activity()
         return changed
+
+    @property
+    def history(self) -> Scrollback:
+        """The lines above the screen, oldest first, as rows of cells."""
+        from day6_tui.core.shell.screen import Scrollback
+
+        return Scrollback(self.screen)
+
+    def clear_history(self) -> None:
+        self.screen.scrollback.clear()
+
+    @property
+    def application_cursor(self) -> bool:
+        """Whether arrow keys are to be sent as ESC O A."""
+        return self.screen.application_cursor_keys
+
+    @property
+    def bracketed_paste(self) -> bool:
+        """Whether pasted text is to be sent between marks."""
+        return self.screen.bracketed_paste
 
     @property
     def has_more(self) -> bool:
@@ -118,6 +153,17 @@ class Terminal:
         return self.shell.front is not None
 
     @property
+    def idle(self) -> bool:
+        """Whether the prompt waits and nothing has been typed after it."""
+        return self.waiting_at_prompt and not self._unhandled and not self.discipline.has_pending and not self.closed
+
+    @property
+    def reading_keys(self) -> bool:
+        """Whether a program in the foreground reads single keys (turtlesim's teleop), or a process all of them."""
+        front = self.discipline.front
+        return self.busy and front is not None and front.is_raw
+
+    @property
     def closed(self) -> bool:
         """Whether its shell has ended (`exit`, Ctrl-D)."""
         return self.program.status is not None
@@ -130,7 +176,13 @@ class Terminal:
 
     def send(self, text: str) -> None:
         """Type: `text` is what a real terminal sends for the keys."""
-        self.desk.scheduler.call_soon_threadsafe(lambda: self.discipline.type(text))
+        self._unhandled += 1
+
+        def handle() -> None:
+            self._unhandled -= 1
+            self.discipline.type(text)
+
+        self.desk.scheduler.call_soon_threadsafe(handle)
 
     def paste(self, text: str) -> None:
         """Insert text from the clipboard: marked as such for programs that asked for it, otherwise as if typed."""
@@ -175,6 +227,7 @@ class Terminal:
                 self._room.clear()
             self.at_line_start = text.endswith(("\n", "\r"))
             self.version += 1
+        self.desk.scheduler.announce_activity()
 
     def wait_for_room(self) -> None:
         """Block a copying thread while the view is far behind, at most a moment: a hidden terminal must not stop its programs."""

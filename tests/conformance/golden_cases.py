@@ -100,7 +100,9 @@ def masked(text: str, *, measured: bool = False, endless: bool = False) -> str:
     if endless:
         text = re.sub(r"publishing #\d+", "publishing #<N>", text)
         text = re.sub(r"(Feedback:\n    sequence:\n(- \d+\n)+\n)+", "<FEEDBACK>\n", text)
-        text = re.sub(r"(\[(?:INFO|WARN)\] \[<TIME>\] \[\w+\]: Publishing: \"Hello World: <N>\"\n)+", "<PUBLISHING>\n", text)
+        text = re.sub(
+            r"(\[(?:INFO|WARN)\] \[<TIME>\] \[\w+\]: Publishing: \"Hello World: <N>\"\n)+", "<PUBLISHING>\n", text
+        )
         text = re.sub(r"(service not available, waiting again\.\.\.\n)+", "<NOT AVAILABLE>\n", text)
     return _REPEATED.sub(r"\1", text)
 
@@ -129,7 +131,8 @@ def with_prefix(text: str, prefixes: list[str]) -> str:
 def differences(case: Case, stdout: str, stderr: str, exit_code: int, prefixes: list[str]) -> str:
     """Return what differs from the recording, '' if nothing does."""
     options = {
-        "measured": case.argv[1:3] in (["topic", "hz"], ["topic", "bw"], ["topic", "delay"]) and "no_such" not in case.argv[-1],
+        "measured": case.argv[1:3] in (["topic", "hz"], ["topic", "bw"], ["topic", "delay"])
+        and "no_such" not in case.argv[-1],
         "endless": case.interrupt_after is not None,
     }
     expected = [masked(case.stdout, **options), without_traceback(masked(case.stderr, **options))]
@@ -142,7 +145,7 @@ def differences(case: Case, stdout: str, stderr: str, exit_code: int, prefixes: 
     found = []
     if exit_code != case.exit_code:
         found.append(f"exit code {exit_code}, recorded {case.exit_code}")
-    for stream, want, have in zip(("stdout", "stderr"), expected, actual):
+    for stream, want, have in zip(("stdout", "stderr"), expected, actual, strict=True):
         if want != have:
             found.append(_diff(stream, want, have))
     return "\n".join(found)
@@ -151,5 +154,7 @@ def differences(case: Case, stdout: str, stderr: str, exit_code: int, prefixes: 
 def _diff(stream: str, want: str, have: str) -> str:
     import difflib
 
-    lines = difflib.unified_diff(want.splitlines(), have.splitlines(), f"recorded {stream}", f"our {stream}", lineterm="", n=1)
+    lines = difflib.unified_diff(
+        want.splitlines(), have.splitlines(), f"recorded {stream}", f"our {stream}", lineterm="", n=1
+    )
     return "\n".join(lines) or f"{stream} differs in newlines: {want[-40:]!r} / {have[-40:]!r}"

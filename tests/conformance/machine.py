@@ -37,6 +37,7 @@ class Machine:
         self.files = files
         self.prefixes = [str(environment.SHARE_PATH.parent)]
         self._threads: list[threading.Thread] = []
+        self._contexts: list[Any] = []
         self.running: tuple[str, ...] = ()
 
     def close(self) -> None:
@@ -58,51 +59,23 @@ class Machine:
         (daemon.start if with_daemon else daemon.stop)(session)
 
     def _start_node(self, name: str) -> None:
-        import rclpy
-        from rclpy.signals import SignalHandlerOptions
+        from rclpy._time_source import MACHINE_TIME
+        from rclpy.context import Context
 
-        if not rclpy.ok():
-            rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+        context = Context._for_session(self.graph, MACHINE_TIME)
+        context._log_write = lambda text: None
         code = compile((self.nodes_folder / f"{name}.py").read_text(encoding="utf-8"), f"{name}.py", "exec")
-        thread = threading.Thread(target=self._run_node, args=(code, name), name=name, daemon=True)
+        thread = threading.Thread(target=_run_node, args=(code, context), name=name, daemon=True)
         thread.start()
+        self._contexts.append(context)
         self._threads.append(thread)
 
-    @staticmethod
-    def _run_node(code: Any, name: str) -> None:
-        """Run a stand-in's file in this thread: its `init` finds the context made, its `spin` gets an executor of its own."""
-        import builtins
-        import types
-
-        import rclpy
-        from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-
-        def spin(node: Any, executor: Any = None) -> None:
-            runner = executor if executor is not None else SingleThreadedExecutor()
-            runner.add_node(node)
-            while runner.context.ok():
-                runner.spin_once()
-            raise ExternalShutdownException()
-
-        private = types.ModuleType("rclpy")
-        private.__dict__.update(rclpy.__dict__)
-        private.init = lambda *args, **keywords: None
-        private.spin = spin
-
-        def import_(module: str, globals_: Any = None, locals_: Any = None, from_: Any = (), level: int = 0) -> Any:
-            found = builtins.__import__(module, globals_, locals_, from_, level)
-            return private if module == "rclpy" else found
-
-        exec(code, {"__name__": "__main__", "__builtins__": {**vars(builtins), "__import__": import_}})
-
     def stop_nodes(self) -> None:
-        import rclpy
-
-        if self._threads:
-            rclpy.try_shutdown()
+        for context in self._contexts:
+            context.try_shutdown()
         for thread in self._threads:
             thread.join(5)
-        self._threads = []
+        self._threads, self._contexts = [], []
         for node in list(self.graph.nodes):
             if not node.name.startswith(daemon.PREFIX):
                 self.graph.remove_node(node)
@@ -112,7 +85,9 @@ class Machine:
         """Say whether every stand-in has made what it makes: nothing has come for a while."""
         before = self.graph.names_and_types(*_ALL_KINDS())
         time.sleep(0.15)
-        return bool(before) and self.graph.names_and_types(*_ALL_KINDS()) == before and len(self.graph.nodes) >= len(nodes)
+        return (
+            bool(before) and self.graph.names_and_types(*_ALL_KINDS()) == before and len(self.graph.nodes) >= len(nodes)
+        )
 
     @staticmethod
     def _wait(condition: Callable[[], bool], seconds: float = 10.0) -> None:
@@ -157,6 +132,50 @@ class Machine:
         elif interrupt_after is None and time.monotonic() >= limit:
             status = -1
         return session.stdout.text, session.stderr.text, status
+
+
+def _run_node(code: Any, context: Any) -> None:
+    """Run a stand-in's file in this thread as in a process of its own: its default context is `context`."""
+    import builtins
+    import types
+
+    import rclpy
+    from rclpy import executors, node
+
+    def by_default(cls: type) -> type:
+        def init(self: Any, *args: Any, **keywords: Any) -> None:
+            cls.__init__(self, *args, **{"context": context, **keywords})
+
+        return type(cls.__name__, (cls,), {"__init__": init})
+
+    def copy_of(module: Any, **changes: Any) -> Any:
+        private = types.ModuleType(module.__name__)
+        private.__dict__.update(vars(module), **changes)
+        return private
+
+    def spin(one: Any, executor: Any = None) -> None:
+        runner = executor if executor is not None else own_executors.SingleThreadedExecutor()
+        runner.add_node(one)
+        while context.ok():
+            runner.spin_once()
+        raise executors.ExternalShutdownException()
+
+    kinds = ("SingleThreadedExecutor", "MultiThreadedExecutor")
+    own_executors = copy_of(executors, **{kind: by_default(getattr(executors, kind)) for kind in kinds})
+    own_node = copy_of(node, Node=by_default(node.Node))
+    own = {
+        "rclpy": copy_of(rclpy, init=lambda: None, spin=spin, executors=own_executors, node=own_node),
+        "rclpy.executors": own_executors,
+        "rclpy.node": own_node,
+    }
+
+    def import_(module: str, globals_: Any = None, locals_: Any = None, names: Any = (), level: int = 0) -> Any:
+        if not names and module.startswith("rclpy."):
+            return own["rclpy"]
+        found = own.get(module)
+        return found if found is not None else builtins.__import__(module, globals_, locals_, names, level)
+
+    exec(code, {"__name__": "__main__", "__builtins__": {**vars(builtins), "__import__": import_}})
 
 
 def _ALL_KINDS() -> tuple[Any, ...]:

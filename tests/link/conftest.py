@@ -12,7 +12,7 @@ import pytest
 # Tests are imported by path (--import-mode=importlib), their helpers by name.
 sys.path.insert(0, str(Path(__file__).parent))
 
-from link_harness import World  # noqa: E402
+from link_harness import World
 
 
 @pytest.fixture

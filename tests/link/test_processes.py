@@ -194,10 +194,11 @@ from day6_tui.core.graph import Graph, QoS
 from day6_tui.core.interfaces import copy_message, get_message, type_hash
 from day6_tui.core.link import join
 graph = Graph()
-join(graph)
+link = join(graph)
 String = get_message("std_msgs/msg/String")
 node = graph.create_node("parent")
 publisher = node.create_publisher("/chatter", "std_msgs/msg/String", type_hash(String), QoS(), copy_message)
+link.wait_settled(5.0)
 child = os.fork()
 if child == 0:
     publisher.publish(String(data="from the child: goes nowhere"))
@@ -234,8 +235,9 @@ import os, time
 from day6_tui.core.graph import Graph
 from day6_tui.core.link import join
 graph = Graph()
-join(graph)
+link = join(graph)
 graph.create_node("parent")
+link.wait_settled(5.0)
 print(os.fork(), flush=True)
 time.sleep(60)
 """

@@ -101,7 +101,13 @@ class Machine:
 
     def complete(self, *words: str) -> list[str]:
         """The Tab completions of a line whose last word is the last of `words`."""
-        return ros2.complete(["ros2", *words], self.session(["ros2"]))
+        found: list[str] = []
+
+        async def complete(session: Session) -> None:
+            found.extend(await ros2.complete(["ros2", *words], session))
+
+        self.program(complete)
+        return found
 
     def program(self, main) -> Session:
         """Run another program on the same machine: `main(session)`."""

@@ -63,7 +63,9 @@ def test_what_a_filter_must_not_do_is_refused_at_once(expression):
         evaluate(expression, String(data="x"))
 
 
-@pytest.mark.parametrize("expression", ["open('/etc/passwd')", "__import__('os')", "eval('1')", "exec('1')", "getattr(m, 'x')"])
+@pytest.mark.parametrize(
+    "expression", ["open('/etc/passwd')", "__import__('os')", "eval('1')", "exec('1')", "getattr(m, 'x')"]
+)
 def test_functions_that_act_do_not_exist(expression):
     with pytest.raises(NameError):
         evaluate(expression, String())

@@ -34,13 +34,21 @@ def test_flow_style_puts_sequences_but_not_messages_on_one_line():
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [("yes", "data: 'yes'"), ("42", "data: '42'"), ("", "data: ''"), ("a\nb", "data: 'a\n\n  b'"), ("你好", "data: 你好")],
+    [
+        ("yes", "data: 'yes'"),
+        ("42", "data: '42'"),
+        ("", "data: ''"),
+        ("a\nb", "data: 'a\n\n  b'"),
+        ("你好", "data: 你好"),
+    ],
 )
 def test_strings_that_yaml_would_misread_are_quoted(value, text):
     assert message_to_yaml(String(data=value)) == f"{text}\n"
 
 
-@pytest.mark.parametrize(("value", "text"), [(float("nan"), ".nan"), (float("inf"), ".inf"), (1e-7, "1.0e-07"), (-0.0, "-0.0")])
+@pytest.mark.parametrize(
+    ("value", "text"), [(float("nan"), ".nan"), (float("inf"), ".inf"), (1e-7, "1.0e-07"), (-0.0, "-0.0")]
+)
 def test_floats_are_written_as_yaml_floats(value, text):
     assert message_to_yaml(Float64(data=value)) == f"data: {text}\n"
 
@@ -126,7 +134,10 @@ def test_interfaces_are_found_by_full_and_short_names():
     assert get_interface("turtlesim/action/RotateAbsolute_FeedbackMessage").__name__.endswith("FeedbackMessage")
 
 
-@pytest.mark.parametrize("name", ["std_msg/msg/String", "std_msgs/msg/Strng", "String", "std_srvs/srv/Empty", "", "/", "../x/y", "os/path/join"])
+@pytest.mark.parametrize(
+    "name",
+    ["std_msg/msg/String", "std_msgs/msg/Strng", "String", "std_srvs/srv/Empty", "", "/", "../x/y", "os/path/join"],
+)
 def test_what_is_no_message_raises_one_of_three_errors(name):
     with pytest.raises((AttributeError, ModuleNotFoundError, ValueError)):
         get_message(name)

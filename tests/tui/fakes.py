@@ -2,57 +2,55 @@
 
 from __future__ import annotations
 
-from collections import deque
 from types import SimpleNamespace
 from typing import Any
-
-import pyte
 
 from day6_tui.core.graph.graph import Graph
 from day6_tui.core.ros.programs.turtlesim.model.trail import Trail
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
+from day6_tui.core.shell.screen import Screen
 
 
 class FakeTerminal:
     """A terminal without a shell: `write` is what a program prints, `sent` what the user typed."""
 
     def __init__(self, columns: int, rows: int, title: str = "") -> None:
-        self.screen = pyte.HistoryScreen(columns, rows, history=1000)
+        self.screen = Screen(columns, rows)
         self.screen.dirty.clear()
-        self._stream = pyte.Stream(self.screen)
         self.sent = ""
         self.title = title
-        self.reading_keys = False
-        self.idle = True
+        self.busy = False
         self.closed = False
-        self.application_cursor = False
-        self.bracketed_paste = False
-        self._printed = False
-
-    @property
-    def history(self) -> deque[Any]:
-        return self.screen.history.top
+        self.has_more = False
+        self.has_news = False
+        self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True))
 
     def write(self, text: str) -> None:
-        self._stream.feed(text.replace("\n", "\r\n"))
-        self._printed = True
+        self.screen.feed(text.replace("\n", "\r\n"))
+        self.has_news = True
+
+    def mark_seen(self) -> None:
+        self.has_news = False
 
     def send(self, text: str) -> None:
         self.sent += text
 
-    def update(self) -> bool:
-        printed, self._printed = self._printed, False
-        return printed
+    def paste(self, text: str) -> None:
+        self.sent += f"<{text}>"
+
+    def update(self) -> set[int]:
+        changed = set(self.screen.dirty)
+        self.screen.dirty.clear()
+        return changed
 
     def resize(self, columns: int, rows: int) -> None:
         self.screen.resize(rows, columns)
-        self.screen.dirty.update(range(rows))
-
-    def clear_history(self) -> None:
-        self.screen.history.top.clear()
 
     def hang_up(self) -> None:
+        self.closed = True
+
+    def close(self) -> None:
         self.closed = True
 
 
@@ -69,7 +67,7 @@ class FakeDesk:
         self.steps: list[float] = []
 
     def open_terminal(self, columns: int, rows: int) -> FakeTerminal:
-        terminal = FakeTerminal(columns, rows, title="bash")
+        terminal = FakeTerminal(columns, rows, title="~")
         terminal.write("student@day6:~$ ")
         self.terminals.append(terminal)
         return terminal

@@ -123,9 +123,9 @@ class Machine:
         self.node.create_subscription(message, topic, seen.append, 10)
         return seen
 
-    def call(self, service: type, name: str, **fields: Any) -> Any:
+    def call(self, service: type, to: str, **fields: Any) -> Any:
         """Call a service and return its response."""
-        client = self.node.create_client(service, name)
+        client = self.node.create_client(service, to)
         return self.wait(client.call_async(service.Request(**fields)))  # type: ignore[attr-defined]
 
     def topics(self) -> set[str]:

@@ -26,8 +26,11 @@ async def settle(session: Session, timeout: float = 1.0) -> None:
     await wait(session, timeout)
 
 
-def complete(words: list[str], session: Session) -> list[str]:
-    """Return the possible last words of a command line that begins `ros2 …`; `words[-1]` is what has been typed of it."""
+async def complete(words: list[str], session: Session) -> list[str]:
+    """Return the possible last words of a command line that begins `ros2 …`; `words[-1]` is what has been typed of it.
+
+    Verbs, options, nodes, topics, services, actions, types, parameters, packages, executables, default values.
+    """
     from day6_tui.core.ros.ros2.cli.completion import complete_words
 
-    return complete_words(words, session)
+    return await complete_words(words, session)

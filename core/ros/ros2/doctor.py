@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from day6_tui.core.ros.ros2.cli.node import graph_node
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 SUMMARY = "Check ROS setup and other potential issues"
 _SKIPPED = ("/parameter_events", "/rosout")
@@ -28,9 +27,7 @@ class Complaint(NamedTuple):
 def add_arguments(parser: ArgumentParser) -> None:
     reports = parser.add_mutually_exclusive_group()
     reports.add_argument("--report", "-r", action="store_true", help="Print all reports.")
-    reports.add_argument(
-        "--report-failed", "-rf", action="store_true", help="Print reports of failed checks only."
-    )
+    reports.add_argument("--report-failed", "-rf", action="store_true", help="Print reports of failed checks only.")
     parser.add_argument("--exclude-packages", "-ep", action="store_true", help="Exclude package checks or report.")
     parser.add_argument(
         "--include-warnings",

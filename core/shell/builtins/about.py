@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 import os
+from collections.abc import Callable
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain
@@ -149,17 +151,21 @@ async def false(session: Session) -> int:
     return 1
 
 
-_INTEGER_TESTS = {
-    "-eq": int.__eq__, "-ne": int.__ne__, "-lt": int.__lt__, "-le": int.__le__, "-gt": int.__gt__, "-ge": int.__ge__,
-}  # fmt: skip
+_INTEGER_TESTS: dict[str, Callable[[int, int], bool]] = {
+    "-eq": operator.eq,
+    "-ne": operator.ne,
+    "-lt": operator.lt,
+    "-le": operator.le,
+    "-gt": operator.gt,
+    "-ge": operator.ge,
+}
 
 
 async def test(session: Session) -> int:
     words = session.argv[1:]
-    if session.name == "[":
-        if not words or words.pop() != "]":
-            session.print_error(f"{session.shell.name}: [: missing `]'")
-            return 2
+    if session.name == "[" and (not words or words.pop() != "]"):
+        session.print_error(f"{session.shell.name}: [: missing `]'")
+        return 2
     try:
         return 0 if _test(session, words) else 1
     except ValueError as error:
@@ -168,9 +174,9 @@ async def test(session: Session) -> int:
 
 
 def _test(session: Session, words: list[str]) -> bool:
-    for operator, combine in (("-o", any), ("-a", all)):
-        if operator in words[1:-1]:
-            at = words.index(operator, 1)
+    for word, combine in (("-o", any), ("-a", all)):
+        if word in words[1:-1]:
+            at = words.index(word, 1)
             return combine((_test(session, words[:at]), _test(session, words[at + 1 :])))
     if words and words[0] == "!":
         return not _test(session, words[1:])
@@ -180,20 +186,20 @@ def _test(session: Session, words: list[str]) -> bool:
         return _unary(session, *words)
     if len(words) > 3:
         raise ValueError("too many arguments")
-    left, operator, right = words
-    if operator in _INTEGER_TESTS:
+    left, comparison, right = words
+    if comparison in _INTEGER_TESTS:
         for text in (left, right):
             if not text.strip().lstrip("+-").isdigit():
                 raise ValueError(f"{text}: integer expression expected")
-        return bool(_INTEGER_TESTS[operator](int(left), int(right)))
-    if operator in ("=", "==", "!="):
-        return (left == right) != (operator == "!=")
-    raise ValueError(f"{operator}: binary operator expected")
+        return bool(_INTEGER_TESTS[comparison](int(left), int(right)))
+    if comparison in ("=", "==", "!="):
+        return (left == right) != (comparison == "!=")
+    raise ValueError(f"{comparison}: binary operator expected")
 
 
-def _unary(session: Session, operator: str, text: str) -> bool:
+def _unary(session: Session, question: str, text: str) -> bool:
     path = session.cwd / text
-    checks = {
+    checks: dict[str, Callable[[], bool]] = {
         "-z": lambda: not text,
         "-n": lambda: bool(text),
         "-e": path.exists,
@@ -205,9 +211,9 @@ def _unary(session: Session, operator: str, text: str) -> bool:
         "-w": lambda: os.access(path, os.W_OK),
         "-x": lambda: os.access(path, os.X_OK),
     }
-    if operator not in checks:
-        raise ValueError(f"{operator}: unary operator expected")
-    return checks[operator]()
+    if question not in checks:
+        raise ValueError(f"{question}: unary operator expected")
+    return checks[question]()
 
 
 async def basename(session: Session) -> int:

@@ -17,7 +17,9 @@ from day6_tui.core.shell.width import text_width
 
 async def ls(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "laAlhtrRS1FCdp", "", {"--all": "a", "--almost-all": "A", "--color": "C", "--recursive": "R"})
+        options, names = parse(
+            session.argv, "laAlhtrRS1FCdp", "", {"--all": "a", "--almost-all": "A", "--color": "C", "--recursive": "R"}
+        )
     except UsageError as error:
         complain(session, error)
         return 2
@@ -54,7 +56,11 @@ async def ls(session: Session) -> int:
             session.print(f"total {_total_blocks(path, entries)}")
         _list(session, path, entries, options)
         if "R" in options:
-            inside = [entry for entry in entries if entry not in (".", "..") and (path / entry).is_dir() and not (path / entry).is_symlink()]
+            inside = [
+                entry
+                for entry in entries
+                if entry not in (".", "..") and (path / entry).is_dir() and not (path / entry).is_symlink()
+            ]
             pending[:0] = [f"{name.rstrip('/')}/{entry}" for entry in inside]
         await session.stdout.drain()
     return status
@@ -125,7 +131,9 @@ def _in_columns(shown: list[tuple[str, int]], columns: int) -> str:
     return "".join(lines)
 
 
-def _long(session: Session, folder: Path, names: list[str], shown: list[tuple[str, int]], options: dict[str, str]) -> None:
+def _long(
+    session: Session, folder: Path, names: list[str], shown: list[tuple[str, int]], options: dict[str, str]
+) -> None:
     rows = []
     for name, (text, _) in zip(names, shown, strict=True):
         status = (folder / name).lstat()
@@ -300,7 +308,9 @@ def _transfer(session: Session, *, move: bool) -> int:
     *sources, target = names
     folder = (session.cwd / target).is_dir()
     if len(sources) > 1 and not folder:
-        complain(session, f"target '{target}' is not a directory" if not move else f"target '{target}': Not a directory")
+        complain(
+            session, f"target '{target}' is not a directory" if not move else f"target '{target}': Not a directory"
+        )
         return 1
     status = 0
     for name in sources:
@@ -325,7 +335,9 @@ def _transfer_problem(
     if goal.exists() and source.resolve() == goal.resolve():
         return f"'{name}' and '{target}' are the same file"
     if source.is_dir() and source.resolve() in goal.resolve().parents:
-        return f"cannot {'move' if move else 'copy a directory,'} '{name}'{' to a subdirectory of' if move else ', into'} itself, '{target}'"
+        if move:
+            return f"cannot move '{name}' to a subdirectory of itself, '{target}'"
+        return f"cannot copy a directory, '{name}', into itself, '{target}'"
     if "n" in options and goal.exists():
         return ""
     try:
@@ -334,9 +346,10 @@ def _transfer_problem(
         elif source.is_dir():
             shutil.copytree(source, goal, symlinks=True, dirs_exist_ok=True)
         else:
-            shutil.copy2(source, goal) if {"p", "a"} & options.keys() else shutil.copy(source, goal)
+            (shutil.copy2 if {"p", "a"} & options.keys() else shutil.copy)(source, goal)
     except OSError as error:
-        return f"cannot {'move' if move else 'create regular file'} '{name if move else target}'{f' to {target!r}' if move else ''}: {reason(error)}"
+        what = f"move '{name}' to '{target}'" if move else f"create regular file '{target}'"
+        return f"cannot {what}: {reason(error)}"
     if "v" in options:
         session.print(f"{'renamed ' if move else ''}'{name}' -> '{target}'")
     return ""
@@ -409,7 +422,9 @@ def _branch(session: Session, folder: Path, prefix: str, options: dict[str, str]
         entries = [entry for entry in entries if entry.is_dir()]
     for entry in entries:
         last = entry is entries[-1]
-        session.print(f"{prefix}{'└── ' if last else '├── '}{_coloured(entry, entry.name, {}, session.stdout.isatty())[0]}")
+        session.print(
+            f"{prefix}{'└── ' if last else '├── '}{_coloured(entry, entry.name, {}, session.stdout.isatty())[0]}"
+        )
         inside = entry.is_dir() and not entry.is_symlink()
         counts[0 if inside else 1] += 1
         if inside:

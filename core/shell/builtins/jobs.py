@@ -176,7 +176,10 @@ async def disown(session: Session) -> int:
 async def ps(session: Session) -> int:
     shell: Shell = session.shell
     session.print("    PID TTY          TIME CMD")
-    rows = [(shell.pid, "bash"), *((program.pid, " ".join(program.session.argv)) for program in shell.desk.programs.values())]
+    rows = [
+        (shell.pid, "bash"),
+        *((program.pid, " ".join(program.session.argv)) for program in shell.desk.programs.values()),
+    ]
     for pid, text in sorted(rows):
         if pid != session.pid or text.startswith("ps"):
             session.print(f"{pid:>7} pts/0    00:00:00 {text}")

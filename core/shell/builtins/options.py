@@ -11,7 +11,9 @@ class UsageError(Exception):
     """Wrong options; the text is complete but for the name of the command."""
 
 
-def parse(argv: list[str], flags: str = "", values: str = "", long: Mapping[str, str] | None = None) -> tuple[dict[str, str], list[str]]:
+def parse(
+    argv: list[str], flags: str = "", values: str = "", long: Mapping[str, str] | None = None
+) -> tuple[dict[str, str], list[str]]:
     """Return (options, operands) of a command line; `argv[0]` is the command's name.
 
     `flags` are letters without, `values` letters with a value; `long` maps '--name' to one of those letters. A flag given n times

@@ -46,7 +46,9 @@ async def apt(session: Session) -> int:
     elif verb in ("update", "upgrade", "full-upgrade", "autoremove"):
         session.print("Reading package lists... Done\nAll packages are up to date.")
     else:
-        session.print_error(f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine")
+        session.print_error(
+            f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine"
+        )
         return 100 if verb else 1
     return 0
 

@@ -113,11 +113,30 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
 
 
 _GREP_LONG = {
-    "--ignore-case": "i", "--invert-match": "v", "--line-number": "n", "--count": "c", "--extended-regexp": "E", "--fixed-strings": "F",
-    "--word-regexp": "w", "--only-matching": "o", "--quiet": "q", "--silent": "q", "--files-with-matches": "l", "--recursive": "r",
-    "--max-count": "m", "--regexp": "e", "--after-context": "A", "--before-context": "B", "--context": "C", "--color": "K",
-    "--colour": "K", "--line-buffered": "U", "--no-filename": "h", "--with-filename": "H", "--text": "a",
-}  # fmt: skip
+    "--ignore-case": "i",
+    "--invert-match": "v",
+    "--line-number": "n",
+    "--count": "c",
+    "--extended-regexp": "E",
+    "--fixed-strings": "F",
+    "--word-regexp": "w",
+    "--only-matching": "o",
+    "--quiet": "q",
+    "--silent": "q",
+    "--files-with-matches": "l",
+    "--recursive": "r",
+    "--max-count": "m",
+    "--regexp": "e",
+    "--after-context": "A",
+    "--before-context": "B",
+    "--context": "C",
+    "--color": "K",
+    "--colour": "K",
+    "--line-buffered": "U",
+    "--no-filename": "h",
+    "--with-filename": "H",
+    "--text": "a",
+}
 
 
 async def grep(session: Session) -> int:
@@ -171,11 +190,18 @@ def _grep_expression(pattern: str, options: dict[str, str]) -> re.Pattern[str]:
     return re.compile(pattern, re.IGNORECASE if "i" in options else 0)
 
 
-_CLASSES = {"digit": r"\d", "space": r"\s", "alpha": "[A-Za-z]", "alnum": "[A-Za-z0-9]", "upper": "[A-Z]", "lower": "[a-z]"}
+_CLASSES = {
+    "digit": r"\d",
+    "space": r"\s",
+    "alpha": "[A-Za-z]",
+    "alnum": "[A-Za-z0-9]",
+    "upper": "[A-Z]",
+    "lower": "[a-z]",
+}
 
 
 def _all_files(session: Session, names: list[str]) -> list[str]:
-    found = []
+    found: list[str] = []
     for name in names:
         path = session.cwd / name
         if path.is_dir():
@@ -190,7 +216,14 @@ class _Grep:
     """What one run of grep has found so far."""
 
     def __init__(
-        self, session: Session, expression: re.Pattern[str], options: dict[str, str], show_name: bool, before: int, after: int, most: int
+        self,
+        session: Session,
+        expression: re.Pattern[str],
+        options: dict[str, str],
+        show_name: bool,
+        before: int,
+        after: int,
+        most: int,
     ) -> None:
         self.session, self.expression, self.options, self.show_name = session, expression, options, show_name
         self.earlier: deque[tuple[int, str]] = deque(maxlen=before)
@@ -231,7 +264,11 @@ class _Grep:
 
     def _show(self, number: int, text: str, mark: str) -> None:
         self.shown = number
-        prefix = (self.name.replace("-", "(standard input)", 1) if self.name == "-" else self.name) + mark if self.show_name else ""
+        prefix = (
+            (self.name.replace("-", "(standard input)", 1) if self.name == "-" else self.name) + mark
+            if self.show_name
+            else ""
+        )
         prefix += f"{number}{mark}" if "n" in self.options else ""
         if "o" in self.options and mark == ":":
             for match in self.expression.finditer(text):
@@ -341,7 +378,9 @@ async def _follow(session: Session, names: list[str]) -> None:
 
 async def wc(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "lwcm", "", {"--lines": "l", "--words": "w", "--bytes": "c", "--chars": "m"})
+        options, names = parse(
+            session.argv, "lwcm", "", {"--lines": "l", "--words": "w", "--bytes": "c", "--chars": "m"}
+        )
     except UsageError as error:
         complain(session, error)
         return 1
@@ -349,17 +388,22 @@ async def wc(session: Session) -> int:
     problems: list[str] = []
     rows: list[tuple[list[int], str]] = []
     for name in names or ["-"]:
-        counts = dict.fromkeys("lwmc", 0)
+        found = dict.fromkeys("lwmc", 0)
         already = len(problems)
         async for _, line in lines_of(session, [name], problems):
-            counts["l"] += line.endswith("\n")
-            counts["w"] += len(line.split())
-            counts["m"] += len(line)
-            counts["c"] += len(line.encode("utf-8", "surrogateescape"))
+            found["l"] += line.endswith("\n")
+            found["w"] += len(line.split())
+            found["m"] += len(line)
+            found["c"] += len(line.encode("utf-8", "surrogateescape"))
         if len(problems) == already:
-            rows.append(([counts[letter] for letter in wanted], "" if not names else name))
+            rows.append(([found[letter] for letter in wanted], "" if not names else name))
     if len(names) > 1:
-        rows.append(([sum(column) for column in zip(*(counts for counts, _ in rows), strict=True)] or [0] * len(wanted), "total"))
+        rows.append(
+            (
+                [sum(column) for column in zip(*(counts for counts, _ in rows), strict=True)] or [0] * len(wanted),
+                "total",
+            )
+        )
     widest = max((len(str(count)) for counts, _ in rows for count in counts), default=1)
     width = (widest if names else 7) if len(wanted) > 1 or len(names) > 1 else 1
     for counts, name in rows:

@@ -44,14 +44,19 @@ async def timeout(session: Session) -> int:
 
     try:
         split = _operand_index(session.argv)
-        options, _ = parse(session.argv[:split], "v", "sk", {"--signal": "s", "--kill-after": "k", "--preserve-status": "v"})
+        options, _ = parse(
+            session.argv[:split], "v", "sk", {"--signal": "s", "--kill-after": "k", "--preserve-status": "v"}
+        )
         limit = _seconds(session.argv[split])
         grace = _seconds(options["k"]) if "k" in options else 2.0
     except UsageError as error:
         complain(session, error)
         return 125
     except ValueError as error:
-        complain(session, f"invalid time interval '{error.args[0] if not str(error).startswith('could') else session.argv[split]}'")
+        complain(
+            session,
+            f"invalid time interval '{error.args[0] if not str(error).startswith('could') else session.argv[split]}'",
+        )
         return 125
     except IndexError:
         session.print_error("timeout: missing operand\nTry 'timeout --help' for more information.")
@@ -64,7 +69,9 @@ async def timeout(session: Session) -> int:
     number = int(name) if name.isdigit() else SIGNALS.get(name.upper().removeprefix("SIG"), 15)
     shell = session.shell
     streams = Streams(session.stdin, session.stdout, session.stderr)
-    program = shell.desk.start_program(argv, find_command(argv[0], shell), streams, env=session.env, cwd=session.cwd, shell=shell)
+    program = shell.desk.start_program(
+        argv, find_command(argv[0], shell), streams, env=session.env, cwd=session.cwd, shell=shell
+    )
 
     def interrupt() -> bool:
         program.interrupt()

@@ -71,6 +71,10 @@ class JointReadings:
             elif now_ns - track.heard_ns > SILENCE_NS:
                 track.speed = 0.0
 
+    def heard_lately(self, now_ns: int) -> tuple[str, ...]:
+        """Return the joints somebody speaks of now."""
+        return tuple(name for name, track in self._tracks.items() if now_ns - track.heard_ns <= SILENCE_NS)
+
     def rate(self, now_ns: int) -> float | None:
         """Return messages per second over the last two seconds; None when there are fewer than two to count."""
         recent = [moment for moment in self._arrivals if now_ns - moment < 2 * SECOND]

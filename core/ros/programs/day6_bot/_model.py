@@ -65,6 +65,7 @@ class CarModel:
         self._readings = JointReadings()
         self._snapshot = CarSnapshot()
         self._prefix: str = node.declare_parameter("tf_prefix", "").value
+        self._joint_states = node.resolve_topic_name("joint_states")
         self._known = frozenset[str]()
         self._turning = frozenset[str]()
         self._wheels = 0
@@ -108,7 +109,7 @@ class CarModel:
         """Look at who publishes, how often, and what is missing; called a few times a second."""
         now_ns = self._now_ns()
         self._readings.forget_silent(now_ns)
-        infos = self._node.get_publishers_info_by_topic(self._node.resolve_topic_name("joint_states"))
+        infos = self._node.get_publishers_info_by_topic(self._joint_states)
         self._publishers = tuple(sorted((_full_name(info), info.topic_type) for info in infos))
         self._swap(joints=self._readings.readings(self._known), rate=self._readings.rate(now_ns))
         self._judge(now_ns)
@@ -145,7 +146,7 @@ class CarModel:
             self._judge(self._now_ns())
 
     def _judge(self, now_ns: int) -> None:
-        robot, readings = self._snapshot.robot, self._snapshot.joints
+        robot = self._snapshot.robot
         links = robot.links if robot is not None else ()
         missing = [link.name for link in links if link.name not in self._snapshot.transforms]
         silent = None if self._last_heard_ns is None else (now_ns - self._last_heard_ns) / 1e9
@@ -158,7 +159,8 @@ class CarModel:
             missing=tuple(missing),
             root=robot.root if robot is not None else "",
             publishers=self._publishers,
-            heard_joints=tuple(reading.name for reading in readings),
+            topic=self._joint_states,
+            heard_joints=self._readings.heard_lately(now_ns),
             rate=self._snapshot.rate,
             silent_s=silent,
         )

@@ -10,15 +10,15 @@ TEXTS = {
     "car.loading": "reading the robot description",
     "car.bad_description": "the robot description is broken: {text}",
     "car.no_wheels": "this robot has no wheels: nothing that turns about a level axis",
-    "car.no_joint_states": "nobody publishes /joint_states: the wheels do not turn",
-    "car.wrong_type": "/joint_states has type {type}, sensor_msgs/msg/JointState is needed",
+    "car.no_joint_states": "nobody publishes {topic}: the wheels do not turn",
+    "car.wrong_type": "{topic} has type {type}, sensor_msgs/msg/JointState is needed",
     "car.unknown_joint": "joint {joint} is not in the URDF",
     "car.unknown_joint_near": "joint {joint} is not in the URDF; did you mean {nearest}?",
     "car.no_transform": "no transform from {link} to {frame}",
     "car.no_transform_more": "no transform from {count} more links to {frame}",
-    "car.many_publishers": "{count} publishers on /joint_states: {nodes}",
-    "car.slow": "/joint_states comes only {rate} times a second: the eye needs about 20",
-    "car.silent": "nothing on /joint_states for {seconds} s",
+    "car.many_publishers": "{count} publishers on {topic}: {nodes}",
+    "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
+    "car.silent": "nothing on {topic} for {seconds} s",
 }
 """English texts by id. Topic, type, joint and frame names stand in the parameters as they are."""
 
@@ -42,7 +42,7 @@ def status(level: str, key: str, **parameters: object) -> Status:
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """What is known when the lines are written. `publishers` are node names and types of /joint_states."""
+    """What is known when the lines are written. `publishers` are node names and types on `topic`, the joint states."""
 
     described: bool
     loading: bool
@@ -51,6 +51,7 @@ class Facts:
     wheels: int
     missing: tuple[str, ...]
     root: str
+    topic: str
     publishers: tuple[tuple[str, str], ...]
     heard_joints: tuple[str, ...]
     rate: float | None
@@ -90,16 +91,18 @@ def _transform_lines(facts: Facts) -> list[Status]:
 def _publisher_lines(facts: Facts) -> list[Status]:
     lines = []
     for kind in sorted({kind for _, kind in facts.publishers if kind != JOINT_STATE}):
-        lines.append(status("error", "car.wrong_type", type=kind))
-    nodes = [node for node, kind in facts.publishers if kind == JOINT_STATE]
+        lines.append(status("error", "car.wrong_type", topic=facts.topic, type=kind))
+    nodes = sorted(node for node, kind in facts.publishers if kind == JOINT_STATE)
     if not facts.publishers:
-        lines.append(status("warning", "car.no_joint_states"))
+        lines.append(status("warning", "car.no_joint_states", topic=facts.topic))
     elif len(nodes) > 1:
-        lines.append(status("warning", "car.many_publishers", count=len(nodes), nodes=", ".join(sorted(nodes))))
+        lines.append(
+            status("warning", "car.many_publishers", topic=facts.topic, count=len(nodes), nodes=", ".join(nodes))
+        )
     if nodes and facts.silent_s is not None and facts.silent_s >= SILENT_S:
-        lines.append(status("warning", "car.silent", seconds=int(facts.silent_s)))
+        lines.append(status("warning", "car.silent", topic=facts.topic, seconds=int(facts.silent_s)))
     elif nodes and facts.rate is not None and facts.rate < SLOW_HZ:
-        lines.append(status("warning", "car.slow", rate=f"{facts.rate:.1f}"))
+        lines.append(status("warning", "car.slow", topic=facts.topic, rate=f"{facts.rate:.1f}"))
     return lines
 
 

@@ -28,7 +28,9 @@ async def main(session: Session) -> int:
     """Follow the robot until interrupted; without a display print it once, status 1 if there is none."""
     node = session.create_node("car_view")
     model = CarModel(node)
-    session.spawn(_read_descriptions(session, model))
+    arrived = Signal()
+    model.on_description = arrived.set
+    session.spawn(_read_descriptions(session, model, arrived))
     if session.display is None:
         session.spawn(session.spin(node))
         return await _print(session, model)
@@ -38,10 +40,8 @@ async def main(session: Session) -> int:
     return 0
 
 
-async def _read_descriptions(session: Session, model: CarModel) -> None:
+async def _read_descriptions(session: Session, model: CarModel, arrived: Signal) -> None:
     """Read every description that comes, in a thread: the first one loads yourdfpy."""
-    arrived = Signal()
-    model.on_description = arrived.set
     while True:
         await session.wait(arrived)
         arrived.clear()

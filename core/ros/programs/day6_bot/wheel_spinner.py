@@ -32,21 +32,22 @@ class WheelSpinner:
         step = node.declare_parameter("step", STEP).value
         self._publisher = node.create_publisher(JointState, "joint_states", QoSProfile(depth=10))
         self.angle = 0.0
-        self._turns = 0
+        self._gone = 0.0
         node.create_timer(PERIOD, self._turn_a_little)
         node.get_logger().info(f"Turning {', '.join(self._joints)} by {step} rad every {PERIOD} s")
 
     def _turn_a_little(self) -> None:
-        angle = self.angle + self._node.get_parameter("step").value
-        self.angle = angle % (2 * math.pi)
+        step = self._node.get_parameter("step").value
+        self.angle = (self.angle + step) % (2 * math.pi)
         state = JointState()
         state.header.stamp = self._node.get_clock().now().to_msg()
         state.name = self._joints
         state.position = [self.angle] * len(self._joints)
         self._publisher.publish(state)
-        if self.angle != angle:
-            self._turns += 1
-            self._node.get_logger().info(f"Turn {self._turns} finished")
+        turns = int(self._gone / (2 * math.pi))
+        self._gone += abs(step)
+        if int(self._gone / (2 * math.pi)) > turns:
+            self._node.get_logger().info(f"Turn {turns + 1} finished")
 
 
 async def main(session: Session) -> int:

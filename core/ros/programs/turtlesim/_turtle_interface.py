@@ -11,6 +11,7 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS
 from rclpy.action import ActionServer, CancelResponse
+from rclpy.action.server import GoalEvent
 from rclpy.task import Future
 
 if TYPE_CHECKING:
@@ -28,8 +29,8 @@ class TurtleInterface:
     def __init__(self, node: Node, turtle: Turtle) -> None:
         self._node = node
         self._turtle = turtle
-        self._goal: ServerGoalHandle | None = None
-        self._results: dict[ServerGoalHandle, Future] = {}
+        self._goal: ServerGoalHandle[Any, Any, Any] | None = None
+        self._results: dict[bytes, Future[Any]] = {}
         self._pose = Pose()
         self._color = Color()
         name = turtle.name
@@ -41,7 +42,7 @@ class TurtleInterface:
             node.create_service(TeleportRelative, f"{name}/teleport_relative", self._teleport_relative),
             node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._teleport_absolute),
         ]
-        self._rotations = ActionServer(
+        self._rotations: ActionServer[Any, Any, Any] = ActionServer(
             node,
             RotateAbsolute,
             f"{name}/rotate_absolute",
@@ -52,9 +53,10 @@ class TurtleInterface:
 
     def destroy(self) -> None:
         """Take everything out of the graph."""
-        if self._goal is not None:
-            self._end_rotation(self._turtle.abort())
-        self._rotations.destroy()
+        if self._goal is None:
+            self._rotations.destroy()
+        else:
+            self._drop_rotation(self._goal)
         for service in self._services:
             self._node.destroy_service(service)
         self._node.destroy_publisher(self._colors)
@@ -105,7 +107,7 @@ class TurtleInterface:
 
     # -- the action ----------------------------------------------------------------------------------------------------
 
-    def _rotate(self, goal: ServerGoalHandle) -> None:
+    def _rotate(self, goal: ServerGoalHandle[Any, Any, Any]) -> None:
         aborted = self._turtle.abort()
         if aborted is not None:
             self._node.get_logger().warning(
@@ -113,13 +115,17 @@ class TurtleInterface:
             )
             self._end_rotation(aborted)
         self._goal = goal
-        self._results[goal] = Future()
+        self._results[_id_of(goal)] = Future()
         self._turtle.rotate(goal.request.theta)
         goal.execute()
 
-    async def _wait_for_end(self, goal: ServerGoalHandle) -> Any:
+    async def _wait_for_end(self, goal: ServerGoalHandle[Any, Any, Any]) -> Any:
         """Run as the goal's execution: the ticks turn the turtle, this hands over the result when they are through."""
-        return await self._results.pop(goal)
+        key = _id_of(goal)
+        try:
+            return await self._results[key]
+        finally:
+            del self._results[key]
 
     def _report_rotation(self, rotation: Rotation) -> None:
         logger = self._node.get_logger()
@@ -137,7 +143,24 @@ class TurtleInterface:
         if goal is None or rotation is None:
             return
         {"succeeded": goal.succeed, "canceled": goal.canceled, "aborted": goal.abort}[rotation.outcome or "aborted"]()
-        self._results[goal].set_result(RotateAbsolute.Result(delta=rotation.delta))
+        self._results[_id_of(goal)].set_result(RotateAbsolute.Result(delta=rotation.delta))
+
+    def _drop_rotation(self, goal: ServerGoalHandle[Any, Any, Any]) -> None:
+        """The turtle goes in the middle of a goal: rclcpp cancels a goal whose handle nobody holds any more."""
+        self._turtle.abort()
+        self._goal = None
+        if not goal.is_cancel_requested:
+            goal._update_state(GoalEvent.CANCEL_GOAL)
+        goal.canceled()
+        self._results[_id_of(goal)].set_result(RotateAbsolute.Result())
+        # The server has to live until the waiting execution has sent that result.
+        executor = self._node.executor
+        if executor is not None:
+            executor.create_task(self._rotations.destroy)
 
     def _now(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)
+
+
+def _id_of(goal: ServerGoalHandle[Any, Any, Any]) -> bytes:
+    return bytes(goal.goal_id.uuid)

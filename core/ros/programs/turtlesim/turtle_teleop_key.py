@@ -54,7 +54,9 @@ class Teleop:
         self.node.declare_parameter("scale_angular", 2.0)
         self.node.declare_parameter("scale_linear", 2.0)
         self._twists = self.node.create_publisher(Twist, "turtle1/cmd_vel", TOPIC_QOS)
-        self._rotations = ActionClient(self.node, RotateAbsolute, "turtle1/rotate_absolute")
+        self._rotations: ActionClient[Any, Any, Any] = ActionClient(
+            self.node, RotateAbsolute, "turtle1/rotate_absolute"
+        )
         self._goal: Any = None
 
     def press(self, key: str) -> bool:

@@ -116,7 +116,8 @@ class TurtleFrame:
 async def main(session: Session) -> int:
     frame = TurtleFrame(session)
     session.executor.add_node(frame.node)
-    window = session.display and session.display.open("turtlesim", "TurtleSim", frame.simulation)
+    display = session.display
+    window = None if display is None else display.open("turtlesim", "TurtleSim", frame.simulation)
     try:
         async for _ in session.every(model.TICK):
             session.spin_some()

@@ -1,1 +1,1 @@
-"""The ROS package action_msgs; its interface texts are in core/ros/share/action_msgs."""
+"""The ROS package action_msgs; its interface texts are in share/action_msgs."""

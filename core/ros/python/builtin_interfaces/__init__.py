@@ -1,1 +1,1 @@
-"""The ROS package builtin_interfaces; its interface texts are in core/ros/share/builtin_interfaces."""
+"""The ROS package builtin_interfaces; its interface texts are in share/builtin_interfaces."""

@@ -1,1 +1,1 @@
-"""The ROS package composition_interfaces; its interface texts are in core/ros/share/composition_interfaces."""
+"""The ROS package composition_interfaces; its interface texts are in share/composition_interfaces."""

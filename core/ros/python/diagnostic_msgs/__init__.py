@@ -1,1 +1,1 @@
-"""The ROS package diagnostic_msgs; its interface texts are in core/ros/share/diagnostic_msgs."""
+"""The ROS package diagnostic_msgs; its interface texts are in share/diagnostic_msgs."""

@@ -1,1 +1,1 @@
-"""The ROS package example_interfaces; its interface texts are in core/ros/share/example_interfaces."""
+"""The ROS package example_interfaces; its interface texts are in share/example_interfaces."""

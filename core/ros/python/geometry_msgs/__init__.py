@@ -1,1 +1,1 @@
-"""The ROS package geometry_msgs; its interface texts are in core/ros/share/geometry_msgs."""
+"""The ROS package geometry_msgs; its interface texts are in share/geometry_msgs."""

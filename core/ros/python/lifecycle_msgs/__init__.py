@@ -1,1 +1,1 @@
-"""The ROS package lifecycle_msgs; its interface texts are in core/ros/share/lifecycle_msgs."""
+"""The ROS package lifecycle_msgs; its interface texts are in share/lifecycle_msgs."""

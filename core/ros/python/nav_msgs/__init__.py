@@ -1,1 +1,1 @@
-"""The ROS package nav_msgs; its interface texts are in core/ros/share/nav_msgs."""
+"""The ROS package nav_msgs; its interface texts are in share/nav_msgs."""

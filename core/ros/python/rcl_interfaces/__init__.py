@@ -1,1 +1,1 @@
-"""The ROS package rcl_interfaces; its interface texts are in core/ros/share/rcl_interfaces."""
+"""The ROS package rcl_interfaces; its interface texts are in share/rcl_interfaces."""

@@ -30,6 +30,13 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
+_INVALID = (
+    "the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called., "
+    "at /project/src/rcl/"
+)
+_INVALID_TIMER = f"failed to create timer: {_INVALID}guard_condition.c:65"
+_INVALID_WAIT_SET = f"failed to initialize wait set: {_INVALID}wait.c:105"
+_INVALID_GUARD = f"failed to create guard_condition: {_INVALID}guard_condition.c:65"
 _NEVER_TRUE: Callable[[], bool] = bool
 _FOREVER = -1
 # A lock that is waited for without limit cannot be interrupted by Ctrl-C on Windows.
@@ -93,6 +100,8 @@ class Executor:
         self._context = get_default_context() if context is None else context
         if self._context.handle is None:
             raise RuntimeError("Context must be initialized a GuardCondition can be created")
+        if not self._context._valid:
+            raise RCLError(_INVALID_GUARD)
         self._steady_ns = self._context._time.steady_ns
         self._nodes: set[Node] = set()
         self._nodes_lock = threading.RLock()
@@ -164,7 +173,7 @@ class Executor:
                 scope = node._scope
                 scope.executor = self
                 self._new_nodes.popleft()
-                for timer in node._timers:
+                for timer in (*node._timers, *node._hidden_timers):
                     timer._schedule()
                 if scope.stash:
                     scope.hand_over()
@@ -250,6 +259,7 @@ class Executor:
             raise ValueError("generator already executing")
         until: int | None = None
         tasks_had_their_turn = False
+        waited = False
         while True:
             if self._new_nodes:
                 self._attach_new_nodes()
@@ -272,11 +282,9 @@ class Executor:
                 continue
             tasks_had_their_turn = False
             if not self._context._valid:
-                if timeout_ns > 0:
-                    from rclpy.timer import _INVALID_CONTEXT
-
-                    raise RCLError(_INVALID_CONTEXT)
-                raise ExternalShutdownException
+                if waited:
+                    raise ExternalShutdownException
+                raise RCLError(_INVALID_TIMER if timeout_ns > 0 else _INVALID_WAIT_SET)
             self._woken = False
             if self._collect() or self._tasks:
                 continue
@@ -289,6 +297,7 @@ class Executor:
                 elif now >= until:
                     return None
             self._wait(until, timeout_ns, condition)
+            waited = True
 
     def _wait(self, until: int | None, timeout_ns: int, condition: Callable[[], bool]) -> None:
         """Block until something is ready, the next timer is due or `until` (ns, steady) has come."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import GUARD, NOTHING, Entity
-from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle
+from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
@@ -35,6 +35,11 @@ class GuardCondition(Entity):
         self._context = get_default_context() if context is None else context
         if self._context.handle is None:
             raise RuntimeError("Context must be initialized a GuardCondition can be created")
+        if not self._context._valid:
+            raise RCLError(
+                "failed to create guard_condition: the given context is not valid, either rcl_init() was not called or "
+                "rcl_shutdown() was called., at /project/src/rcl/guard_condition.c:65"
+            )
         self._handle = Destroyable()
         self.callback = callback
         self.callback_group = callback_group

@@ -54,6 +54,12 @@ class Publisher(EventSource, Generic[MsgT]):
         else:
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
 
+    def _endpoint_is_heard(self) -> bool:
+        """Say whether anybody would get a message; raises what `publish` raises."""
+        self._handle.check_publisher("Failed to publish")
+        endpoint = self._handle._endpoint
+        return bool(endpoint.matched or endpoint.remote_matched)
+
     def get_subscription_count(self) -> int:
         """Return how many subscriptions match."""
         self._handle.check_publisher("failed to get subscription count")

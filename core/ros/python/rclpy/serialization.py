@@ -1,20 +1,31 @@
-"""Messages to bytes (CDR) and back."""
+"""Messages as CDR bytes and back."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from day6_tui.core.interfaces import deserialize, serialize
+from rclpy._rclpy_pybind11 import RMWError
 from rclpy.type_support import check_for_type_support
 
 
 def serialize_message(message: Any) -> bytes:
-    """Return a message as CDR bytes with the 4-byte header."""
+    """Return a message as CDR bytes, with the 4 bytes that name the encoding."""
     check_for_type_support(type(message))
+    from day6_tui.core.interfaces import serialize
+
     return serialize(message)
 
 
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
-    """Return the message of class `message_type` that CDR bytes hold."""
+    """Return the message of CDR bytes; RMWError for bytes that are none of that type."""
     check_for_type_support(message_type)
-    return deserialize(serialized_message, message_type)
+    from day6_tui.core.interfaces import DeserializationError, deserialize, type_name
+
+    try:
+        return deserialize(serialized_message, message_type)
+    except DeserializationError:
+        package, kind, name = type_name(message_type).split("/")
+        raise RMWError(
+            "failed to deserialize ROS message: Fast CDR exception deserializing message of type "
+            f"{package}::{kind}::dds_::{name}_., at /project/src/type_support_common.cpp:139"
+        ) from None

@@ -158,7 +158,8 @@ class Timer(Entity):
         if callback is None:
             return None
         if self._plain:
-            return callback()
+            callback()
+            return None
         result = self._call_slowly(callback, due, now)
         return result if is_coroutine_function(callback) else None
 

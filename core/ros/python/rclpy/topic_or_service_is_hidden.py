@@ -1,12 +1,10 @@
-"""Hidden names: those with a part that starts with an underscore."""
+"""Hidden topics and services."""
 
-from __future__ import annotations
-
-from day6_tui.core.graph.names import is_hidden
+from day6_tui.core.graph import names
 
 HIDDEN_TOPIC_PREFIX = "_"
 
 
 def topic_or_service_is_hidden(name: str) -> bool:
-    """Say whether `ros2 topic list` leaves the name out."""
-    return is_hidden(name)
+    """Say whether a part of the name starts with an underscore."""
+    return names.is_hidden(name)

@@ -1,28 +1,30 @@
-"""The hash of an interface's definition (REP 2016)."""
+"""Hashes of types."""
 
 from __future__ import annotations
 
+from typing import TypedDict
+
+
+class TypeHashDictionary(TypedDict):
+    """A type hash as a dictionary."""
+
+    version: int
+    value: bytes
+
 
 class TypeHash:
-    """Version and 32 bytes; prints as `RIHS01_…` in hexadecimal, `INVALID` for version -1."""
+    """A type's hash; its text is like `RIHS01_df66…`."""
 
     _TYPE_HASH_SIZE = 32
-    __slots__ = ["_value", "_version"]
+    __slots__ = ("_value", "_version")
 
-    def __init__(self, version: int = -1, value: bytes = bytes(32)) -> None:
+    def __init__(self, version: int = -1, value: bytes = bytes(_TYPE_HASH_SIZE)) -> None:
         self.version = version
         self.value = value
 
-    @classmethod
-    def _parse(cls, text: str) -> TypeHash:
-        """Return the hash that `RIHS01_…` stands for; an invalid one for anything else."""
-        if not text.startswith("RIHS") or len(text) != len("RIHS01_") + 64:
-            return cls()
-        return cls(int(text[4:6]), bytes.fromhex(text[7:]))
-
     @property
     def version(self) -> int:
-        """Version of the hashing rules."""
+        """The version of the way to hash; negative if there is no hash."""
         return self._version
 
     @version.setter
@@ -41,11 +43,11 @@ class TypeHash:
         self._value = value
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TypeHash) and (self.version, self.value) == (other.version, other.value)
+        return isinstance(other, TypeHash) and (self._version, self._value) == (other._version, other._value)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __str__(self) -> str:
         if self._version <= 0 or len(self._value) != self._TYPE_HASH_SIZE:
             return "INVALID"
-        return f"RIHS{self._version:02d}_{self._value.hex()}"
+        return f"RIHS{self._version:02}_{self._value.hex()}"

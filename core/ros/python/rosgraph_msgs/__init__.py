@@ -1,1 +1,1 @@
-"""The ROS package rosgraph_msgs; its interface texts are in core/ros/share/rosgraph_msgs."""
+"""The ROS package rosgraph_msgs; its interface texts are in share/rosgraph_msgs."""

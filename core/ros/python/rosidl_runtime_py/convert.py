@@ -67,7 +67,7 @@ def get_message_slot_types(msg: Any) -> OrderedDict[str, Any]:
 
 
 def _fields(msg: Any) -> Iterator[tuple[str, Any]]:
-    return zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES)
+    return zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True)
 
 
 def _ordered(msg: Any, limits: _Limits) -> OrderedDict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import OrderedDict
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -18,12 +18,10 @@ def dump(value: Any, *, flow_style: bool = False) -> str:
     """
     import yaml
 
-    return str(
-        yaml.dump(value, Dumper=_dumper(), allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style)
-    )
+    return str(yaml.dump(value, Dumper=_dumper(), allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style))
 
 
-@lru_cache(maxsize=None)
+@cache
 def _dumper() -> type[yaml.SafeDumper]:
     """A dumper of our own, because registering for OrderedDict on PyYAML's would change it for the whole process."""
     import yaml

@@ -1,1 +1,1 @@
-"""The ROS package sensor_msgs; its interface texts are in core/ros/share/sensor_msgs."""
+"""The ROS package sensor_msgs; its interface texts are in share/sensor_msgs."""

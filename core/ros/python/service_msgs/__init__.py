@@ -1,1 +1,1 @@
-"""The ROS package service_msgs; its interface texts are in core/ros/share/service_msgs."""
+"""The ROS package service_msgs; its interface texts are in share/service_msgs."""

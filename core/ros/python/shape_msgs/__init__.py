@@ -1,1 +1,1 @@
-"""The ROS package shape_msgs; its interface texts are in core/ros/share/shape_msgs."""
+"""The ROS package shape_msgs; its interface texts are in share/shape_msgs."""

@@ -1,1 +1,1 @@
-"""The ROS package statistics_msgs; its interface texts are in core/ros/share/statistics_msgs."""
+"""The ROS package statistics_msgs; its interface texts are in share/statistics_msgs."""

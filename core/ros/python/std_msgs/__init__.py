@@ -1,1 +1,1 @@
-"""The ROS package std_msgs; its interface texts are in core/ros/share/std_msgs."""
+"""The ROS package std_msgs; its interface texts are in share/std_msgs."""

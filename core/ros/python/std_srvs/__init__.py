@@ -1,1 +1,1 @@
-"""The ROS package std_srvs; its interface texts are in core/ros/share/std_srvs."""
+"""The ROS package std_srvs; its interface texts are in share/std_srvs."""

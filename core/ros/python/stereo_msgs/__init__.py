@@ -1,1 +1,1 @@
-"""The ROS package stereo_msgs; its interface texts are in core/ros/share/stereo_msgs."""
+"""The ROS package stereo_msgs; its interface texts are in share/stereo_msgs."""

@@ -1,1 +1,1 @@
-"""The ROS package test_msgs; its interface texts are in core/ros/share/test_msgs."""
+"""The ROS package test_msgs; its interface texts are in share/test_msgs."""

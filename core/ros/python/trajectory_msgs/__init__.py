@@ -1,1 +1,1 @@
-"""The ROS package trajectory_msgs; its interface texts are in core/ros/share/trajectory_msgs."""
+"""The ROS package trajectory_msgs; its interface texts are in share/trajectory_msgs."""

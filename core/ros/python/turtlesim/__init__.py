@@ -1,1 +1,1 @@
-"""The ROS package turtlesim; its interface texts are in core/ros/share/turtlesim."""
+"""The ROS package turtlesim; its interface texts are in share/turtlesim."""

@@ -1,1 +1,1 @@
-"""The ROS package unique_identifier_msgs; its interface texts are in core/ros/share/unique_identifier_msgs."""
+"""The ROS package unique_identifier_msgs; its interface texts are in share/unique_identifier_msgs."""

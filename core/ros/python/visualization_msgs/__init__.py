@@ -1,1 +1,1 @@
-"""The ROS package visualization_msgs; its interface texts are in core/ros/share/visualization_msgs."""
+"""The ROS package visualization_msgs; its interface texts are in share/visualization_msgs."""

@@ -11,9 +11,8 @@ from day6_tui.core.ros.ros2.cli.node import graph_node
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 SUMMARY = "Print information about an action"
 

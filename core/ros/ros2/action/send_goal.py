@@ -10,9 +10,8 @@ from day6_tui.core.ros.ros2.cli.node import PREFIX, plain_node
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
-    from rclpy.action.client import ActionClient, ClientGoalHandle
-
     from day6_tui.core.session.session import Session
+    from rclpy.action.client import ActionClient, ClientGoalHandle
 
 SUMMARY = "Send an action goal"
 POLL_SECONDS = 0.05
@@ -21,9 +20,7 @@ POLL_SECONDS = 0.05
 def add_arguments(parser: ArgumentParser) -> None:
     completed(parser.add_argument("action_name", help="Name of the ROS action (e.g. '/fibonacci')"), action_names)
     completed(
-        parser.add_argument(
-            "action_type", help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')"
-        ),
+        parser.add_argument("action_type", help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')"),
         action_types_of_action,
     )
     source = parser.add_mutually_exclusive_group()
@@ -39,19 +36,20 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     import yaml
-    from rclpy.action import ActionClient
     from rosidl_runtime_py.convert import message_to_yaml
     from rosidl_runtime_py.set_message import set_message_fields
     from rosidl_runtime_py.utilities import get_action
 
-    text = await session.stdin.read_all() if args.stdin else args.goal
+    from rclpy.action import ActionClient
+
+    text = (await session.stdin.read_all()).encode() if args.stdin else args.goal
     try:
         kind = get_action(args.action_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError("The passed action type is invalid") from None
     values = yaml.safe_load(text)
     node = await plain_node(session, f"{PREFIX}_send_goal_{args.action_type.replace('/', '_')}")
-    client = ActionClient(node, kind, args.action_name)
+    client: ActionClient[Any, Any, Any] = ActionClient(node, kind, args.action_name)
     session.defer(client.destroy)
     goal = kind.Goal()
     try:
@@ -78,7 +76,9 @@ async def main(session: Session, args: Namespace) -> str | None:
     return None
 
 
-async def _send(session: Session, client: ActionClient[Any, Any, Any], goal: Any, feedback: Any) -> ClientGoalHandle[Any, Any, Any] | None:
+async def _send(
+    session: Session, client: ActionClient[Any, Any, Any], goal: Any, feedback: Any
+) -> ClientGoalHandle[Any, Any, Any] | None:
     """Send the goal; None if the server does not want it."""
     future = client.send_goal_async(goal, feedback)
     await session.spin_until(future)

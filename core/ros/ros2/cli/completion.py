@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -18,10 +18,11 @@ class Typed(NamedTuple):
     prefix: str
 
 
-Completer = Callable[[Typed], Iterable[str]]
+Words = Iterable[str]
+Completer = Callable[[Typed], "Words | Awaitable[Words]"]
 
 
-def complete_words(words: list[str], session: Session) -> list[str]:
+async def complete_words(words: list[str], session: Session) -> list[str]:
     """Return the possible last words of `words` (which begins with 'ros2'), sorted; see `ros2.complete`."""
     from day6_tui.core.ros import environment
     from day6_tui.core.ros.ros2.cli.tree import build_parser
@@ -32,7 +33,8 @@ def complete_words(words: list[str], session: Session) -> list[str]:
     walk = _Walk(build_parser(session, before))
     for word in before:
         walk.take(word)
-    candidates = walk.candidates(session, prefix)
+    found = walk.candidates(session, prefix)
+    candidates = await found if isinstance(found, Awaitable) else found
     return sorted({candidate for candidate in candidates if candidate.startswith(prefix)})
 
 
@@ -72,22 +74,24 @@ class _Walk:
         if action.nargs not in (argparse.REMAINDER, "+", "*"):
             self._positionals.pop(0)
 
-    def candidates(self, session: Session, prefix: str) -> Iterable[str]:
+    def candidates(self, session: Session, prefix: str) -> Words | Awaitable[Words]:
         if self._pending is not None:
             return self._values_of(self._pending, session, prefix)
         if prefix.startswith("-") and not self._in_remainder():
-            return [option for option in self._parser._option_string_actions if option.startswith("--") or len(prefix) < 2]
+            return [
+                option for option in self._parser._option_string_actions if option.startswith("--") or len(prefix) < 2
+            ]
         return self._values_of(self._positionals[0], session, prefix) if self._positionals else []
 
     def _in_remainder(self) -> bool:
         return bool(self._positionals) and self._positionals[0].nargs == argparse.REMAINDER
 
-    def _values_of(self, action: argparse.Action, session: Session, prefix: str) -> Iterable[str]:
+    def _values_of(self, action: argparse.Action, session: Session, prefix: str) -> Words | Awaitable[Words]:
         if action.choices is not None:
             from day6_tui.core.ros.ros2.cli.later import HIDDEN
 
             return [str(choice) for choice in action.choices if str(choice) not in HIDDEN]
-        completer: Any = getattr(action, "completer", None)
+        completer: Completer | None = getattr(action, "completer", None)
         return completer(Typed(session, self.values, prefix)) if completer is not None else []
 
 
@@ -173,11 +177,11 @@ def executable_names(typed: Typed) -> Iterable[str]:
     return [each.name for each in executables(typed.session, typed.values.get("package_name", "")) or ()]
 
 
-def parameter_names(typed: Typed) -> Iterable[str]:
-    """Complete the name of a parameter of the node named before, if that node runs in this process."""
-    from day6_tui.core.ros.ros2.param._values import parameters_here
+async def parameter_names(typed: Typed) -> Iterable[str]:
+    """Complete the name of a parameter of the node named before, by asking that node."""
+    from day6_tui.core.ros.ros2.param._services import listed_parameters
 
-    return parameters_here(typed.session, typed.values.get("node_name", ""))
+    return await listed_parameters(typed.session, typed.values.get("node_name", ""))
 
 
 def message_prototype(typed: Typed) -> Iterable[str]:

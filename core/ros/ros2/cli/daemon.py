@@ -8,15 +8,16 @@ each graph of a machine that goes on after the command; a command in a terminal 
 from __future__ import annotations
 
 import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
-    from rclpy.context import Context
-    from rclpy.node import Node
-
     from day6_tui.core.graph.graph import Graph
     from day6_tui.core.session.session import Session
+    from rclpy.context import Context
+    from rclpy.node import Node
 
 PREFIX = "_ros2cli_daemon"
 
@@ -27,6 +28,17 @@ class _Daemon(NamedTuple):
 
 
 _daemons: WeakKeyDictionary[Graph, _Daemon] = WeakKeyDictionary()
+
+
+@contextmanager
+def answering() -> Iterator[None]:
+    """Inside, a wrong question raises what it raises where the real daemon, a server of its own, reports it back."""
+    try:
+        yield
+    except ValueError as error:
+        from xmlrpc.client import Fault
+
+        raise Fault(1, f"{type(error)}:{error}") from None
 
 
 def is_running(session: Session) -> bool:

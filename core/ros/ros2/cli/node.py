@@ -2,31 +2,45 @@
 
 from __future__ import annotations
 
-import time
+import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
+from weakref import WeakSet
 
 from day6_tui.core.ros.ros2.cli import daemon
+from day6_tui.core.session.scheduler import Signal
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 PREFIX = "_ros2cli"
 HIDDEN_PREFIX = "_"
 
 
+_settled: WeakSet[Any] = WeakSet()
+
+
 async def settle(session: Session, timeout: float = 1.0) -> None:
-    """Wait until the link, if there is one, has told this process's graph what the others have."""
-    transport: Any = getattr(session.graph, "transport", None)
-    settled = getattr(transport, "is_settled", None)
-    if settled is None:
+    """Wait until the link, if there is one, has told this process's graph what the others have: once for each link.
+
+    `timeout` is in seconds of the wall, because the link lives in it.
+    """
+    link: Any = getattr(session.graph, "transport", None)
+    if not hasattr(link, "wait_settled") or link in _settled:
         return
-    give_up = time.monotonic() + timeout
-    while not settled() and time.monotonic() < give_up:
-        await session.sleep(0.005)
+    known = Signal()
+
+    def look() -> None:
+        try:
+            if link.wait_settled(timeout):
+                _settled.add(link)
+        finally:
+            known.set()
+
+    threading.Thread(target=look, name="day6-settle", daemon=True).start()
+    await session.wait(known)
 
 
 async def direct_node(session: Session, args: Any = None, name: str | None = None) -> Node:
@@ -65,7 +79,8 @@ async def graph_node(session: Session, args: Any = None) -> AsyncIterator[Node]:
         daemon.start(session)
         running = daemon.node_of(session)
         if running is not None:
-            yield running
+            with daemon.answering():
+                yield running
             return
     node = await direct_node(session, args)
     try:

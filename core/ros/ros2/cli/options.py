@@ -45,16 +45,12 @@ def add_discovery_options(parser: ArgumentParser) -> None:
 def add_strategy_options(parser: ArgumentParser) -> None:
     """Add the options of verbs that ask the daemon, or a node of their own."""
     add_discovery_options(parser)
-    parser.add_argument(
-        "--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon"
-    )
+    parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
 
 
 def add_hidden_option(parser: ArgumentParser, things: str) -> None:
     """Add `--include-hidden-THINGS`, things being topics, services or nodes."""
-    parser.add_argument(
-        f"--include-hidden-{things}", action="store_true", help=f"Consider hidden {things} as well"
-    )
+    parser.add_argument(f"--include-hidden-{things}", action="store_true", help=f"Consider hidden {things} as well")
 
 
 def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:

@@ -10,7 +10,7 @@ import argparse
 import functools
 import re
 from collections.abc import Iterable, Sequence
-from typing import IO, TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -36,16 +36,17 @@ class Parser(argparse.ArgumentParser):
 
     def add_commands(self, cli_name: str, description: str) -> Any:
         """Add the sub-parsers of `cli_name` in ros2cli's look; returns argparse's action with `add_parser`."""
+        options: dict[str, Any] = {"parser_class": functools.partial(Parser, self.session)}
         return self.add_subparsers(
             title="Commands",
             description=description,
             metavar=f"Call `{cli_name} <command> -h` for more detailed usage.",
             dest=" command",
             required=False,
-            parser_class=functools.partial(Parser, self.session),  # type: ignore[type-var]
+            **options,
         )
 
-    def _print_message(self, message: str, file: IO[str] | None = None) -> None:
+    def _print_message(self, message: str, file: Any = None) -> None:
         stream = self.session.stdout if file is None else self.session.stderr
         stream.write(message)
 
@@ -97,7 +98,9 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
             indent = " " * len("usage: ")
             lines = _wrapped([*options, *positionals], indent, room, len(indent) - 1)
             if len(lines) > 1:
-                lines = [line for part in (options, positionals) for line in _wrapped(part, indent, room, len(indent) - 1)]
+                lines = [
+                    line for part in (options, positionals) for line in _wrapped(part, indent, room, len(indent) - 1)
+                ]
             return "\n".join([start, *lines]) + "\n\n"
         indent = " " * (len(start) + 1)
         if not options:

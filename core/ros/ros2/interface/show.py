@@ -94,7 +94,9 @@ def _without_comment(line: str) -> str | None:
     code, mark, _ = line.partition("#")
     if not mark:
         return line
-    comment = _UNIT.sub("", line[len(code) :].lstrip("#"), count=1) if _has_one_unit(line) else line[len(code) :].lstrip("#")
+    comment = (
+        _UNIT.sub("", line[len(code) :].lstrip("#"), count=1) if _has_one_unit(line) else line[len(code) :].lstrip("#")
+    )
     comment = comment.strip()
     if not code.strip():
         # A comment of its own. One that is indented, or says nothing, passes for something else and stays.

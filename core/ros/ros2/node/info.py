@@ -11,9 +11,8 @@ from day6_tui.core.ros.ros2.cli.node import graph_node, is_hidden, node_names, s
 from day6_tui.core.ros.ros2.cli.options import add_strategy_options, completed
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
     NamesAndTypes = Callable[[str, str], list[tuple[str, list[str]]]]
 

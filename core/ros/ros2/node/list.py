@@ -17,9 +17,7 @@ SUMMARY = "Output a list of available nodes"
 def add_arguments(parser: ArgumentParser) -> None:
     add_strategy_options(parser)
     parser.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
-    parser.add_argument(
-        "-c", "--count-nodes", action="store_true", help="Only display the number of nodes discovered"
-    )
+    parser.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes discovered")
 
 
 async def main(session: Session, args: Namespace) -> None:

@@ -10,9 +10,8 @@ from day6_tui.core.ros.ros2.cli.node import absolute, direct_node, graph_node, n
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option, add_strategy_options, completed
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 SERVICES_SECONDS = 5.0
 POLL_SECONDS = 0.05
@@ -82,8 +81,8 @@ class ParameterServices:
         """Return the services of another node, called from the same one."""
         return ParameterServices(self.session, self.node, remote)
 
-    async def ready(self) -> bool:
-        """Wait until all services are there; False after five seconds."""
+    async def ready(self, seconds: float = SERVICES_SECONDS) -> bool:
+        """Wait until all services are there; False after some seconds."""
         import rcl_interfaces.srv
 
         for kind, service in _SERVICES.items():
@@ -91,7 +90,7 @@ class ParameterServices:
                 self._clients[kind] = self.node.create_client(
                     getattr(rcl_interfaces.srv, kind), f"{self.remote}/{service}"
                 )
-        deadline = self.session.clock.steady_ns() + int(SERVICES_SECONDS * 1e9)
+        deadline = self.session.clock.steady_ns() + int(seconds * 1e9)
         while not all(client.service_is_ready() for client in self._clients.values()):
             if self.session.clock.steady_ns() >= deadline:
                 return False
@@ -101,9 +100,7 @@ class ParameterServices:
     async def call(self, kind: str, **fields: Any) -> Any:
         """Call a service and return its response; RuntimeError if the services do not come or the call fails."""
         if not await self.ready():
-            raise RuntimeError(
-                f"Wait for service timed out waiting for parameter services for node {self.remote}"
-            )
+            raise RuntimeError(f"Wait for service timed out waiting for parameter services for node {self.remote}")
         client = self._clients[kind]
         future = client.call_async(client.srv_type.Request(**fields))
         await self.session.spin_until(future)
@@ -120,3 +117,16 @@ def print_result(session: Session, result: Any, success: str, failure: str) -> N
         session.print(success + reason)
     else:
         session.print_error(failure + reason)
+
+
+async def listed_parameters(session: Session, node_name: str) -> list[str]:
+    """Return the parameter names of a node (for Tab); none if it is not there or does not answer soon."""
+    node = await direct_node(session)
+    session.executor.add_node(node)
+    try:
+        services = ParameterServices(session, node, absolute(node_name))
+        if not node_name or not await services.ready(0.2):
+            return []
+        return sorted((await services.call("ListParameters")).result.names)
+    finally:
+        node.destroy_node()

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterValue
 
-    from day6_tui.core.session.session import Session
-
 _KINDS = {
     # ParameterType: (field of ParameterValue, name of the type, label of `param get`)
     1: ("bool_value", "boolean", "Boolean value is:"),
@@ -86,16 +84,3 @@ def _kind_of(found: Any) -> int:
             if all(isinstance(item, python_type) for item in found):
                 return kind
     return _STRING
-
-
-def parameters_here(session: Session, node_name: str) -> list[str]:
-    """Return the parameter names of a node, as far as this process knows them without asking (for Tab)."""
-    from day6_tui.core.ros.ros2.cli.node import split_name
-
-    if session.graph is None or not node_name:
-        return []
-    for node in session.graph.find_nodes(*split_name(node_name)):
-        owner: Any = getattr(node, "owner", None)
-        if owner is not None:
-            return sorted(owner._parameters)
-    return []

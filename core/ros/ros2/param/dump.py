@@ -44,7 +44,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         session.print_error(f"Exception while calling get_parameters service of node '{name}': {error}")
         return None
     tree: dict[str, Any] = {}
-    for parameter, value in zip(names, response.values):
+    for parameter, value in zip(names, response.values, strict=False):
         _insert(tree, parameter, python_value(value))
     session.print(yaml.safe_dump({name: {"ros__parameters": tree}}, default_flow_style=False))
     return None

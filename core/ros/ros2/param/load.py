@@ -47,7 +47,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     values = parameters_of_file(session, args.parameter_file, name, wildcard=not args.no_use_wildcard)
     parameters = [Parameter(name=each, value=value_of(value)) for each, value in values.items()]
     response = await services.call("SetParameters", parameters=parameters)
-    for parameter, result in zip(parameters, response.results):
+    for parameter, result in zip(parameters, response.results, strict=False):
         one = f"Set parameter {parameter.name}"
         print_result(session, result, f"{one} successful", f"{one} failed")
     return None
@@ -61,7 +61,7 @@ def parameters_of_file(session: Session, file_name: str, node_name: str, *, wild
     import yaml
 
     stream = io.StringIO((session.cwd / file_name).read_text(encoding="utf-8"))
-    stream.name = file_name  # type: ignore[attr-defined]  # errors of YAML name the file as the user did
+    stream.name = file_name  # errors of YAML name the file as the user did
     content = yaml.safe_load(stream)
     name, namespace = split_name(node_name)
     found: dict[str, Any] = {}

@@ -38,9 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         request_prototype,
     )
     source.add_argument("--stdin", action="store_true", help="Read values from standard input")
-    parser.add_argument(
-        "-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz"
-    )
+    parser.add_argument("-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz")
 
 
 async def main(session: Session, args: Namespace) -> str | None:
@@ -49,7 +47,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
     if args.rate is not None and args.rate <= 0:
         raise RuntimeError("rate must be greater than zero")
-    text = await session.stdin.read_all() if args.stdin else args.values
+    text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     package, kind = _service_class(args.service_type)
     values = yaml.safe_load(text)
     node = await plain_node(session, f"{PREFIX}_requester_{package}_{kind.__name__}")

@@ -17,7 +17,9 @@ SUMMARY = "Output a service's type"
 
 def add_arguments(parser: ArgumentParser) -> None:
     completed(
-        parser.add_argument("service_name", help="Name of the ROS service to get type (e.g. '/talker/list_parameters')"),
+        parser.add_argument(
+            "service_name", help="Name of the ROS service to get type (e.g. '/talker/list_parameters')"
+        ),
         service_names,
     )
 

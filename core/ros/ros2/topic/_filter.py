@@ -15,27 +15,38 @@ from functools import lru_cache
 from itertools import count
 from typing import Any
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
-    function.__name__: function
-    for function in (
-        abs, all, any, bool, bytes, chr, divmod, enumerate, float, hex, int, isinstance, len, list, max, min, ord, range,
-        repr, reversed, round, set, sorted, str, sum, tuple, zip,
-    )  # fmt: skip
-}
+_HARMLESS = (
+    *(abs, all, any, bool, bytes, chr, divmod, enumerate, float, hex, int, isinstance, len, list, max, min, ord, range),
+    *(repr, reversed, round, set, sorted, str, sum, tuple, zip),
+)
+FUNCTIONS: dict[str, Callable[..., Any]] = {function.__name__: function for function in _HARMLESS}
 _NAMES: dict[str, Any] = {**FUNCTIONS, "True": True, "False": False, "None": None, "math": math}
 
+_GROWING = frozenset(
+    [
+        "center",
+        "encode",
+        "expandtabs",
+        "format",
+        "format_map",
+        "join",
+        "ljust",
+        "maketrans",
+        "rjust",
+        "translate",
+        "zfill",
+    ]
+)
+"""Methods of str that make much out of little, or read attributes."""
+
 _METHODS: dict[type, frozenset[str]] = {
-    str: frozenset(
-        "capitalize casefold count endswith find index isalnum isalpha isascii isdecimal isdigit islower isnumeric isspace "
-        "isupper lower lstrip partition replace rfind rpartition rsplit rstrip split splitlines startswith strip title "
-        "upper".split()
-    ),
-    bytes: frozenset("count decode endswith find hex index startswith".split()),
+    str: frozenset(name for name in dir(str) if not name.startswith("_")) - _GROWING,
+    bytes: frozenset(("count", "decode", "endswith", "find", "hex", "index", "startswith")),
     list: frozenset(("count", "index")),
     tuple: frozenset(("count", "index")),
     array: frozenset(("count", "index", "tolist")),
 }
-_NUMPY_METHODS = frozenset("all any max mean min std sum tolist".split())
+_NUMPY_METHODS = frozenset(["all", "any", "max", "mean", "min", "std", "sum", "tolist"])
 _BINARY: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -162,7 +173,7 @@ class _Evaluation:
 
     def _compare(self, node: ast.Compare) -> Any:
         left, value = self.of(node.left), True
-        for op, part in zip(node.ops, node.comparators):
+        for op, part in zip(node.ops, node.comparators, strict=True):
             right = self.of(part)
             value = _COMPARE[type(op)](left, right)
             if not value:
@@ -206,7 +217,11 @@ def _bound(target: ast.expr, value: Any) -> dict[str, Any]:
     if isinstance(target, ast.Name):
         return {target.id: value}
     if isinstance(target, (ast.Tuple, ast.List)):
-        return {name: part for each, item in zip(target.elts, value) for name, part in _bound(each, item).items()}
+        return {
+            name: part
+            for each, item in zip(target.elts, value, strict=True)
+            for name, part in _bound(each, item).items()
+        }
     raise FilterError("a filter cannot assign to this")
 
 

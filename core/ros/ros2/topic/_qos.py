@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import Namespace
+from copy import deepcopy
 from typing import TYPE_CHECKING
 
 from rclpy.duration import Duration
@@ -16,9 +17,8 @@ from rclpy.qos import (
 )
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 _OVERRIDES = (
     "qos_reliability",
@@ -32,7 +32,7 @@ _OVERRIDES = (
 
 def profile_from_options(args: Namespace) -> QoSProfile:
     """Return the preset of `--qos-profile` with what the other options override."""
-    profile = QoSPresetProfiles.get_from_short_key(args.qos_profile)
+    profile = _preset(args)
     if args.qos_history:
         profile.history = QoSHistoryPolicy.get_from_short_key(args.qos_history)
     if args.qos_durability:
@@ -55,7 +55,7 @@ def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfil
     """Return what `topic echo` subscribes with: as asked for, else adapted to the publishers that are there."""
     if any(getattr(args, option) is not None for option in _OVERRIDES):
         return profile_from_options(args)
-    profile = QoSPresetProfiles.get_from_short_key(args.qos_profile)
+    profile = _preset(args)
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(args.topic_name)]
     if not offered:
         return profile
@@ -72,6 +72,11 @@ def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfil
         if latched:
             session.print(_fallback("QoSDurabilityPolicy", "TRANSIENT_LOCAL", "VOLATILE"))
     return profile
+
+
+def _preset(args: Namespace) -> QoSProfile:
+    # A copy: the presets belong to the whole process.
+    return deepcopy(QoSPresetProfiles.get_from_short_key(args.qos_profile))
 
 
 def _fallback(policy: str, offered: str, taken: str) -> str:

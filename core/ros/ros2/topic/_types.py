@@ -9,9 +9,8 @@ from rclpy.expand_topic_name import expand_topic_name
 from rclpy.validate_full_topic_name import validate_full_topic_name
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 POLL_SECONDS = 0.1
 

@@ -11,9 +11,8 @@ from day6_tui.core.ros.ros2.cli.node import direct_node
 from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
-
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
 
 SUMMARY = "Display delay of topic from timestamp in header"
 WINDOW = 10000
@@ -32,9 +31,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from rclpy.qos import qos_profile_sensor_data
-
     from day6_tui.core.ros.ros2.topic._types import wait_for_class
+    from rclpy.qos import qos_profile_sensor_data
 
     node = await direct_node(session, args)
     kind = await wait_for_class(session, node, args.topic)

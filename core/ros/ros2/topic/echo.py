@@ -16,9 +16,8 @@ from day6_tui.core.ros.ros2.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from rclpy.task import Future
-
     from day6_tui.core.session.session import Session
+    from rclpy.task import Future
 
 SUMMARY = "Output messages from a topic"
 CLEAR = "\x1b[H\x1b[2J"
@@ -57,12 +56,8 @@ def add_arguments(parser: ArgumentParser) -> None:
         "message).",
     )
     parser.add_argument("--once", action="store_true", help="Print the first message received and then exit.")
-    parser.add_argument(
-        "--timeout", metavar="N", type=positive_float, help="Set a timeout in seconds for waiting"
-    )
-    parser.add_argument(
-        "--include-message-info", "-i", action="store_true", help="Shows the associated message info."
-    )
+    parser.add_argument("--timeout", metavar="N", type=positive_float, help="Set a timeout in seconds for waiting")
+    parser.add_argument("--include-message-info", "-i", action="store_true", help="Shows the associated message info.")
     parser.add_argument("--clear", "-c", action="store_true", help="Clear screen before printing next message")
     parser.add_argument(
         "-n", "--node-name", help="The name of the echoing node; by default, will be a hidden node name"

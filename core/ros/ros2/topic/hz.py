@@ -12,9 +12,8 @@ from day6_tui.core.ros.ros2.cli.node import direct_node
 from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
 
 if TYPE_CHECKING:
-    from rclpy.clock import Clock
-
     from day6_tui.core.session.session import Session
+    from rclpy.clock import Clock
 
 SUMMARY = "Print the average publishing rate to screen"
 WINDOW = 10000
@@ -23,9 +22,7 @@ _HEADER = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
 
 def add_arguments(parser: ArgumentParser) -> None:
     completed(
-        parser.add_argument(
-            "topic_name", nargs="+", help="Names of the ROS topic to listen to (e.g. '/chatter')"
-        ),
+        parser.add_argument("topic_name", nargs="+", help="Names of the ROS topic to listen to (e.g. '/chatter')"),
         topic_names,
     )
     parser.add_argument(
@@ -53,12 +50,11 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
+    from day6_tui.core.ros.ros2.topic._types import wait_for_class
     from rclpy.clock import Clock
     from rclpy.clock_type import ClockType
     from rclpy.executors import ExternalShutdownException
     from rclpy.qos import qos_profile_sensor_data
-
-    from day6_tui.core.ros.ros2.topic._types import wait_for_class
 
     node = await direct_node(session, args)
     clock = Clock(clock_type=ClockType.SYSTEM_TIME) if args.use_wtime else node.get_clock()
@@ -157,13 +153,20 @@ def _line(rate: Rate) -> str:
 
 def _table(rates: dict[str, Rate]) -> str:
     rows = [
-        (topic, f"{rate.hertz:.3f}", f"{rate.shortest:.3f}", f"{rate.longest:.3f}", f"{rate.deviation:.5f}", str(rate.window))
+        (
+            topic,
+            f"{rate.hertz:.3f}",
+            f"{rate.shortest:.3f}",
+            f"{rate.longest:.3f}",
+            f"{rate.deviation:.5f}",
+            str(rate.window),
+        )
         for topic, rate in rates.items()
     ]
-    widths = [max(map(len, column)) for column in zip(_HEADER, *rows)]
+    widths = [max(map(len, column)) for column in zip(_HEADER, *rows, strict=True)]
     lines = [
-        "   ".join(word.center(width) for word, width in zip(_HEADER, widths)),
+        "   ".join(word.center(width) for word, width in zip(_HEADER, widths, strict=True)),
         "=" * (sum(widths) + 3 * (len(widths) - 1)),
-        *("   ".join(word.ljust(width) for word, width in zip(row, widths)) for row in rows),
+        *("   ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)) for row in rows),
     ]
     return "\n".join(lines) + "\n"

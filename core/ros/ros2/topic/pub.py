@@ -16,9 +16,8 @@ from day6_tui.core.ros.ros2.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from rclpy.publisher import Publisher
-
     from day6_tui.core.session.session import Session
+    from rclpy.publisher import Publisher
 
 SUMMARY = "Publish a message to a topic"
 POLL_SECONDS = 0.1
@@ -29,9 +28,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     completed(
         parser.add_argument("topic_name", help="Name of the ROS topic to publish to (e.g. '/chatter')"), topic_names
     )
-    completed(
-        parser.add_argument("message_type", help="Type of the ROS message (e.g. 'std_msgs/String')"), topic_types
-    )
+    completed(parser.add_argument("message_type", help="Type of the ROS message (e.g. 'std_msgs/String')"), topic_types)
     source = parser.add_mutually_exclusive_group()
     completed(
         source.add_argument(
@@ -92,7 +89,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     from day6_tui.core.ros.ros2.topic._types import message_class
 
     profile = profile_from_options(args)
-    text = await session.stdin.read_all() if args.stdin else args.values
+    text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     node = await direct_node(session, args, args.node_name)
     kind = message_class(args.message_type)
     values = yaml.safe_load(text)
@@ -134,7 +131,7 @@ class _Publication:
     """One message, published again and again; its stamps are set anew every time."""
 
     def __init__(
-        self, session: Session, node: Any, publisher: Publisher, message: Any, stamps: list[Any], print_nth: int
+        self, session: Session, node: Any, publisher: Publisher[Any], message: Any, stamps: list[Any], print_nth: int
     ) -> None:
         self.session = session
         self.clock = node.get_clock()
@@ -155,7 +152,7 @@ class _Publication:
 
 
 async def _wait_for_subscriptions(
-    session: Session, publisher: Publisher, wanted: int, longest: float | None
+    session: Session, publisher: Publisher[Any], wanted: int, longest: float | None
 ) -> str | None:
     """Wait for `wanted` subscriptions, saying so every second; return the complaint when `longest` seconds have passed."""
     if wanted == 0:

@@ -88,7 +88,9 @@ class Rotation:
 
 
 class Turtle:
-    """A turtle at pose (x, y, theta), given in metres and radians as 32-bit floats, born at `now` (nanoseconds).
+    """A turtle at pose (x, y, theta), in metres and radians, born at `now` (nanoseconds).
+
+    Poses come in messages of 32-bit floats, so they are rounded to those.
 
     `kind` says which picture it wears. Commands change what the next `step()` does; nothing moves before it.
     """
@@ -125,7 +127,7 @@ class Turtle:
     def rotate(self, theta: float) -> Rotation:
         """Begin to turn to the heading `theta` at 1 rad/s the shorter way round; a rotation under way is aborted."""
         self.abort()
-        self.rotation = Rotation(theta, self.theta)
+        self.rotation = Rotation(float32(theta), self.theta)
         return self.rotation
 
     def abort(self) -> Rotation | None:
@@ -143,12 +145,12 @@ class Turtle:
             self.pen_width = width or 1
 
     def teleport_absolute(self, x: float, y: float, theta: float) -> None:
-        """Be at this pose (32-bit floats) from the next tick on; the pen draws the way there."""
-        self._teleports.append((x, y, theta))
+        """Be at this pose (metres, radians) from the next tick on; the pen draws the way there."""
+        self._teleports.append((float32(x), float32(y), float32(theta)))
 
     def teleport_relative(self, linear: float, angular: float) -> None:
         """At the next tick turn by `angular`, then go `linear` metres that way; the pen draws the way."""
-        self._teleports.append((linear, angular))
+        self._teleports.append((float32(linear), float32(angular)))
 
     def step(self, now: int, trail: Trail) -> Step:
         """Live through one tick that ends at `now` (nanoseconds), drawing on `trail`."""

@@ -1,144 +1,116 @@
-"""What an action consists of: three services and two topics below its name (design.ros2.org, "Actions").
-
-`ActionEntity` is the common half of client and server: five endpoints of the graph that are run as one entity.
-"""
+"""What servers and clients of actions share: the names below `<action>/_action/` and the states of a goal."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.graph import Client, Publisher, Service, Subscription
-from day6_tui.core.graph.names import flaw_of_topic_name
+from day6_tui.core.graph import names
 from day6_tui.core.interfaces import copy_message, type_hash, type_name
-from rclpy._entity import NOTHING
-from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle
+from rclpy._rclpy_pybind11 import DESTROYED, GoalEvent, InvalidHandle, RCLError
 from rclpy.qos import QoSProfile
-from rclpy.type_support import check_for_type_support
-from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
-    from rclpy.callback_groups import CallbackGroup
-    from rclpy.node import Node
+    from rclpy._handles import NodeHandle
 
-SEND_GOAL = "send_goal"
-CANCEL_GOAL = "cancel_goal"
-GET_RESULT = "get_result"
-FEEDBACK = "feedback"
-STATUS = "status"
-
-GoalKey = bytes
-"""The 16 bytes of a goal's UUID."""
-
-
-def key_of(goal_id: Any) -> GoalKey:
-    """Return a goal's UUID message as bytes."""
-    return bytes(goal_id.uuid)
+UNKNOWN, ACCEPTED, EXECUTING, CANCELING, SUCCEEDED, CANCELED, ABORTED = range(7)
+STATE_NAMES = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
+_TRANSITIONS = {
+    (ACCEPTED, GoalEvent.EXECUTE): EXECUTING,
+    (ACCEPTED, GoalEvent.CANCEL_GOAL): CANCELING,
+    (EXECUTING, GoalEvent.CANCEL_GOAL): CANCELING,
+    (EXECUTING, GoalEvent.SUCCEED): SUCCEEDED,
+    (EXECUTING, GoalEvent.ABORT): ABORTED,
+    (CANCELING, GoalEvent.SUCCEED): SUCCEEDED,
+    (CANCELING, GoalEvent.ABORT): ABORTED,
+    (CANCELING, GoalEvent.CANCELED): CANCELED,
+}
 
 
-class ActionEntity(Waitable[Any]):
-    """Runs the endpoints of one action client or server in its executor."""
-
-    def __init__(self, node: Node, action_type: Any, action_name: str, callback_group: CallbackGroup | None) -> None:
-        super().__init__(node.default_callback_group if callback_group is None else callback_group)
-        check_for_type_support(action_type)
-        self._node = node
-        self._action_type = action_type
-        self._action_name = action_name
-        self._handle = Destroyable()
-        self._endpoints: list[Client | Service | Publisher | Subscription] = []
-        self._receivers: list[tuple[Client | Service | Subscription, Callable[[Any], Any]]] = []
-
-    # endpoints
-
-    def _check_name(self, role: str, name: str) -> None:
-        """Raise ValueError with rcl_action's text for a flawed action name."""
-        flaw = flaw_of_topic_name(name)
-        if flaw is not None:
-            colon = ":" if role == "client" else ": :"
-            raise ValueError(
-                f"Failed to create action {role} due to invalid topic name '{name}' {colon} {flaw.message}, "
-                "at /project/src/rcl/expand_topic_name.c:73"
-            )
-
-    def _name(self, part: str, *, topic: bool = False) -> str:
-        name = f"{self._action_name}/_action/{part}"
-        return self._node.resolve_topic_name(name) if topic else self._node.resolve_service_name(name)
-
-    def _make_client(self, part: str, service: Any, qos: QoSProfile, receive: Callable[[Any], Any]) -> Client:
-        client = self._node._graph_node.create_client(
-            self._name(part), type_name(service), type_hash(service), qos.get_c_qos_profile(), copy_message
+def next_state(state: int, event: GoalEvent) -> int:
+    """Return the state after an event; RCLError for an event that may not happen now (rcl_action/goal_state_machine.c)."""
+    after = _TRANSITIONS.get((state, event))
+    if after is None:
+        raise RCLError(
+            f"Failed to update goal state: goal_handle attempted invalid transition from state {STATE_NAMES[state]} "
+            f"with event {event.name}, at /project/src/rcl_action/goal_handle.c:101"
         )
-        return self._listen(client, receive)
+    return after
 
-    def _make_service(self, part: str, service: Any, qos: QoSProfile, receive: Callable[[Any], Any]) -> Service:
-        server = self._node._graph_node.create_service(
-            self._name(part), type_name(service), type_hash(service), qos.get_c_qos_profile(), copy_message
-        )
-        return self._listen(server, receive)
 
-    def _make_publisher(self, part: str, message: Any, qos: QoSProfile) -> Publisher:
-        publisher = self._node._graph_node.create_publisher(
-            self._name(part, topic=True), type_name(message), type_hash(message), qos.get_c_qos_profile(), copy_message
-        )
-        self._endpoints.append(publisher)
-        return publisher
+class ActionEndpoints:
+    """The five endpoints of an action server or client. `failed` begins the text for a bad name."""
 
-    def _make_subscription(
-        self, part: str, message: Any, qos: QoSProfile, receive: Callable[[Any], Any]
-    ) -> Subscription:
-        subscription = self._node._graph_node.create_subscription(
-            self._name(part, topic=True), type_name(message), type_hash(message), qos.get_c_qos_profile()
-        )
-        return self._listen(subscription, receive)
+    def __init__(self, node: NodeHandle, action_type: Any, action_name: str, failed: str) -> None:
+        node.check()
+        self.node = node
+        self.implementation = action_type.Impl
+        self.name = _full_name(node, action_name, failed)
+        self.endpoints: list[Any] = []
+        self.destroyed = False
 
-    def _listen(self, endpoint: Any, receive: Callable[[Any], Any]) -> Any:
-        endpoint.on_ready = self._notify
-        self._endpoints.append(endpoint)
-        self._receivers.append((endpoint, receive))
-        return endpoint
-
-    # running
-
-    def _pending(self) -> bool:
-        return any(endpoint.queue for endpoint, _ in self._receivers)
-
-    def _process(self) -> Any:
-        self._queued = False
-        taken = [(receive, data) for endpoint, receive in self._receivers if (data := endpoint.take()) is not None]
-        if not taken:
-            return NOTHING
-        if self._pending():
-            self._notify()
-        return self._receive_all(taken)
-
-    async def _receive_all(self, taken: list[tuple[Callable[[Any], Any], Any]]) -> None:
-        for receive, data in taken:
-            await receive(data)
-
-    def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind there are."""
-        return NumberOfEntities(
-            num_subs=sum(isinstance(each, Subscription) for each in self._endpoints),
-            num_clients=sum(isinstance(each, Client) for each in self._endpoints),
-            num_services=sum(isinstance(each, Service) for each in self._endpoints),
-        )
-
-    # the end
-
-    def _check(self) -> None:
-        if self._handle._destroyed:
+    def check(self) -> None:
+        """Raise InvalidHandle after destruction."""
+        if self.destroyed:
             raise InvalidHandle(DESTROYED)
 
-    def __enter__(self) -> None:
-        self._handle.__enter__()
+    def service(self, name: str, interface: Any, qos: QoSProfile) -> Any:
+        """Add a service server."""
+        return self._add(
+            self.node.node.create_service(
+                self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile(), copy_message
+            )
+        )
 
-    def __exit__(self, exc_type: object, exc_value: object, traceback: object) -> None:
-        self._handle.__exit__(exc_type, exc_value, traceback)
+    def client(self, name: str, interface: Any, qos: QoSProfile) -> Any:
+        """Add a service client."""
+        return self._add(
+            self.node.node.create_client(
+                self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile(), copy_message
+            )
+        )
+
+    def publisher(self, name: str, interface: Any, qos: QoSProfile) -> Any:
+        """Add a publisher."""
+        return self._add(
+            self.node.node.create_publisher(
+                self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile(), copy_message
+            )
+        )
+
+    def subscription(self, name: str, interface: Any, qos: QoSProfile) -> Any:
+        """Add a subscription."""
+        return self._add(
+            self.node.node.create_subscription(
+                self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile()
+            )
+        )
+
+    def _sub_name(self, name: str) -> str:
+        full = f"{self.name}/_action/{name}"
+        node = self.node
+        return names.remap_topic(full, node.name, node.namespace, node.rules) if node.rules else full
+
+    def _add(self, endpoint: Any) -> Any:
+        self.endpoints.append(endpoint)
+        return endpoint
 
     def destroy(self) -> None:
-        """Take the action's endpoints out of the graph. ValueError the second time, as in real rclpy."""
-        self._handle.destroy_when_not_in_use()
-        for endpoint in self._endpoints:
+        """Take everything out of the graph."""
+        self.destroyed = True
+        for endpoint in self.endpoints:
             endpoint.destroy()
-        self._node.remove_waitable(self)
+
+
+def _full_name(node: NodeHandle, name: Any, failed: str) -> str:
+    if name is None:
+        kind = failed.split()[4]
+        raise ValueError(
+            f"Failed to create action {kind}: action_name argument is null, at /project/src/rcl_action/action_{kind}.c:180"
+        )
+    flaw = names.flaw_of_topic_name(name)
+    if flaw is not None:
+        raise ValueError(f"{failed.format(name)} {flaw.message}, at /project/src/rcl/expand_topic_name.c:73")
+    try:
+        return names.expand(name, node.name, node.namespace)
+    except names.UnknownSubstitution as error:
+        raise ValueError(f"{failed.format(name)} {error}, at /project/src/rcl/expand_topic_name.c:164") from None

@@ -1,46 +1,61 @@
-"""The client's side of actions: send a goal, hear of its progress, fetch the result, cancel."""
+"""Action clients."""
 
 from __future__ import annotations
 
 import threading
-import uuid
+import time
 import weakref
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from action_msgs.msg import GoalStatus
-from action_msgs.srv import CancelGoal
-from unique_identifier_msgs.msg import UUID
-
-from rclpy.action._protocol import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS, ActionEntity, GoalKey, key_of
+from rclpy._entity import NOTHING
+from rclpy._handles import INVALID_NODE
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.action._protocol import ABORTED, CANCELED, SUCCEEDED, UNKNOWN, ActionEndpoints
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
-from rclpy.type_support import FeedbackT, GoalT, ResultT
+from rclpy.type_support import check_for_type_support
+from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
-    from builtin_interfaces.msg import Time
+    from unique_identifier_msgs.msg import UUID
 
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
     from rclpy.node import Node
+    from rclpy.service_introspection import ServiceIntrospectionState
 
-_TERMINAL = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
+GoalT = TypeVar("GoalT")
+ResultT = TypeVar("ResultT")
+FeedbackT = TypeVar("FeedbackT")
 
-_WAIT_STEP_SECONDS = 0.25
-"""`wait_for_server` looks again at least this often; it is woken by changes of the graph before that."""
+# Programs import these messages from here too; they are made when asked for.
+_MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalStatus": "action_msgs.msg", "UUID": "unique_identifier_msgs.msg"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _MESSAGES:
+        from importlib import import_module
+
+        return getattr(import_module(_MESSAGES[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
-    """A goal that was answered by a server; made by the action client."""
+    """A goal as its client sees it."""
 
     def __init__(self, action_client: ActionClient[Any, Any, Any], goal_id: UUID, goal_response: Any) -> None:
         self._action_client = action_client
         self._goal_id = goal_id
         self._goal_response = goal_response
-        self._status: int = GoalStatus.STATUS_UNKNOWN
+        self._status = UNKNOWN
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ClientGoalHandle) and bool(self._goal_id == other.goal_id)
+
+    def __ne__(self, other: object) -> bool:
+        return not self.__eq__(other)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -49,238 +64,307 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
 
     @property
     def goal_id(self) -> UUID:
-        """The goal's UUID message."""
+        """The goal's UUID."""
         return self._goal_id
 
     @property
-    def stamp(self) -> Time:
+    def stamp(self) -> Any:
         """When the server accepted the goal."""
         return self._goal_response.stamp
 
     @property
     def accepted(self) -> bool:
         """Whether the server accepted the goal."""
-        return bool(self._goal_response.accepted)
+        accepted: bool = self._goal_response.accepted
+        return accepted
 
     @property
     def status(self) -> int:
-        """The goal's last known status, a constant of GoalStatus."""
+        """The state of the goal, as far as the status topic has told (action_msgs/msg/GoalStatus)."""
         return self._status
 
     def cancel_goal(self) -> Any:
-        """Ask for cancellation and wait for the answer. Deadlocks in a callback."""
-        return _wait(self._action_client._cancel_goal_async(self))
+        """Ask to cancel and block for the answer; another thread has to spin."""
+        return self._action_client._cancel_goal(self)
 
     def cancel_goal_async(self) -> Future[Any]:
-        """Ask for cancellation; the future's result is a CancelGoal response."""
+        """Ask to cancel; the future's result is a CancelGoal.Response."""
         return self._action_client._cancel_goal_async(self)
 
     def get_result(self) -> Any:
-        """Wait for the result. Deadlocks in a callback."""
-        return _wait(self._action_client._get_result_async(self))
+        """Block for the result; another thread has to spin."""
+        return self._action_client._get_result(self)
 
     def get_result_async(self) -> Future[Any]:
         """Ask for the result; the future's result has `status` and `result`."""
         return self._action_client._get_result_async(self)
 
 
-def _wait(future: Future[Any]) -> Any:
-    """Block this thread until an executor in another one has completed the future."""
-    done = threading.Event()
-    future.add_done_callback(lambda _: done.set())
-    done.wait()
-    return future.result()
-
-
-class ActionClient(ActionEntity, Generic[GoalT, ResultT, FeedbackT]):
-    """Sends goals of one type to the servers of one action."""
+class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
+    """Sends goals to an action server. ValueError for a bad name, AttributeError for what is no action."""
 
     def __init__(
         self,
         node: Node,
-        action_type: Any,
+        action_type: type[Any],
         action_name: str,
         *,
         callback_group: CallbackGroup | None = None,
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-        feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008 (the real default, never changed)
+        feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
-        super().__init__(node, action_type, action_name, callback_group)
-        self._check_name("client", action_name)
+        super().__init__(node.default_callback_group if callback_group is None else callback_group)
+        check_for_type_support(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._action_name = action_name
+        failed = "Failed to create action client due to invalid topic name '{}' :"
+        self._handle = handle = ActionEndpoints(node.handle, action_type, action_name, failed)
+        parts = handle.implementation
+        self._goal_client = handle.client("send_goal", parts.SendGoalService, goal_service_qos_profile)
+        self._cancel_client = handle.client("cancel_goal", parts.CancelGoalService, cancel_service_qos_profile)
+        self._result_client = handle.client("get_result", parts.GetResultService, result_service_qos_profile)
+        self._feedback_sub = handle.subscription("feedback", parts.FeedbackMessage, feedback_sub_qos_profile)
+        self._status_sub = handle.subscription("status", parts.GoalStatusMessage, status_sub_qos_profile)
+        self._goal_handles: dict[bytes, weakref.ReferenceType[ClientGoalHandle[Any, Any, Any]]] = {}
+        self._pending_goals: dict[int, tuple[Future[Any], UUID]] = {}
+        self._pending_cancels: dict[int, Future[Any]] = {}
+        self._pending_results: dict[int, tuple[Future[Any], bytes]] = {}
+        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         self._lock = threading.Lock()
-        self._goal_handles: dict[GoalKey, weakref.ReferenceType[ClientGoalHandle[Any, Any, Any]]] = {}
-        self._goals: dict[int, tuple[Future[Any], UUID]] = {}
-        self._cancels: dict[int, Future[Any]] = {}
-        self._results: dict[int, tuple[Future[Any], GoalKey]] = {}
-        self._feedback_callbacks: dict[GoalKey, Callable[[Any], Any]] = {}
-        kind = action_type.Impl
-        self._goal_client = self._make_client(
-            SEND_GOAL, kind.SendGoalService, goal_service_qos_profile, self._on_goal_response
-        )
-        self._cancel_client = self._make_client(
-            CANCEL_GOAL, kind.CancelGoalService, cancel_service_qos_profile, self._on_cancel_response
-        )
-        self._result_client = self._make_client(
-            GET_RESULT, kind.GetResultService, result_service_qos_profile, self._on_result_response
-        )
-        self._make_subscription(FEEDBACK, kind.FeedbackMessage, feedback_sub_qos_profile, self._on_feedback)
-        self._make_subscription(STATUS, kind.GoalStatusMessage, status_sub_qos_profile, self._on_status)
-        node.add_waitable(self)
         self._logger = node.get_logger().get_child("action_client")
+        for endpoint in handle.endpoints:
+            endpoint.on_ready = self._notify
+        node.add_waitable(self)
 
-    # requests
+    # running
+
+    def _pending(self) -> bool:
+        return not self._handle.destroyed and any(endpoint.queue for endpoint in self._handle.endpoints)
+
+    def _process(self) -> Any:
+        self._queued = False
+        data = self.take_data()
+        if not data:
+            return NOTHING
+        if self._pending():
+            self._notify()
+        return self.execute(data)
+
+    def is_ready(self, wait_set: Any) -> bool:
+        """Say whether something came from the server."""
+        return self._pending()
+
+    def take_data(self) -> dict[str, Any]:
+        """Take one answer or message of each kind that came."""
+        if self._handle.destroyed:
+            return {}
+        taken = {
+            "goal": self._goal_client.take(),
+            "cancel": self._cancel_client.take(),
+            "result": self._result_client.take(),
+            "feedback": self._feedback_sub.take(),
+            "status": self._status_sub.take(),
+        }
+        return {kind: data for kind, data in taken.items() if data is not None}
+
+    async def execute(self, taken_data: dict[str, Any]) -> None:
+        """Deal with what came."""
+        if "goal" in taken_data:
+            self._on_goal_response(*taken_data["goal"])
+        if "cancel" in taken_data:
+            response, number = taken_data["cancel"]
+            with self._lock:
+                future = self._pending_cancels.pop(number, None)
+            self._finish(future, response, "cancel")
+        if "result" in taken_data:
+            response, number = taken_data["result"]
+            with self._lock:
+                future, goal_id = self._pending_results.pop(number, (None, b""))
+            self._finish(future, response, "result")
+            self._feedback_callbacks.pop(goal_id, None)
+        if "feedback" in taken_data:
+            message = taken_data["feedback"][0]
+            callback = self._feedback_callbacks.get(bytes(message.goal_id.uuid))
+            if callback is not None:
+                await await_or_execute(callback, message)
+        if "status" in taken_data:
+            for each in taken_data["status"][0].status_list:
+                self._on_status(bytes(each.goal_info.goal_id.uuid), each.status)
+
+    def _finish(self, future: Future[Any] | None, result: Any, what: str) -> None:
+        if future is None:
+            self._logger.warning(
+                f"Ignoring unexpected {what} response. There may be more than one action server for the action "
+                f"'{self._action_name}'"
+            )
+            return
+        scope = self._scope
+        future._set_executor(None if scope is None else scope.executor)
+        self.remove_future(future)
+        future.set_result(result)
+
+    def _on_goal_response(self, response: Any, number: int) -> None:
+        with self._lock:
+            future, goal_id = self._pending_goals.pop(number, (None, None))
+        if future is None or goal_id is None:
+            self._finish(None, None, "goal")
+            return
+        goal_handle: ClientGoalHandle[Any, Any, Any] = ClientGoalHandle(self, goal_id, response)
+        if goal_handle.accepted:
+            key = bytes(goal_id.uuid)
+            if key in self._goal_handles:
+                raise RuntimeError(f"Two goals were accepted with the same ID ({goal_handle})")
+            self._goal_handles[key] = weakref.ref(goal_handle)
+        self._finish(future, goal_handle, "goal")
+
+    def _on_status(self, key: bytes, status: int) -> None:
+        reference = self._goal_handles.get(key)
+        if reference is None:
+            return
+        goal_handle = reference()
+        if goal_handle is not None:
+            goal_handle._status = status
+        if goal_handle is None or status in (SUCCEEDED, CANCELED, ABORTED):
+            del self._goal_handles[key]
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return two subscriptions and three clients."""
+        return NumberOfEntities(2, 0, 0, 3, 0)
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        """Do nothing: what comes announces itself."""
+
+    def __enter__(self) -> None:
+        self._handle.check()
+
+    def __exit__(self, t: object, v: object, tb: object) -> None:
+        pass
+
+    # asking
+
+    def _check_goal(self, goal: Any) -> None:
+        if not isinstance(goal, self._action_type.Goal):
+            raise TypeError(f"Expected goal type ({type(self._action_type.Goal)}) but received ({type(goal)})")
+
+    def _generate_random_uuid(self) -> UUID:
+        import os
+
+        from unique_identifier_msgs.msg import UUID
+
+        random = bytearray(os.urandom(16))
+        random[6] = random[6] & 0x0F | 0x40
+        random[8] = random[8] & 0x3F | 0x80
+        return UUID(uuid=list(random))
 
     def send_goal(self, goal: GoalT, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result. Deadlocks in a callback. Takes the keywords of `send_goal_async`."""
-        handle = _wait(self.send_goal_async(goal, **kwargs))
-        if not isinstance(handle, ClientGoalHandle):
-            raise TypeError(f"Expected type ClientGoalHandle but received {type(handle)}")
-        return handle.get_result()
+        """Send a goal and block for its result; another thread has to spin. TypeError for what is no goal."""
+        self._check_goal(goal)
+        goal_handle = _wait_for(self.send_goal_async(goal, **kwargs))
+        if not isinstance(goal_handle, ClientGoalHandle):
+            raise TypeError(f"Expected type ClientGoalHandle but received {type(goal_handle)}")
+        return self._get_result(goal_handle)
 
     def send_goal_async(
         self,
         goal: GoalT,
         feedback_callback: Callable[[Any], Any] | None = None,
         goal_uuid: UUID | None = None,
-    ) -> Future[ClientGoalHandle[Any, Any, Any]]:
-        """Send a goal; the future's result is a ClientGoalHandle as soon as a server accepted or rejected it.
+    ) -> Future[Any]:
+        """Send a goal; the future's result is a ClientGoalHandle. TypeError for what is no goal.
 
-        TypeError if `goal` is no Goal of the action's type.
+        `feedback_callback(message)` is called for each feedback message until the result is there.
         """
-        expected = self._action_type.Goal
-        if not isinstance(goal, expected):
-            raise TypeError(f"Expected goal type ({type(expected)}) but received ({type(goal)})")
-        self._check()
-        request = self._action_type.Impl.SendGoalService.Request()
-        request.goal_id = UUID(uuid=list(uuid.uuid4().bytes)) if goal_uuid is None else goal_uuid
-        request.goal = goal
+        self._check_goal(goal)
+        self._handle.check()
+        goal_id = self._generate_random_uuid() if goal_uuid is None else goal_uuid
+        key = bytes(goal_id.uuid)
+        request = self._handle.implementation.SendGoalService.Request(goal_id=goal_id, goal=goal)
         if feedback_callback is not None:
-            self._feedback_callbacks[key_of(request.goal_id)] = feedback_callback
-        future: Future[ClientGoalHandle[Any, Any, Any]] = self._new_future()
+            self._feedback_callbacks[key] = feedback_callback
+        future: Future[Any] = Future()
         with self._lock:
-            self._goals[self._goal_client.send_request(request)] = (future, request.goal_id)
+            self.add_future(future)
+            self._pending_goals[self._goal_client.send_request(request)] = (future, goal_id)
         return future
+
+    def _check_goal_handle(self, goal_handle: Any) -> None:
+        if not isinstance(goal_handle, ClientGoalHandle):
+            raise TypeError(f"Expected type ClientGoalHandle but received {type(goal_handle)}")
+        self._handle.check()
+
+    def _cancel_goal(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Any:
+        return _wait_for(self._cancel_goal_async(goal_handle))
 
     def _cancel_goal_async(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Future[Any]:
-        _require_goal_handle(goal_handle)
-        self._check()
-        request = CancelGoal.Request()
+        self._check_goal_handle(goal_handle)
+        request = self._handle.implementation.CancelGoalService.Request()
         request.goal_info.goal_id = goal_handle.goal_id
-        future = self._new_future()
+        future: Future[Any] = Future()
         with self._lock:
-            self._cancels[self._cancel_client.send_request(request)] = future
+            self.add_future(future)
+            self._pending_cancels[self._cancel_client.send_request(request)] = future
         return future
+
+    def _get_result(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Any:
+        return _wait_for(self._get_result_async(goal_handle))
 
     def _get_result_async(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Future[Any]:
-        _require_goal_handle(goal_handle)
-        self._check()
-        request = self._action_type.Impl.GetResultService.Request()
-        request.goal_id = goal_handle.goal_id
-        future = self._new_future()
-        with self._lock:
-            self._results[self._result_client.send_request(request)] = (future, key_of(goal_handle.goal_id))
-        return future
-
-    def _new_future(self) -> Future[Any]:
-        """Return a future whose callbacks run in the node's executor, as those of a real waitable."""
+        self._check_goal_handle(goal_handle)
+        request = self._handle.implementation.GetResultService.Request(goal_id=goal_handle.goal_id)
         future: Future[Any] = Future()
-        executor = self._node.executor
-        if executor is not None:
-            future._set_executor(executor)
+        with self._lock:
+            self.add_future(future)
+            number = self._result_client.send_request(request)
+            self._pending_results[number] = (future, bytes(goal_handle.goal_id.uuid))
         return future
-
-    # answers
-
-    async def _on_goal_response(self, taken: tuple[Any, int]) -> None:
-        response, number = taken
-        with self._lock:
-            pending = self._goals.pop(number, None)
-        if pending is None:
-            self._unexpected("goal")
-            return
-        future, goal_id = pending
-        handle: ClientGoalHandle[Any, Any, Any] = ClientGoalHandle(self, goal_id, response)
-        if handle.accepted:
-            key = key_of(goal_id)
-            if key in self._goal_handles:
-                raise RuntimeError(f"Two goals were accepted with the same ID ({handle})")
-            self._goal_handles[key] = weakref.ref(handle)
-        future.set_result(handle)
-
-    async def _on_cancel_response(self, taken: tuple[Any, int]) -> None:
-        response, number = taken
-        with self._lock:
-            future = self._cancels.pop(number, None)
-        if future is None:
-            self._unexpected("cancel")
-        else:
-            future.set_result(response)
-
-    async def _on_result_response(self, taken: tuple[Any, int]) -> None:
-        response, number = taken
-        with self._lock:
-            pending = self._results.pop(number, None)
-        if pending is None:
-            self._unexpected("result")
-            return
-        future, key = pending
-        self._feedback_callbacks.pop(key, None)
-        future.set_result(response)
-
-    async def _on_feedback(self, sample: Any) -> None:
-        callback = self._feedback_callbacks.get(key_of(sample[0].goal_id))
-        if callback is not None:
-            await await_or_execute(callback, sample[0])
-
-    async def _on_status(self, sample: Any) -> None:
-        for entry in sample[0].status_list:
-            key = key_of(entry.goal_info.goal_id)
-            reference = self._goal_handles.get(key)
-            if reference is None:
-                continue
-            handle = reference()
-            if handle is not None:
-                handle._status = entry.status
-            if handle is None or entry.status in _TERMINAL:
-                del self._goal_handles[key]
-
-    def _unexpected(self, kind: str) -> None:
-        self._logger.warning(
-            f"Ignoring unexpected {kind} response. There may be more than "
-            f"one action server for the action '{self._action_name}'"
-        )
 
     # the server
 
     def server_is_ready(self) -> bool:
-        """Say whether a server of the action is there, with all its services and topics."""
-        self._check()
+        """Say whether a server of the action exists."""
+        self._node.handle.check()
+        if not self._node.context._valid:
+            raise RCLError(f"Failed to check if action server is available: {INVALID_NODE}")
         clients = (self._goal_client, self._cancel_client, self._result_client)
-        listeners = [endpoint for endpoint, _ in self._receivers if endpoint not in clients]
-        return all(each.service_is_ready() for each in clients) and all(each.matched for each in listeners)
+        topics = (self._feedback_sub, self._status_sub)
+        return all(client.matched for client in clients) and all(topic.matched for topic in topics)
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Block until a server is there; False when `timeout_sec` passed first (None or negative: no limit)."""
+        """Block until a server exists, or `timeout_sec` is over; says whether one does."""
         changed = threading.Event()
-        context = self._node.context
-        remove = self._node._graph_node.graph.add_listener(lambda _: changed.set())
+        remove = self._node.handle.node.graph.add_listener(lambda _event: changed.set())
+        end = None if timeout_sec is None else time.monotonic() + timeout_sec
         try:
-            time = context._time.steady_ns
-            end = None if timeout_sec is None or timeout_sec < 0 else time() + int(timeout_sec * 1e9)
-            while context.ok() and not self.server_is_ready():
-                left = _WAIT_STEP_SECONDS if end is None else min(_WAIT_STEP_SECONDS, (end - time()) / 1e9)
-                if left <= 0:
-                    return False
-                changed.wait(left)
+            while self._node.context.ok() and not self.server_is_ready():
+                left = None if end is None else end - time.monotonic()
+                if left is not None and left <= 0:
+                    break
+                # Somebody may shut the context down, which is no change of the graph.
+                changed.wait(0.1 if left is None else min(left, 0.1))
                 changed.clear()
-            return self.server_is_ready()
         finally:
             remove()
+        return self.server_is_ready()
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish requests and responses of the action's services on `…/_service_event`."""
+        raise RCLError("configure_action_client_introspection: service introspection of actions is unsupported")
+
+    def destroy(self) -> None:
+        """Take the client out of the graph; ValueError the second time."""
+        self._handle.destroy()
+        self._node.remove_waitable(self)
 
 
-def _require_goal_handle(goal_handle: object) -> None:
-    if not isinstance(goal_handle, ClientGoalHandle):
-        raise TypeError(f"Expected type ClientGoalHandle but received {type(goal_handle)}")
+def _wait_for(future: Future[Any]) -> Any:
+    """Block until a future is done; returns its result or raises its exception."""
+    done = threading.Event()
+    future._watch(done.set)
+    done.wait()
+    return future.result()

@@ -1,41 +1,54 @@
-"""Which actions exist: their servers and clients are recognised by the topics they publish and subscribe."""
+"""Which actions there are: read from the feedback topics, as rcl_action does."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from day6_tui.core.graph import EndpointKind
+from rclpy._rclpy_pybind11 import RCLError
+
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-NamesAndTypes = list[tuple[str, list[str]]]
-
 _FEEDBACK = "/_action/feedback"
-_FEEDBACK_TYPE = "_FeedbackMessage"
+_MESSAGE = "_FeedbackMessage"
 
 
-def _actions(topics: NamesAndTypes) -> NamesAndTypes:
-    """Turn feedback topics into actions: `/fib/_action/feedback` of `…/action/Fibonacci_FeedbackMessage` is `/fib`."""
+def _actions(topics: list[tuple[str, list[str]]]) -> list[tuple[str, list[str]]]:
     return [
-        (name[: -len(_FEEDBACK)], [each[: -len(_FEEDBACK_TYPE)] for each in types if each.endswith(_FEEDBACK_TYPE)])
+        (name.removesuffix(_FEEDBACK), [each.removesuffix(_MESSAGE) for each in types])
         for name, types in topics
         if name.endswith(_FEEDBACK)
     ]
 
 
+def _of_node(node: Node, name: str, namespace: str, kind: EndpointKind, what: str) -> list[tuple[str, list[str]]]:
+    failed = f"Failed to get action {what} names and type"
+    node.handle.check_valid(failed)
+    graph = node.handle.node.graph
+    nodes = graph.find_nodes(name, namespace)
+    if not nodes:
+        raise RCLError(f"{failed}: error not set")
+    found: dict[str, list[str]] = {}
+    for each in nodes:
+        found.update(graph.names_and_types_by_node(each, kind))
+    return _actions(sorted(found.items()))
+
+
 def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
-) -> NamesAndTypes:
-    """Return `(action name, types)` of the action clients of a node; NodeNameNonExistentError if there is none."""
-    return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace, True))
+) -> list[tuple[str, list[str]]]:
+    """Return the actions a node is a client of; RCLError if there is no such node."""
+    return _of_node(node, remote_node_name, remote_node_namespace, EndpointKind.SUBSCRIPTION, "client")
 
 
 def get_action_server_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
-) -> NamesAndTypes:
-    """Return `(action name, types)` of the action servers of a node; NodeNameNonExistentError if there is none."""
-    return _actions(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace, True))
+) -> list[tuple[str, list[str]]]:
+    """Return the actions a node serves; RCLError if there is no such node."""
+    return _of_node(node, remote_node_name, remote_node_namespace, EndpointKind.PUBLISHER, "server")
 
 
-def get_action_names_and_types(node: Node) -> NamesAndTypes:
-    """Return `(action name, types)` of all actions of the graph."""
+def get_action_names_and_types(node: Node) -> list[tuple[str, list[str]]]:
+    """Return all actions with their types."""
     return _actions(node.get_topic_names_and_types())

@@ -1,49 +1,63 @@
-"""The server's side of actions: accept goals, run them, tell how they go, keep their results for a while."""
+"""Action servers."""
 
 from __future__ import annotations
 
-import sys
 import threading
 import traceback
 from collections.abc import Callable
 from enum import Enum
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
-from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
-
-from rclpy._rclpy_pybind11 import GoalEvent, RCLError
-from rclpy.action._protocol import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS, ActionEntity, GoalKey, key_of
+from rclpy._entity import NOTHING
+from rclpy._rclpy_pybind11 import GoalEvent as GoalEvent
+from rclpy._rclpy_pybind11 import RCLError as RCLError
+from rclpy.action._protocol import (
+    ABORTED,
+    ACCEPTED,
+    CANCELED,
+    CANCELING,
+    SUCCEEDED,
+    UNKNOWN,
+    ActionEndpoints,
+    next_state,
+)
+from rclpy.constants import S_TO_NS
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
-from rclpy.type_support import FeedbackT, GoalT, ResultT
+from rclpy.timer import Timer
+from rclpy.type_support import check_for_type_support
+from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
     from unique_identifier_msgs.msg import UUID
 
     from day6_tui.core.graph import RequestId
+    from rclpy._entity import Scope
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
     from rclpy.node import Node
+    from rclpy.service_introspection import ServiceIntrospectionState
 
-_S = GoalStatus
-_TRANSITIONS: dict[tuple[int, GoalEvent], int] = {
-    (_S.STATUS_ACCEPTED, GoalEvent.EXECUTE): _S.STATUS_EXECUTING,
-    (_S.STATUS_ACCEPTED, GoalEvent.CANCEL_GOAL): _S.STATUS_CANCELING,
-    (_S.STATUS_EXECUTING, GoalEvent.CANCEL_GOAL): _S.STATUS_CANCELING,
-    (_S.STATUS_EXECUTING, GoalEvent.SUCCEED): _S.STATUS_SUCCEEDED,
-    (_S.STATUS_EXECUTING, GoalEvent.ABORT): _S.STATUS_ABORTED,
-    (_S.STATUS_CANCELING, GoalEvent.SUCCEED): _S.STATUS_SUCCEEDED,
-    (_S.STATUS_CANCELING, GoalEvent.ABORT): _S.STATUS_ABORTED,
-    (_S.STATUS_CANCELING, GoalEvent.CANCELED): _S.STATUS_CANCELED,
-}
-"""The goal state machine (rcl_action/goal_state_machine.c)."""
+GoalT = TypeVar("GoalT")
+ResultT = TypeVar("ResultT")
+FeedbackT = TypeVar("FeedbackT")
 
-_ACTIVE = (_S.STATUS_ACCEPTED, _S.STATUS_EXECUTING, _S.STATUS_CANCELING)
-_STATE_NAMES = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
+# action_msgs/srv/CancelGoal
+_ERROR_UNKNOWN_GOAL_ID = 2
+_ERROR_GOAL_TERMINATED = 3
+_TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 
-# Return codes of action_msgs/srv/CancelGoal.
-_ERROR_NONE, _ERROR_UNKNOWN_GOAL_ID, _ERROR_GOAL_TERMINATED = 0, 2, 3
+_MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _MESSAGES:
+        from importlib import import_module
+
+        return getattr(import_module(_MESSAGES[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 class GoalResponse(Enum):
@@ -61,13 +75,13 @@ class CancelResponse(Enum):
 
 
 class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
-    """An accepted goal; made by the action server and given to its callbacks."""
+    """A goal as its server sees it."""
 
-    def __init__(self, action_server: ActionServer[Any, Any, Any], goal_info: GoalInfo, goal_request: Any) -> None:
+    def __init__(self, action_server: ActionServer[Any, Any, Any], goal_info: Any, goal_request: GoalT) -> None:
         self._action_server = action_server
         self._goal_info = goal_info
         self._goal_request = goal_request
-        self._status: int = GoalStatus.STATUS_ACCEPTED
+        self._state = ACCEPTED
         self._destroyed = False
         self._ended_ns: int | None = None
         self._lock = threading.Lock()
@@ -75,82 +89,74 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
 
+    def __ne__(self, other: object) -> bool:
+        return not self.__eq__(other)
+
     __hash__ = None  # type: ignore[assignment]
 
     @property
-    def request(self) -> Any:
-        """The goal message."""
+    def request(self) -> GoalT:
+        """The goal."""
         return self._goal_request
 
     @property
     def goal_id(self) -> UUID:
-        """The goal's UUID message."""
-        return self._goal_info.goal_id
+        """The goal's UUID."""
+        goal_id: UUID = self._goal_info.goal_id
+        return goal_id
 
     @property
     def is_active(self) -> bool:
-        """Whether the goal has not come to an end yet."""
-        return not self._destroyed and self._status in _ACTIVE
+        """Whether the goal is accepted, executing or canceling."""
+        return not self._destroyed and self._state not in _TERMINAL
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether a cancel request was accepted."""
-        return self.status == GoalStatus.STATUS_CANCELING
+        """Whether a request to cancel was accepted."""
+        return self.status == CANCELING
 
     @property
     def status(self) -> int:
-        """A constant of GoalStatus; UNKNOWN after `destroy`."""
-        return int(GoalStatus.STATUS_UNKNOWN if self._destroyed else self._status)
+        """The state of the goal (action_msgs/msg/GoalStatus)."""
+        return UNKNOWN if self._destroyed else self._state
 
     def _update_state(self, event: GoalEvent) -> None:
         with self._lock:
             if self._destroyed:
                 return
-            following = _TRANSITIONS.get((self._status, event))
-            if following is None:
-                raise RCLError(
-                    "Failed to update goal state: goal_handle attempted invalid transition from state "
-                    f"{_STATE_NAMES[self._status]} with event {event.name}, "
-                    "at /project/src/rcl_action/goal_handle.c:101"
-                )
-            self._status = following
-            if following not in _ACTIVE:
-                self._ended_ns = self._action_server._now_ns()
+            self._state = next_state(self._state, event)
+            ended = self._state in _TERMINAL
         self._action_server._publish_status()
+        if ended:
+            self._action_server._goal_ended(self)
 
-    def execute(self, execute_callback: Callable[[Any], Any] | None = None) -> None:
-        """Have the goal executed, by the server's execute callback if none is given."""
-        # A goal that is being cancelled already keeps that state; its callback sees to the end.
+    def execute(self, execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None = None) -> None:
+        """Begin to execute the goal with this function, by default the server's."""
         if not self.is_cancel_requested:
             self._update_state(GoalEvent.EXECUTE)
         self._action_server.notify_execute(self, execute_callback)
 
-    def publish_feedback(self, feedback: Any) -> None:
-        """Send a Feedback message of the action's type to whoever sent the goal; TypeError for another type."""
-        server = self._action_server
-        if not isinstance(feedback, server.action_type.Feedback):
-            raise TypeError()
-        if self._destroyed:
-            return
-        message = server.action_type.Impl.FeedbackMessage()
-        message.goal_id = self.goal_id
-        message.feedback = feedback
-        server._feedback.publish(message)
+    def publish_feedback(self, feedback: FeedbackT) -> None:
+        """Send feedback; TypeError for what is no feedback of the action."""
+        if not isinstance(feedback, self._action_server.action_type.Feedback):
+            raise TypeError
+        if not self._destroyed:
+            self._action_server._publish_feedback(self.goal_id, feedback)
 
     def succeed(self) -> None:
-        """The goal was reached. RCLError if it is over already."""
+        """Say that the goal was reached. RCLError in a state where that cannot be."""
         self._update_state(GoalEvent.SUCCEED)
 
     def abort(self) -> None:
-        """The goal was given up. RCLError if it is over already."""
+        """Say that the goal was given up. RCLError in a state where that cannot be."""
         self._update_state(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """The goal was cancelled on request. RCLError if nobody asked for that."""
+        """Say that the goal was cancelled as asked. RCLError if nobody asked."""
         self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
-        """Forget the goal: later updates have no effect."""
+        """Make the handle unusable."""
         self._destroyed = True
 
 
@@ -159,101 +165,128 @@ def default_handle_accepted_callback(goal_handle: ServerGoalHandle[Any, Any, Any
     goal_handle.execute()
 
 
-def default_goal_callback(goal_request: Any) -> GoalResponse:
+def default_goal_callback(goal_request: Any) -> Literal[GoalResponse.ACCEPT]:
     """Accept every goal."""
     return GoalResponse.ACCEPT
 
 
-def default_cancel_callback(cancel_request: Any) -> CancelResponse:
-    """Cancel nothing."""
+def default_cancel_callback(cancel_request: Any) -> Literal[CancelResponse.REJECT]:
+    """Refuse every request to cancel."""
     return CancelResponse.REJECT
 
 
-class ActionServer(ActionEntity, Generic[GoalT, ResultT, FeedbackT]):
-    """Serves the goals of one action.
+class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
+    """Serves an action.
 
-    `result_timeout` (s): how long a result can be fetched after its goal ended.
+    `execute_callback(goal_handle)` runs as a task of the executor and returns the result, after calling `succeed`, `abort` or
+    `canceled` of the handle. `goal_callback(goal)` accepts or refuses goals, `handle_accepted_callback(goal_handle)` decides
+    when they are executed, `cancel_callback(goal_handle)` accepts or refuses to cancel. Results are kept `result_timeout`
+    seconds. Raises TypeError for a callback that is none, ValueError for a bad name.
     """
 
     def __init__(
         self,
         node: Node,
-        action_type: Any,
+        action_type: type[Any],
         action_name: str,
         execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any],
         *,
         callback_group: CallbackGroup | None = None,
-        goal_callback: Callable[[Any], Any] | None = default_goal_callback,
-        handle_accepted_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None = (
-            default_handle_accepted_callback
-        ),
-        cancel_callback: Callable[[Any], Any] | None = default_cancel_callback,
+        goal_callback: Callable[[Any], GoalResponse] | None = default_goal_callback,
+        handle_accepted_callback: (
+            Callable[[ServerGoalHandle[Any, Any, Any]], None] | None
+        ) = default_handle_accepted_callback,
+        cancel_callback: Callable[[Any], CancelResponse] | None = default_cancel_callback,
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008 (the real default, never changed)
+        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: int = 10,
     ) -> None:
-        super().__init__(node, action_type, action_name, callback_group)
+        super().__init__(node.default_callback_group if callback_group is None else callback_group)
+        self._lock = threading.Lock()
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_goal_callback(goal_callback)
         self.register_cancel_callback(cancel_callback)
         self.register_execute_callback(execute_callback)
-        self._check_name("server", action_name)
-        self._lock = threading.RLock()
-        self._result_timeout_ns = int(result_timeout * 1_000_000_000)
-        self._goal_handles: dict[GoalKey, ServerGoalHandle[Any, Any, Any]] = {}
-        self._result_futures: dict[GoalKey, Future[Any]] = {}
-        kind = action_type.Impl
-        self._goal_service = self._make_service(
-            SEND_GOAL, kind.SendGoalService, goal_service_qos_profile, self._on_goal_request
+        check_for_type_support(action_type)
+        self._node = node
+        self._action_type = action_type
+        failed = "Failed to create action server due to invalid topic name '{}' : :"
+        self._handle = handle = ActionEndpoints(node.handle, action_type, action_name, failed)
+        parts = handle.implementation
+        self._goal_service = handle.service("send_goal", parts.SendGoalService, goal_service_qos_profile)
+        self._cancel_service = handle.service("cancel_goal", parts.CancelGoalService, cancel_service_qos_profile)
+        self._result_service = handle.service("get_result", parts.GetResultService, result_service_qos_profile)
+        self._feedback_pub = handle.publisher("feedback", parts.FeedbackMessage, feedback_pub_qos_profile)
+        self._status_pub = handle.publisher("status", parts.GoalStatusMessage, status_pub_qos_profile)
+        self._goal_handles: dict[bytes, ServerGoalHandle[Any, Any, Any]] = {}
+        self._result_futures: dict[bytes, Future[Any]] = {}
+        self._result_timeout_ns = int(float(result_timeout) * S_TO_NS)
+        self._expiry = Timer(
+            self._expire_goals,
+            self.callback_group,
+            0,
+            node.get_clock(),
+            context=node.context,
+            autostart=False,
         )
-        self._cancel_service = self._make_service(
-            CANCEL_GOAL, kind.CancelGoalService, cancel_service_qos_profile, self._on_cancel_request
-        )
-        self._result_service = self._make_service(
-            GET_RESULT, kind.GetResultService, result_service_qos_profile, self._on_result_request
-        )
-        self._feedback = self._make_publisher(FEEDBACK, kind.FeedbackMessage, feedback_pub_qos_profile)
-        self._status = self._make_publisher(STATUS, kind.GoalStatusMessage, status_pub_qos_profile)
-        node.add_waitable(self)
         self._logger = node.get_logger().get_child("action_server")
+        for service in (self._goal_service, self._cancel_service, self._result_service):
+            service.on_ready = self._notify
+        node.add_waitable(self)
+        node._hidden_timers.append(self._expiry)
 
-    @property
-    def action_type(self) -> Any:
-        """The action's class."""
-        return self._action_type
+    def _enter(self, scope: Scope) -> None:
+        super()._enter(scope)
+        self._expiry._enter(scope)
 
-    # callbacks
+    # running
 
-    def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[Any], Any] | None) -> None:
-        """Set what is called with each newly accepted goal; None: execute it at once."""
-        self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
+    def _pending(self) -> bool:
+        services = (self._goal_service, self._cancel_service, self._result_service)
+        return not self._handle.destroyed and any(service.queue for service in services)
 
-    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Set what decides about new goals by returning a GoalResponse; None: accept all."""
-        self._goal_callback = goal_callback or default_goal_callback
+    def _process(self) -> Any:
+        self._queued = False
+        data = self.take_data()
+        if not data:
+            return NOTHING
+        if self._pending():
+            self._notify()
+        return self.execute(data)
 
-    def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
-        """Set what decides about cancel requests by returning a CancelResponse; None: reject all."""
-        self._cancel_callback = cancel_callback or default_cancel_callback
+    def is_ready(self, wait_set: Any) -> bool:
+        """Say whether a request came."""
+        return self._pending()
 
-    def register_execute_callback(self, execute_callback: Callable[[Any], Any]) -> None:
-        """Set what executes goals and returns a Result; TypeError if it cannot be called."""
-        if not callable(execute_callback):
-            raise TypeError("Failed to register goal execution callback: not callable")
-        self._execute_callback = execute_callback
+    def take_data(self) -> dict[str, Any]:
+        """Take one request of each kind that came."""
+        if self._handle.destroyed:
+            return {}
+        taken = {
+            "goal": self._goal_service.take(),
+            "cancel": self._cancel_service.take(),
+            "result": self._result_service.take(),
+        }
+        return {kind: data for kind, data in taken.items() if data is not None}
 
-    # goals
+    async def execute(self, taken_data: dict[str, Any]) -> None:
+        """Deal with what came."""
+        if "goal" in taken_data:
+            await self._execute_goal_request(*taken_data["goal"])
+        if "cancel" in taken_data:
+            await self._execute_cancel_request(*taken_data["cancel"])
+        if "result" in taken_data:
+            self._execute_get_result_request(*taken_data["result"])
 
-    async def _on_goal_request(self, taken: tuple[Any, RequestId]) -> None:
-        request, request_id = taken
-        self._expire_goals()
-        goal_info = GoalInfo(goal_id=request.goal_id)
-        key = key_of(request.goal_id)
-        uuid = request.goal_id.uuid
-        self._logger.debug(f"New goal request with ID: {uuid}")
+    async def _execute_goal_request(self, request: Any, request_id: RequestId) -> None:
+        from action_msgs.msg import GoalInfo
+
+        goal_uuid = request.goal_id
+        key = bytes(goal_uuid.uuid)
+        self._logger.debug(f"New goal request with ID: {goal_uuid.uuid}")
         accepted = False
         if key not in self._goal_handles:
             answer = await await_or_execute(self._goal_callback, request.goal)
@@ -261,138 +294,214 @@ class ActionServer(ActionEntity, Generic[GoalT, ResultT, FeedbackT]):
                 accepted = answer is GoalResponse.ACCEPT
             else:
                 self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
+        response = self._handle.implementation.SendGoalService.Response(accepted=accepted)
+        goal_info = GoalInfo(goal_id=goal_uuid)
+        goal_handle: ServerGoalHandle[Any, Any, Any] | None = None
         if accepted:
-            goal_info.stamp = self._node.get_clock().now().to_msg()
-            goal_handle: ServerGoalHandle[Any, Any, Any] = ServerGoalHandle(self, goal_info, request.goal)
-            with self._lock:
-                self._goal_handles[key] = goal_handle
-                self._result_futures[key] = Future()
-        response = self._action_type.Impl.SendGoalService.Response()
-        response.accepted = accepted
-        response.stamp = goal_info.stamp
+            goal_info.stamp = response.stamp = self._node.get_clock().now().to_msg()
+            goal_handle = ServerGoalHandle(self, goal_info, request.goal)
+            self._goal_handles[key] = goal_handle
+            self._result_futures[key] = future = Future()
+            self.add_future(future)
         self._goal_service.send_response(request_id, response)
-        if not accepted:
-            self._logger.debug(f"New goal rejected: {uuid}")
+        if goal_handle is None:
+            self._logger.debug(f"New goal rejected: {goal_uuid.uuid}")
             return
-        self._logger.debug(f"New goal accepted: {uuid}")
+        self._logger.debug(f"New goal accepted: {goal_uuid.uuid}")
         self._publish_status()
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 
-    def notify_execute(
-        self, goal_handle: ServerGoalHandle[Any, Any, Any], execute_callback: Callable[[Any], Any] | None
-    ) -> None:
-        """Have a goal executed by the node's executor."""
-        if self._node.executor is not None:
-            callback = execute_callback or self._execute_callback
-            self._node.executor.create_task(self._execute_goal, callback, goal_handle)
-
     async def _execute_goal(
-        self, execute_callback: Callable[[Any], Any], goal_handle: ServerGoalHandle[Any, Any, Any]
+        self, execute_callback: Callable[..., Any], goal_handle: ServerGoalHandle[Any, Any, Any]
     ) -> None:
-        uuid = goal_handle.goal_id.uuid
-        self._logger.debug(f"Executing goal with ID {uuid}")
+        goal_uuid = goal_handle.goal_id.uuid
+        self._logger.debug(f"Executing goal with ID {goal_uuid}")
         try:
             result = await await_or_execute(execute_callback, goal_handle)
         except Exception as error:
-            # A failing callback must not leave the client waiting: it gets an empty result and status ABORTED.
-            result = self._action_type.Result()
+            result = self._action_type.Result()  # type: ignore[attr-defined]
             self._logger.error(f"Error raised in execute callback: {error}")
-            write = self._node.context._log_write or sys.stderr.write
-            write(traceback.format_exc())
+            traceback.print_exc()
         if goal_handle.is_active:
-            self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {uuid}")
+            self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {goal_uuid}")
             goal_handle.abort()
-        self._logger.debug(f"Goal with ID {uuid} finished with state {goal_handle.status}")
-        response = self._action_type.Impl.GetResultService.Response()
-        response.status = goal_handle.status
-        response.result = result
-        self._result_futures[key_of(goal_handle.goal_id)].set_result(response)
+        self._logger.debug(f"Goal with ID {goal_uuid} finished with state {goal_handle.status}")
+        future = self._result_futures.get(bytes(goal_uuid))
+        if future is not None:
+            scope = self._scope
+            future._set_executor(None if scope is None else scope.executor)
+            future.set_result((goal_handle.status, result))
 
-    async def _on_cancel_request(self, taken: tuple[Any, RequestId]) -> None:
-        request, request_id = taken
+    async def _execute_cancel_request(self, request: Any, request_id: RequestId) -> None:
         self._logger.debug(f"Cancel request received: {request}")
-        response = self._action_type.Impl.CancelGoalService.Response()
-        response.return_code, candidates = self._goals_to_cancel(request.goal_info)
-        canceling = []
+        code, candidates = self._cancelable(request)
+        response = self._handle.implementation.CancelGoalService.Response(return_code=code)
         for goal_handle in candidates:
-            if await await_or_execute(self._cancel_callback, goal_handle) != CancelResponse.ACCEPT:
+            answer = await await_or_execute(self._cancel_callback, goal_handle)
+            if answer is not CancelResponse.ACCEPT:
                 continue
             try:
                 goal_handle._update_state(GoalEvent.CANCEL_GOAL)
             except RCLError as error:
                 self._logger.debug(f"Failed to cancel goal in cancel callback: {error}")
-            else:
-                canceling.append(goal_handle._goal_info)
-        response.goals_canceling = canceling
+                continue
+            response.goals_canceling.append(goal_handle._goal_info)
         self._cancel_service.send_response(request_id, response)
 
-    def _goals_to_cancel(self, wanted: GoalInfo) -> tuple[int, list[ServerGoalHandle[Any, Any, Any]]]:
-        """Return the return code and the goals a request means: by id, by "accepted until", both, or all."""
-        key, until = key_of(wanted.goal_id), (wanted.stamp.sec, wanted.stamp.nanosec)
-        handles = list(self._goal_handles.values())
-        named = any(key)
-        if named and until == (0, 0):
-            handle = self._goal_handles.get(key)
-            if handle is None:
+    def _cancelable(self, request: Any) -> tuple[int, list[ServerGoalHandle[Any, Any, Any]]]:
+        """Return error code and goals a request means: one by id, all until a time, both, or (nothing given) all."""
+        key = bytes(request.goal_info.goal_id.uuid)
+        stamp = (request.goal_info.stamp.sec, request.goal_info.stamp.nanosec)
+        handles = list(self._goal_handles.items())
+        if any(key) and stamp == (0, 0):
+            wanted = self._goal_handles.get(key)
+            if wanted is None:
                 return _ERROR_UNKNOWN_GOAL_ID, []
-            return (_ERROR_NONE, [handle]) if _cancelable(handle) else (_ERROR_GOAL_TERMINATED, [])
-        if until != (0, 0):
-            handles = [
-                each
-                for each in handles
-                if (each._goal_info.stamp.sec, each._goal_info.stamp.nanosec) <= until
-                or (named and key_of(each.goal_id) == key)
-            ]
-        return _ERROR_NONE, [each for each in handles if _cancelable(each)]
+            if not wanted.is_active or wanted.is_cancel_requested:
+                return _ERROR_GOAL_TERMINATED, []
+            return 0, [wanted]
+        everything = stamp == (0, 0)
 
-    async def _on_result_request(self, taken: tuple[Any, RequestId]) -> None:
-        request, request_id = taken
-        self._expire_goals()
-        uuid = request.goal_id.uuid
-        self._logger.debug(f"Result request received for goal with ID: {uuid}")
-        future = self._result_futures.get(key_of(request.goal_id))
+        def meant(own_key: bytes, goal_handle: ServerGoalHandle[Any, Any, Any]) -> bool:
+            own = goal_handle._goal_info.stamp
+            return everything or own_key == key or (own.sec, own.nanosec) <= stamp
+
+        return 0, [
+            goal_handle
+            for own_key, goal_handle in handles
+            if goal_handle.is_active and not goal_handle.is_cancel_requested and meant(own_key, goal_handle)
+        ]
+
+    def _execute_get_result_request(self, request: Any, request_id: RequestId) -> None:
+        goal_uuid = request.goal_id.uuid
+        self._logger.debug(f"Result request received for goal with ID: {goal_uuid}")
+        future = self._result_futures.get(bytes(goal_uuid))
         if future is None:
-            self._logger.warning(f"Sending result response for unknown or expired goal ID: {uuid}")
-            response = self._action_type.Impl.GetResultService.Response()
-            response.status = GoalStatus.STATUS_UNKNOWN
+            self._logger.warning(f"Sending result response for unknown or expired goal ID: {goal_uuid}")
+            response = self._handle.implementation.GetResultService.Response(status=UNKNOWN)
             self._result_service.send_response(request_id, response)
-        else:
-            future.add_done_callback(partial(self._send_result, request_id))
+            return
+        future.add_done_callback(partial(self._send_result_response, request_id))
 
-    def _send_result(self, request_id: RequestId, future: Future[Any]) -> None:
-        result = future.result()
-        if result is not None and not self._handle._destroyed:
-            self._result_service.send_response(request_id, result)
+    def _send_result_response(self, request_id: RequestId, future: Future[Any]) -> None:
+        outcome = future.result()
+        if outcome is None or self._handle.destroyed:
+            return
+        status, result = outcome
+        if not isinstance(result, self._action_type.Result):  # type: ignore[attr-defined]
+            # What rosidl says when it looks for the fields of a result in something that is none.
+            for name in self._action_type.Result.get_fields_and_field_types():  # type: ignore[attr-defined]
+                getattr(result, name)
+        response = self._handle.implementation.GetResultService.Response(status=status, result=result)
+        self._result_service.send_response(request_id, response)
 
-    # status and age
-
-    def _now_ns(self) -> int:
-        return self._node.context._time.steady_ns()
+    # goals
 
     def _publish_status(self) -> None:
-        """Publish the status of every goal that is remembered."""
-        message = GoalStatusArray()
-        with self._lock:
-            message.status_list = [
-                GoalStatus(goal_info=handle._goal_info, status=handle._status) for handle in self._goal_handles.values()
-            ]
-        self._status.publish(message)
+        from action_msgs.msg import GoalStatus
+
+        message = self._handle.implementation.GoalStatusMessage()
+        message.status_list = [
+            GoalStatus(goal_info=goal_handle._goal_info, status=goal_handle.status)
+            for goal_handle in list(self._goal_handles.values())
+        ]
+        if not self._handle.destroyed:
+            self._status_pub.publish(message)
+
+    def _publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+        if not self._handle.destroyed:
+            message = self._handle.implementation.FeedbackMessage(goal_id=goal_id, feedback=feedback)
+            self._feedback_pub.publish(message)
+
+    def _goal_ended(self, goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
+        goal_handle._ended_ns = self._node.get_clock()._now_ns()
+        self.notify_goal_done()
+
+    def notify_goal_done(self) -> None:
+        """Have ended goals forgotten when their time is over."""
+        if self._result_timeout_ns < 0 or self._handle.destroyed:
+            return
+        now = self._node.get_clock()._now_ns()
+        ends = [handle._ended_ns for handle in list(self._goal_handles.values()) if handle._ended_ns is not None]
+        if ends:
+            self._expiry.timer_period_ns = max(0, min(ends) + self._result_timeout_ns - now)
+            self._expiry.reset()
 
     def _expire_goals(self) -> None:
-        """Forget goals whose results were kept long enough; looked at whenever somebody asks for something."""
-        oldest = self._now_ns() - self._result_timeout_ns
-        with self._lock:
-            for key, handle in list(self._goal_handles.items()):
-                if handle._ended_ns is not None and handle._ended_ns < oldest:
-                    handle.destroy()
-                    del self._goal_handles[key], self._result_futures[key]
+        self._expiry.cancel()
+        now = self._node.get_clock()._now_ns()
+        for key, goal_handle in list(self._goal_handles.items()):
+            ended = goal_handle._ended_ns
+            if ended is not None and ended + self._result_timeout_ns <= now:
+                goal_handle.destroy()
+                del self._goal_handles[key]
+                self.remove_future(self._result_futures.pop(key))
+        self.notify_goal_done()
+
+    @property
+    def action_type(self) -> Any:
+        """The action's class."""
+        return self._action_type
+
+    def notify_execute(
+        self,
+        goal_handle: ServerGoalHandle[Any, Any, Any],
+        execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None,
+    ) -> None:
+        """Have a goal executed as a task of the node's executor."""
+        executor = self._node.executor
+        if executor is not None:
+            executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
+
+    # callbacks
+
+    def register_handle_accepted_callback(
+        self, handle_accepted_callback: Callable[[ServerGoalHandle[Any, Any, Any]], None] | None
+    ) -> None:
+        """Call this for every accepted goal; None: execute it at once."""
+        self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
+
+    def register_goal_callback(self, goal_callback: Callable[[Any], GoalResponse] | None) -> None:
+        """Ask this whether to accept a goal; None: accept all."""
+        self._goal_callback = goal_callback or default_goal_callback
+
+    def register_cancel_callback(self, cancel_callback: Callable[[Any], CancelResponse] | None) -> None:
+        """Ask this whether to cancel a goal; None: refuse."""
+        self._cancel_callback = cancel_callback or default_cancel_callback
+
+    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any]) -> None:
+        """Execute goals with this; TypeError if it cannot be called."""
+        if not callable(execute_callback):
+            raise TypeError("Failed to register goal execution callback: not callable")
+        self._execute_callback = execute_callback
+
+    # end
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return one timer and three services."""
+        return NumberOfEntities(0, 0, 1, 0, 3)
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        """Do nothing: what comes announces itself."""
+
+    def __enter__(self) -> None:
+        self._handle.check()
+
+    def __exit__(self, t: object, v: object, tb: object) -> None:
+        pass
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish requests and responses of the action's services on `…/_service_event`."""
+        raise RCLError("configure_action_server_introspection: service introspection of actions is unsupported")
 
     def destroy(self) -> None:
-        """Take the server out of the graph and forget its goals."""
-        for handle in self._goal_handles.values():
-            handle.destroy()
-        super().destroy()
-
-
-def _cancelable(handle: ServerGoalHandle[Any, Any, Any]) -> bool:
-    return (handle._status, GoalEvent.CANCEL_GOAL) in _TRANSITIONS
+        """Take the server out of the graph; ValueError the second time."""
+        for goal_handle in self._goal_handles.values():
+            goal_handle.destroy()
+        self._handle.destroy()
+        self._expiry.destroy()
+        if self._expiry in self._node._hidden_timers:
+            self._node._hidden_timers.remove(self._expiry)
+        self._node.remove_waitable(self)

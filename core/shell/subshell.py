@@ -1,0 +1,91 @@
+"""`day6-tui shell` and `day6-tui env`: the real terminal, with `ros2` and `python3` being these."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+import tempfile
+from pathlib import Path
+
+COMMANDS = ("ros2",)
+"""Commands of ours that get a small script of their own."""
+
+
+def environment(folder: Path) -> dict[str, str]:
+    """The variables of such a shell; `folder` is where the scripts are."""
+    from day6_tui.core.ros.environment import program_environment
+
+    env = program_environment()
+    interpreter = str(Path(sys.executable).parent)
+    entries = [str(folder), interpreter, *env.get("PATH", os.defpath).split(os.pathsep)]
+    env["PATH"] = os.pathsep.join(dict.fromkeys(entries))
+    return env
+
+
+def write_scripts(folder: Path) -> None:
+    """Put a script for each command of ours, and `python3`, into `folder`. Raises OSError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    start = f"{shlex.quote(sys.executable)} -m day6_tui.tui.main"
+    for name in COMMANDS:
+        if os.name == "nt":
+            (folder / f"{name}.bat").write_text(
+                f'@"{sys.executable}" -m day6_tui.tui.main {name} %*\r\n', encoding="utf-8"
+            )
+        else:
+            _write_executable(folder / name, f'#!/bin/sh\nexec {start} {name} "$@"\n')
+    if os.name != "nt":
+        for name in ("python3", "python"):
+            _write_executable(folder / name, f'#!/bin/sh\nexec {shlex.quote(sys.executable)} "$@"\n')
+
+
+def _write_executable(path: Path, text: str) -> None:
+    path.write_text(text, encoding="utf-8")
+    path.chmod(0o755)
+
+
+def main(arguments: list[str]) -> int:
+    """`day6-tui shell`: run a real sub-shell and return its status."""
+    import subprocess
+
+    parser = argparse.ArgumentParser(
+        prog="day6-tui shell", description="A real sub-shell in which ros2 and python3 are those of day6-tui."
+    )
+    parser.parse_args(arguments)
+    shell = os.environ.get("SHELL") or ("cmd.exe" if os.name == "nt" else "/bin/sh")
+    with tempfile.TemporaryDirectory(prefix="day6-shell-") as name:
+        folder = Path(name)
+        write_scripts(folder)
+        env = environment(folder)
+        words = [shell]
+        if Path(shell).name == "bash":
+            # The user's own .bashrc may put other folders first, so ours come after it.
+            rc = folder / "bashrc"
+            prompt = "PS1='(day6) '\"$PS1\""
+            rc.write_text(
+                f'[ -f ~/.bashrc ] && . ~/.bashrc\nexport PATH={shlex.quote(str(folder))}:"$PATH"\n'
+                f"export PYTHONPATH={shlex.quote(env['PYTHONPATH'])}\n{prompt}\n",
+                encoding="utf-8",
+            )
+            words += ["--rcfile", str(rc), "-i"]
+        print(
+            f"ros2 and python3 are those of day6-tui in this shell ({Path(shell).name}); exit ends it.", file=sys.stderr
+        )
+        code = subprocess.call(words, env=env)
+    return code if code >= 0 else 128 - code
+
+
+def print_environment(arguments: list[str]) -> int:
+    """`day6-tui env`: print what `eval "$(day6-tui env)"` needs."""
+    from day6_tui.core.ros.environment import program_environment
+
+    parser = argparse.ArgumentParser(
+        prog="day6-tui env", description='Print variables for a shell or an IDE: eval "$(day6-tui env)".'
+    )
+    parser.parse_args(arguments)
+    before = dict(os.environ)
+    for name, value in program_environment().items():
+        if before.get(name) != value:
+            print(f"set {name}={value}" if os.name == "nt" else f"export {name}={shlex.quote(value)}")
+    return 0

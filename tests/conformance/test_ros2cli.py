@@ -1,0 +1,58 @@
+"""Every recorded case of the real `ros2` whose command is here, against ours; what differs is listed with a reason."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+
+import pytest
+from golden_cases import CASES_FILE, GOLDEN, Case, differences, load_cases, load_exceptions
+from machine import Machine
+
+from day6_tui.core.ros.ros2.cli.later import missing
+from day6_tui.core.ros.ros2.cli.tree import chosen_words
+
+CASES = load_cases()
+EXCEPTIONS = load_exceptions() if CASES else {}
+
+pytestmark = pytest.mark.skipif(not CASES, reason=f"the golden data is not beside the repository ({CASES_FILE})")
+
+
+def _parameters() -> list:
+    if not CASES:
+        return [pytest.param(None, id="no-golden-data")]
+    return [pytest.param(case, id=case.name, marks=_marks(case)) for case in CASES]
+
+
+def _marks(case: Case) -> list:
+    apology = missing(*chosen_words(case.argv[1:]))
+    if apology is not None:
+        return [pytest.mark.skip(reason=apology)]
+    if case.name in EXCEPTIONS:
+        return [pytest.mark.xfail(reason=EXCEPTIONS[case.name], strict=True)]
+    return []
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory) -> Iterator[Machine]:
+    files = tmp_path_factory.mktemp("golden") / "files"
+    shutil.copytree(GOLDEN / "files", files)
+    machine = Machine(GOLDEN / "nodes", files)
+    yield machine
+    machine.close()
+
+
+@pytest.mark.parametrize("case", _parameters())
+def test_the_answer_is_that_of_the_real_command(machine, case):
+    machine.set_up(case.nodes, case.daemon)
+    found = differences(case, *machine.run(case.argv, case.stdin, case.interrupt_after), machine.prefixes)
+    assert not found, f"{' '.join(case.argv)}\n{found}"
+
+
+def test_every_exception_names_a_case():
+    assert set(EXCEPTIONS) <= {case.name for case in CASES}
+
+
+def test_at_least_97_of_100_cases_are_equal():
+    here = [case for case in CASES if missing(*chosen_words(case.argv[1:])) is None]
+    assert len(EXCEPTIONS) <= 0.03 * len(here)

@@ -1,0 +1,133 @@
+"""A simulated machine without a screen, whose time the test steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import Captured, TextInput
+from day6_tui.core.shell.desk import Desk
+from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell, Streams
+from day6_tui.core.shell.terminal import Terminal
+
+PATIENCE = 20.0
+"""Wall seconds a test waits for a real process at most."""
+
+
+class Result(NamedTuple):
+    status: int
+    out: str
+    err: str
+
+
+class Machine:
+    """Runs command lines as `day6-tui exec` does."""
+
+    def __init__(self, home: Path) -> None:
+        self.desk = Desk(home, domain_id=0, join_link=False, clock=WorldClock(wall=None, epoch_ns=1_700_000_000_000_000_000))
+        self.shell: Shell = self.desk.shell()
+        self.out, self.err = Captured(), Captured()
+
+    def start(self, commands: str, stdin: str = "") -> Program:
+        """Start a script; what it prints is in `out` and `err`."""
+        self.out, self.err = Captured(), Captured()
+        streams = Streams(TextInput(stdin), self.out, self.err)
+        shell = self.shell
+
+        async def script(session: Session) -> int:
+            session.on_interrupt = shell.interrupt
+            try:
+                return await shell.run(commands, streams)
+            except ExitShell as end:
+                return end.status
+            except Interrupted:
+                raise KeyboardInterrupt from None
+            except (LoopControl, ReturnFromSource):
+                return shell.status
+
+        program = self.desk.start_program(
+            ["bash"], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell
+        )
+        self.desk.scheduler.advance()
+        return program
+
+    def go(self, seconds: float = 0.0) -> None:
+        self.desk.scheduler.advance(seconds)
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        """Let real processes work until the condition holds."""
+        assert self.desk.scheduler.run(condition, PATIENCE), f"still waiting; so far:\n{self.out.text}\n{self.err.text}"
+
+    def run(self, commands: str, stdin: str = "", seconds: float = 0.0) -> Result:
+        """Run a script to its end, stepping the world by `seconds`."""
+        program = self.start(commands, stdin)
+        if seconds:
+            self.go(seconds)
+        self.wait(lambda: program.status is not None)
+        assert program.status is not None
+        return Result(program.status, self.out.text, self.err.text)
+
+
+@pytest.fixture
+def machine(tmp_path: Path) -> Iterator[Machine]:
+    made = Machine(tmp_path / "home")
+    yield made
+    made.desk.close()
+
+
+class Seat:
+    """Somebody at a terminal: types and looks."""
+
+    def __init__(self, desk: Desk, columns: int = 80, rows: int = 24) -> None:
+        self.desk = desk
+        self.terminal: Terminal = desk.open_terminal(columns, rows)
+        self.settle()
+
+    def settle(self, seconds: float = 0.0) -> None:
+        self.desk.scheduler.advance(seconds)
+        self.look()
+
+    def look(self) -> str:
+        """The screen as text."""
+        while self.terminal.has_more:
+            self.terminal.update()
+            self.desk.scheduler.advance()
+        return self.terminal.screen.text
+
+    def type(self, text: str, seconds: float = 0.0) -> str:
+        """Type keys, let the world go on, return the screen."""
+        self.terminal.send(text)
+        self.settle(seconds)
+        return self.look()
+
+    def line(self, text: str, seconds: float = 0.0) -> str:
+        """Type a command and Enter."""
+        return self.type(text + "\r", seconds)
+
+    def wait(self, condition: Callable[[str], bool]) -> str:
+        """Let real processes work until the screen is as expected."""
+        seen = ""
+
+        def holds() -> bool:
+            nonlocal seen
+            self.terminal.update()
+            seen = self.terminal.screen.text
+            return condition(seen)
+
+        assert self.desk.scheduler.run(holds, PATIENCE), f"the screen still shows:\n{seen}"
+        return seen
+
+    def wait_prompt(self) -> str:
+        """Wait until the prompt is back."""
+        return self.wait(lambda text: self.terminal.idle and not self.terminal.has_more)
+
+
+@pytest.fixture
+def seat(machine: Machine) -> Seat:
+    return Seat(machine.desk)

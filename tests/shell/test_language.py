@@ -1,0 +1,174 @@
+"""The language of the shell: what a line means, checked against bash 5.2."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_tui.core.shell.arithmetic import evaluate
+
+SAME_AS_BASH = [
+    "echo hi",
+    "echo a   b 'c   d' \"e   f\"",
+    "echo -n a; echo b",
+    "echo -e 'a\\tb\\n\\x41\\0101'",
+    "X=1; echo $X ${X} \"$X\" '$X' $XX ${XX:-none} ${X:+set} ${#X}",
+    "X='a  b'; echo $X; echo \"$X\"; set -- $X; echo $#",
+    "true && echo yes || echo no; false && echo yes || echo no",
+    "! true; echo $?; ! false; echo $?",
+    "echo one; echo two # comment; echo three",
+    "echo a#b '#c'",
+    "echo {a,b}{1..3} x{,y} {not} {1..1}",
+    "echo \"{a,b}\" {a,b",
+    "echo $((1 + 2 * 3)) $(( (1+2)*3 )) $((7/2)) $((-7/2)) $((2**10)) $((5 % 3)) $((1<2)) $((3==3 && 1))",
+    "X=5; echo $((X + 1)) $(($X * 2))",
+    "echo $(echo a; echo b) \"$(echo a; echo b)\" `echo c`",
+    "echo \"$(echo \"inner $(echo deep)\")\"",
+    "for i in 1 2 3; do echo n$i; done",
+    "for i in 1 2 3 4; do if [ $i = 3 ]; then break; fi; echo $i; done; echo after $i",
+    "for i in 1 2 3; do [ $i = 2 ] && continue; echo $i; done",
+    "i=0; while [ $i -lt 3 ]; do echo $i; i=$((i+1)); done",
+    "i=0; until [ $i -ge 2 ]; do echo $i; i=$((i+1)); done",
+    "if false; then echo a; elif true; then echo b; else echo c; fi",
+    "(X=2; cd /; echo $X; pwd); echo \"[$X]\"",
+    "{ echo a; echo b; } | wc -l",
+    "echo a b c | { read x y; echo \"$y-$x\"; }",
+    "cat <<E\nhello $((1+1))\n  two\nE",
+    "cat <<'E'\n$X `x`\nE",
+    "cat <<-E\n\ttabbed\n\tE",
+    "cat <<< word",
+    "echo hi > f; cat f; echo more >> f; cat < f; wc -l < f",
+    "ls nothere 2> e; wc -l < e; echo x 2>&1 | cat; (echo o; echo e >&2) 2>/dev/null",
+    "echo to-err >&2 2>/dev/null; echo both &> f; cat f",
+    "touch b.py a.py .hidden; echo *.py; echo '*.py' \"*\" nothing*; echo a.p[xy]",
+    "echo ~/x \"~\" a~",
+    "A=1 B=2 printenv A; echo \"[$A]\"",
+    "export A=1; B=2; printenv A B; echo $?",
+    "echo a\\ b \\$X \"\\$X \\\\ \\\"q\\\"\"",
+    "echo a \\\n b",
+    "x=$(false); echo $?",
+    "exit 3; echo no",
+    "(exit 4); echo $?",
+    "sh -c 'echo $0 $1' name one",
+    "set -- a 'b c'; for x in \"$@\"; do echo \"<$x>\"; done; echo \"$*\" $#; shift; echo $1",
+    "f=dir/name.tar.gz; echo ${f%.gz} ${f%%.*} ${f#*/} ${f##*/}",
+    "printf '%s-%d|%5.2f\\n' a 3 2.5 b 4 1",
+    "test -z '' && echo empty; [ 3 -gt 2 ] && echo gt; [ a != b ] && echo ne; [ -e /nowhere ] || echo gone",
+    "seq 3; seq 2 2 6",
+    "printf 'b\\na\\nb\\n' | sort | uniq -c",
+    "printf 'a\\nb\\nc\\n' | head -2; printf 'a\\nb\\nc\\n' | tail -n 1; printf 'a\\nb\\nc\\n' | tail -n +2",
+    "printf 'one\\ntwo\\nthree\\n' | grep -n t; printf 'one\\ntwo\\n' | grep -v one; echo $?; echo x | grep y; echo $?",
+    "printf 'one\\ntwo\\nONE\\n' | grep -ic one; printf 'ab ab\\n' | grep -o 'a.'; printf 'a.b\\naxb\\n' | grep -F a.b",
+    "printf 'a\\nb\\nc\\nd\\n' | grep -A1 b; printf '1\\n2\\n3\\n' | grep -E '1|3'; printf 'a+b\\n' | grep 'a+b'",
+    "basename /a/b.py .py; dirname /a/b.py",
+    "echo a | cat - | cat; echo $?",
+    "false | true; echo $?; true | false; echo $?",
+    "wait; echo $?",
+    "set -e; false; echo no",
+    "set -e; if false; then :; fi; false || true; echo yes",
+    "eval 'echo a; echo b'",
+    "cd /; cd - > /dev/null; basename \"$PWD\"",
+    "echo 'X=7' > rc; . ./rc; echo $X; echo 'return 5' > r2; source r2; echo $?",
+    "type cd; command -v nothing; echo $?",
+    "echo \"a'b\" 'c\"d'",
+    "echo ${X:=new}; echo $X",
+    "echo 你好 | wc -m",
+    "mkdir -p a/b; touch a/b/c; ls a a/b; rm -r a; ls",
+    "echo $'",
+]
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash to compare with")
+@pytest.mark.parametrize("line", SAME_AS_BASH[:-1])
+def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    real_home = tmp_path / "real"
+    real_home.mkdir()
+    real = subprocess.run(
+        ["bash", "-c", line], cwd=real_home, env={"PATH": "/usr/bin:/bin", "HOME": str(real_home), "LC_ALL": "C.UTF-8"},
+        capture_output=True, text=True, timeout=20, check=False, stdin=subprocess.DEVNULL,
+    )  # fmt: skip
+    (home / "ros2_ws" / "src").rmdir()
+    (home / "ros2_ws").rmdir()
+    ours = machine.run(line)
+    assert ours.out.replace(str(home), "HOME") == real.stdout.replace(str(real_home), "HOME")
+    assert ours.status == real.returncode
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "status"),
+    [
+        ("foo", "bash: foo: command not found", 127),
+        ("rso2 topic list", "bash: rso2: command not found", 127),
+        ("| wc", "bash: syntax error near unexpected token `|'", 2),
+        ("echo a | | wc", "bash: syntax error near unexpected token `|'", 2),
+        ("echo a && && b", "bash: syntax error near unexpected token `&&'", 2),
+        ("echo )", "bash: syntax error near unexpected token `)'", 2),
+        ("ls >", "bash: syntax error near unexpected token `newline'", 2),
+        ("do x", "bash: syntax error near unexpected token `do'", 2),
+        ("echo 'a", "bash: unexpected EOF while looking for matching `''", 2),
+        ("cd nowhere", "bash: cd: nowhere: No such file or directory", 1),
+        ("touch f; cd f", "bash: cd: f: Not a directory", 1),
+        ("cd a b", "bash: cd: too many arguments", 1),
+        ("cat < nowhere", "bash: nowhere: No such file or directory", 1),
+        ("echo x > no/where", "bash: no/where: No such file or directory", 1),
+        ("echo x > ros2_ws", "bash: ros2_ws: Is a directory", 1),
+        ("./nowhere", "bash: ./nowhere: No such file or directory", 127),
+        ("./ros2_ws", "bash: ./ros2_ws: Is a directory", 126),
+        ("touch x.py; ./x.py", "bash: ./x.py: Permission denied", 126),
+        ("source nowhere", "bash: nowhere: No such file or directory", 1),
+        ("kill %3", "bash: kill: %3: no such job", 1),
+        ("kill 99999", "bash: kill: (99999) - No such process", 1),
+        ("kill abc", "bash: kill: abc: arguments must be process or job IDs", 1),
+        ("fg", "bash: fg: current: no such job", 1),
+        ("export 1a=2", "bash: export: `1a=2': not a valid identifier", 1),
+        ("cat nowhere", "cat: nowhere: No such file or directory", 1),
+        ("cat ros2_ws", "cat: ros2_ws: Is a directory", 1),
+        ("ls nowhere", "ls: cannot access 'nowhere': No such file or directory", 2),
+        ("ls -%", "ls: invalid option -- '%'\nTry 'ls --help' for more information.", 2),
+        ("mkdir ros2_ws", "mkdir: cannot create directory ‘ros2_ws’: File exists", 1),
+        ("rm nowhere", "rm: cannot remove 'nowhere': No such file or directory", 1),
+        ("rm ros2_ws", "rm: cannot remove 'ros2_ws': Is a directory", 1),
+        ("cp ros2_ws x", "cp: -r not specified; omitting directory 'ros2_ws'", 1),
+        ("mv nowhere x", "mv: cannot stat 'nowhere': No such file or directory", 1),
+        ("sleep x", "sleep: invalid time interval 'x'\nTry 'sleep --help' for more information.", 1),
+        ("grep", "Usage: grep [OPTION]... PATTERNS [FILE]...\nTry 'grep --help' for more information.", 2),
+        ("grep x nowhere", "grep: nowhere: No such file or directory", 2),
+        ("timeout 5", "timeout: missing operand\nTry 'timeout --help' for more information.", 125),
+        ("[ 1 -eq x ]", "bash: [: x: integer expression expected", 2),
+        ("[ 1", "bash: [: missing `]'", 2),
+        ("echo $((1/0))", "bash: 1/0: division by 0", 1),
+        ("echo ${a b}", "bash: ${a b}: bad substitution", 2),
+    ],
+)
+def test_wrong_input_is_answered_in_bashs_words(machine: Any, line: str, message: str, status: int) -> None:
+    result = machine.run(line)
+    assert result.err.strip() == message
+    assert result.status == status
+
+
+def test_a_file_that_sources_itself_ends_with_a_message(machine: Any) -> None:
+    result = machine.run("echo 'source ./loop' > loop; source ./loop")
+    assert result.err == "bash: source: maximum nesting level exceeded (100)\n"
+
+
+def test_a_fork_bomb_of_subshells_ends_with_a_message(machine: Any) -> None:
+    result = machine.run("echo 'bash bomb' > bomb; bash bomb")
+    assert "maximum nesting level exceeded" in result.err
+
+
+@pytest.mark.parametrize(
+    ("source", "value"), [("1+1", 2), ("2+3*4", 14), ("(2+3)*4", 20), ("-7%3", -1), ("1<<4|1", 17), ("!0", 1), ("~0", -1), ("x+1", 4)]
+)
+def test_arithmetic(source: str, value: int) -> None:
+    assert evaluate(source, {"x": "3"}) == value
+
+
+@pytest.mark.parametrize("source", ["1+", "1 2", "(1", "@"])
+def test_what_is_no_sum_is_an_error(source: str) -> None:
+    with pytest.raises(ValueError, match=r"syntax error|operand|missing"):
+        evaluate(source, {})

@@ -1,0 +1,111 @@
+"""The frame timer: still when nothing changes, never faster than it may, slower when the terminal cannot follow."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+from day6_tui.tui.frames import Frames
+
+
+class _Loop:
+    """An event loop whose time the test moves."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+        self.calls: list[tuple[float, Callable[[], None]]] = []
+
+    def call_later(self, delay: float, function: Callable[[], None], *, context: object = None) -> _Handle:
+        self.calls.append((self.now + delay, function))
+        return _Handle()
+
+    def call_soon_threadsafe(self, function: Callable[[], None], *, context: object = None) -> None:
+        self.calls.append((self.now, function))
+
+    def run(self, seconds: float) -> None:
+        end = self.now + seconds
+        while self.calls:
+            self.calls.sort(key=lambda call: call[0])
+            if self.calls[0][0] > end:
+                break
+            due, function = self.calls.pop(0)
+            self.now = max(self.now, due)
+            function()
+        self.now = end
+
+
+class _Handle:
+    def cancel(self) -> None: ...
+
+
+def _frames(monkeypatch, draw: Callable[[], bool], fps: float = 30.0, **options: object) -> tuple[Frames, _Loop]:
+    loop = _Loop()
+    monkeypatch.setattr("day6_tui.tui.frames.time.monotonic", lambda: loop.now)
+    monkeypatch.setattr(asyncio, "get_running_loop", lambda: loop)
+    frames = Frames(draw, fps, **options)
+    frames.attach()
+    return frames, loop
+
+
+def test_nothing_runs_while_nothing_changes(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: False)
+    loop.run(10.0)
+    assert frames.drawn == 0 and not loop.calls
+    frames.wake()
+    loop.run(10.0)
+    assert frames.drawn == 1 and not loop.calls
+
+
+def test_a_thousand_changes_a_second_are_thirty_frames(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: False)
+    for _ in range(1000):
+        frames.wake()
+        loop.run(0.001)
+    assert 28 <= frames.drawn <= 31
+
+
+def test_what_moves_by_itself_gets_frames_without_being_woken(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: True)
+    frames.wake()
+    loop.run(1.0)
+    assert 28 <= frames.drawn <= 31
+
+
+def test_a_terminal_that_does_not_take_its_output_is_left_in_peace(monkeypatch) -> None:
+    stuck = True
+    frames, loop = _frames(monkeypatch, lambda: True, congested=lambda: stuck)
+    frames.wake()
+    loop.run(2.0)
+    assert frames.drawn == 0
+    assert frames.rate <= 5
+    stuck = False
+    loop.run(20.0)
+    assert frames.rate == 30
+
+
+def test_in_tests_only_step_draws(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: False, fps=0)
+    frames.wake()
+    loop.run(1.0)
+    assert frames.drawn == 0
+    frames.step()
+    assert frames.drawn == 1
+
+
+def test_an_error_in_a_frame_is_reported_and_the_next_frame_is_drawn(monkeypatch) -> None:
+    errors: list[Exception] = []
+    answers = iter([ValueError("broken")])
+
+    def draw() -> bool:
+        error = next(answers, None)
+        if error is not None:
+            raise error
+        return False
+
+    frames, loop = _frames(monkeypatch, draw, failed=errors.append)
+    frames.wake()
+    loop.run(1.0)
+    frames.wake()
+    loop.run(1.0)
+    assert [str(error) for error in errors] == ["broken"]
+    assert frames.drawn == 2

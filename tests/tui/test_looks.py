@@ -1,0 +1,157 @@
+"""What the terminal can show decides glyphs, colours and language; every text exists in both languages."""
+
+from __future__ import annotations
+
+import string
+
+import pytest
+from conftest import make_look
+from rich.cells import cell_len
+
+from day6_tui.tui import actions, glyphs, locale
+from day6_tui.tui.app import Day6App
+from day6_tui.tui.cells import clip, fit, wrap
+from day6_tui.tui.colours import colours
+from day6_tui.tui.windows import KINDS
+
+EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
+
+
+@pytest.mark.parametrize(
+    ("environ", "name"),
+    [
+        ({"LANG": "zh_CN.UTF-8", "TERM": "xterm-256color"}, "half"),
+        ({"LANG": "en_US.utf8", "TERM": "screen"}, "half"),
+        ({"LANG": "C.UTF-8", "TERM": "linux"}, "cell"),
+        ({"LANG": "C.UTF-8", "TERM": "linux", "NO_COLOR": "1"}, "ascii"),
+        ({"LANG": "C", "TERM": "xterm"}, "ascii"),
+        ({"LANG": "en_US.UTF-8", "LC_ALL": "POSIX", "TERM": "xterm"}, "ascii"),
+        ({"LANG": "C.UTF-8", "TERM": "vt100"}, "ascii"),
+    ],
+)
+def test_glyphs_follow_the_terminal(environ, name) -> None:
+    assert glyphs.detect(environ, "linux") == name
+
+
+def test_windows_terminals_get_half_blocks_whatever_the_code_page() -> None:
+    assert glyphs.detect({}, "win32") == "half"
+
+
+def test_the_option_overrides_the_terminal_and_a_wrong_name_is_an_error() -> None:
+    assert glyphs.choose("braille", {"LANG": "C"}).name == "braille"
+    with pytest.raises(KeyError):
+        glyphs.choose("teletext")
+
+
+@pytest.mark.parametrize("name", ["cell", "ascii"])
+def test_the_poorer_sets_use_no_character_their_terminals_lack(name) -> None:
+    found = glyphs.GLYPH_SETS[name]
+    symbols = "".join(
+        [*vars(found.border).values(), *vars(found.strong_border).values(), found.news, found.chevron, found.running]
+        + [found.paused, found.warning, found.dot, found.ellipsis, found.marker, found.close, found.bars]
+    )
+    if name == "ascii":
+        assert symbols.isascii()
+    else:
+        assert not set(symbols) & set("╭╮╰╯▸▀▄▁▂▃▅▆▇…")
+
+
+@pytest.mark.parametrize("found", glyphs.GLYPH_SETS.values(), ids=lambda found: found.name)
+def test_every_symbol_is_one_cell(found) -> None:
+    symbols = [found.news, found.chevron, found.running, found.paused, found.warning, found.dot, found.marker, found.close]
+    assert [symbol for symbol in (*symbols, *found.bars, found.ellipsis) if cell_len(symbol) != 1] == []
+
+
+def test_the_language_is_that_of_the_locale_unless_the_terminal_has_no_chinese() -> None:
+    assert locale.detect({"LANG": "zh_CN.UTF-8"}) == "zh"
+    assert locale.detect({"LANG": "zh_CN.UTF-8", "LC_ALL": "en_US.UTF-8"}) == "en"
+    assert locale.detect({"LANG": "de_DE.UTF-8"}) == "en"
+    assert locale.detect({"LANG": "zh_CN.UTF-8"}, wide_glyphs=False) == "en"
+    assert make_look(None, {"LANG": "zh_CN.UTF-8", "TERM": "linux"}).texts.language == "en"
+
+
+def test_both_catalogues_have_the_same_keys_and_fields() -> None:
+    assert EN.keys() == ZH.keys()
+    for key in EN:
+        fields = [{name for _, name, _, _ in string.Formatter().parse(table[key]) if name} for table in (EN, ZH)]
+        assert fields[0] == fields[1], key
+
+
+def test_chinese_texts_use_chinese_punctuation() -> None:
+    wrong = [key for key, text in ZH.items() for a, b in zip(text, text[1:]) if "\u4e00" <= a <= "\u9fff" and b in ",;?!("]
+    assert wrong == []
+
+
+def test_every_action_has_a_name_a_help_text_and_a_method() -> None:
+    for action in actions.ACTIONS:
+        assert f"action.{action.id}" in EN and f"help.action.{action.id}" in EN, action.id
+        assert callable(getattr(Day6App, action.handler)), action.id
+
+
+def test_no_two_actions_share_a_key_and_every_key_of_the_bar_is_bound() -> None:
+    keys = [action.key for action in actions.ACTIONS if action.key]
+    assert len(keys) == len(set(keys))
+    assert all(action.key and action.label for action in actions.bar_actions())
+
+
+def test_every_kind_of_window_has_a_help_page() -> None:
+    assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
+
+
+def test_the_words_about_the_car_are_those_of_its_program() -> None:
+    from day6_tui.core.ros.programs.day6_bot._status import TEXTS
+
+    assert {key: EN[key] for key in TEXTS} == TEXTS
+
+
+def test_an_unknown_language_is_an_error_and_switching_goes_round() -> None:
+    with pytest.raises(ValueError, match="'fr'"):
+        locale.Texts("fr")
+    texts = locale.Texts("zh")
+    assert texts("action.quit") == "退出"
+    texts.switch()
+    assert texts("bar.nodes", count=3) == "nodes 3"
+    texts.switch()
+    assert texts.language == "zh"
+
+
+def test_text_is_measured_in_cells() -> None:
+    assert clip("海龟海龟", 5) == "海龟…"
+    assert fit("海龟", 5) == "海龟 "
+    assert clip("turtle", 3, "~") == "tu~"
+    assert clip("海", 1) == ""
+
+
+@pytest.mark.parametrize("width", [2, 5, 11, 40])
+@pytest.mark.parametrize("text", [ZH["help.turtlesim"], EN["help.turtlesim"], "averyveryverylongword " * 3])
+def test_wrapped_lines_fit_and_lose_nothing(text, width) -> None:
+    lines = wrap(text, width)
+    # A closing mark may hang over by one character: it must not begin a line.
+    assert max(cell_len(line) for line in lines) <= width + 2
+    assert "".join("".join(lines).split()) == "".join(text.split())
+
+
+def test_without_colour_no_style_has_one() -> None:
+    plain = colours(colourless=True)
+    styles = [value for value in vars(plain).values() if hasattr(value, "color")]
+    assert styles and all(style.color is None and style.bgcolor is None for style in styles)
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_text_is_readable_on_its_background(theme) -> None:
+    """WCAG contrast of at least 4.5 for what is to be read, 3 for what is large or secondary."""
+    table = colours(theme)
+    for name in ("text", "strong", "bar", "bar_strong", "key", "choice", "title_focus", "hint", "error", "overlay", "terminal"):
+        assert _contrast(getattr(table, name)) >= 4.5, name
+    for name in ("muted", "title", "node", "topic", "publisher", "warning", "accent", "overlay_muted", "bar_muted"):
+        assert _contrast(getattr(table, name)) >= 3.0, name
+
+
+def _contrast(style) -> float:
+    def luminance(colour) -> float:
+        parts = [value / 255 for value in colour.get_truecolor()]
+        red, green, blue = (part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+    light, dark = sorted((luminance(style.color), luminance(style.bgcolor)), reverse=True)
+    return (light + 0.05) / (dark + 0.05)

@@ -1,0 +1,198 @@
+"""The car from above: what stands where, and what moves when a wheel turns."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from day6_tui.urdf import parse_robot, shipped_model
+from day6_tui.urdf._canvas import Canvas, cell_width
+from day6_tui.urdf.kinematics import link_transforms
+from day6_tui.urdf.model import Robot
+from day6_tui.urdf.topplan import find_wheels, spin_of
+from day6_tui.urdf.topview import STYLES, render_top
+
+CAR = parse_robot(shipped_model())
+SIZES = [(38, 10), (60, 18), (100, 34), (150, 50)]
+
+AT_60x18 = """\
+                      left_wheel
+                       (|==#==|)
+         +-----------------:-----------------+
+         | base_link       :                 |
+         |                 :                 |
+         |                 :                 |
+         |                 :                 |
+         |                 : 0.30 m          |
+         |                 :      (   )      |==>
+         |                 :                 |
+         |                 :                 |
+         |                 :                 |
+         |                 :                 |
+         |                 :                 |
+         +-----------------:-----------------+
+                       (|==#==|)
+                      right_wheel
+ |--------| 0.1 m
+"""
+
+
+def picture(robot: Robot, columns: int, rows: int, glyphs: str = "ascii", **positions: float) -> list[str]:
+    drawn = render_top(robot, link_transforms(robot, positions), columns, rows, glyphs)
+    return ["".join(text for text, _ in row) for row in drawn]
+
+
+def turned(angle: float, columns: int = 60, rows: int = 18) -> list[str]:
+    return picture(CAR, columns, rows, left_wheel_joint=angle, right_wheel_joint=angle)
+
+
+def test_the_shipped_car_at_60_by_18() -> None:
+    assert "".join(row.rstrip() + "\n" for row in turned(0.0)) == AT_60x18
+
+
+@pytest.mark.parametrize(("columns", "rows"), [*SIZES, (1, 1), (3, 1), (2, 40), (200, 3), (0, 0), (10, 4)])
+@pytest.mark.parametrize("glyphs", ["ascii", "half"])
+def test_every_row_has_exactly_the_cells_it_was_given(columns: int, rows: int, glyphs: str) -> None:
+    drawn = render_top(CAR, link_transforms(CAR, {"left_wheel_joint": 1.0}), columns, rows, glyphs)
+    assert len(drawn) == rows
+    assert {sum(cell_width(text) for text, _ in row) for row in drawn} <= {columns}
+    assert {style for row in drawn for _, style in row} <= set(STYLES)
+
+
+@pytest.mark.parametrize(("columns", "rows"), SIZES)
+def test_by_default_everything_is_ascii(columns: int, rows: int) -> None:
+    assert "".join(turned(0.7, columns, rows)).isascii()
+
+
+@pytest.mark.parametrize(("columns", "rows"), SIZES)
+def test_both_wheels_show_a_turn_of_a_third_of_a_second_at_one_radian_a_second(columns: int, rows: int) -> None:
+    before, after = turned(0.0, columns, rows), turned(0.33, columns, rows)
+    changed = [row for row in range(rows) if before[row] != after[row]]
+    assert any(row < rows // 2 for row in changed) and any(row > rows // 2 for row in changed)
+
+
+@pytest.mark.parametrize(("columns", "rows"), SIZES[1:])
+def test_at_ten_frames_a_second_most_frames_differ_from_the_one_before(columns: int, rows: int) -> None:
+    frames = [turned(step * 0.1, columns, rows) for step in range(63)]
+    different = sum(a != b for a, b in zip(frames, frames[1:], strict=False))
+    assert different > 40
+
+
+def mark_column(rows: list[str]) -> int:
+    return next(row.index("#") for row in rows if "#" in row)
+
+
+def test_turning_forwards_moves_the_painted_mark_forwards_over_the_top() -> None:
+    columns = [mark_column(turned(angle)) for angle in (-1.0, -0.5, 0.0, 0.5, 1.0)]
+    assert columns == sorted(set(columns))
+    assert not any("#" in row for row in turned(math.pi))  # it is below, on the ground
+
+
+def test_after_a_whole_turn_the_picture_is_the_same() -> None:
+    assert turned(0.4) == turned(0.4 + 2 * math.pi)
+
+
+def test_only_the_wheel_whose_joint_turns_changes() -> None:
+    rest, left = turned(0.0), picture(CAR, 60, 18, left_wheel_joint=0.5)
+    assert rest[9:] == left[9:] and rest[:9] != left[:9]
+
+
+def test_a_wheel_without_a_transform_is_drawn_as_missing() -> None:
+    transforms = link_transforms(CAR, {})
+    del transforms["left_wheel"]
+    drawn = render_top(CAR, transforms, 60, 18)
+    assert ("?????????", "missing") in drawn[1]
+    assert not any("?" in text for row in drawn[2:] for text, _ in row)
+
+
+def test_nothing_but_the_root_known_still_draws_the_car_as_the_urdf_says() -> None:
+    rows = ["".join(text for text, _ in row) for row in render_top(CAR, {}, 60, 18)]
+    assert rows[2] == turned(0.0)[2]
+    assert "?" * 9 in rows[1] and "?" * 9 in rows[15]
+
+
+@pytest.mark.parametrize(("columns", "rows"), SIZES[1:])
+def test_the_picture_is_to_scale(columns: int, rows: int) -> None:
+    drawn = turned(0.0, columns, rows)
+    top = next(row for row in drawn if "+-" in row)
+    length = top.rindex("+") - top.index("+")
+    width = 2 * sum("|" in row and "=" not in row for row in drawn[1:-1])
+    bar = drawn[-1]
+    decimetre = bar.rindex("|") - bar.index("|")
+    assert length / decimetre == pytest.approx(4, rel=0.08)
+    assert width / decimetre == pytest.approx(2.5, rel=0.2)
+
+
+def test_the_axle_says_how_wide_it_is() -> None:
+    assert any("0.30 m" in row for row in turned(0.0, 38, 10))
+
+
+def test_labels_replace_the_link_names_and_chinese_takes_two_cells() -> None:
+    labels = {"left_wheel": "左轮 57°", "base_link": "底盘"}
+    drawn = render_top(CAR, link_transforms(CAR, {}), 60, 18, "half", labels)
+    rows = ["".join(text for text, _ in row) for row in drawn]
+    assert "左轮 57°" in rows[0] and "底盘" in rows[3] and "right_wheel" in rows[16]
+    assert {cell_width(row) for row in rows} == {60}
+
+
+def test_angles_come_from_the_transforms_alone() -> None:
+    wheel = find_wheels(CAR)[0]
+    for angle in (-3.0, -1.0, 0.0, 0.3, 3.1):
+        assert spin_of(wheel, link_transforms(CAR, {wheel.joint.name: angle})) == pytest.approx(angle)
+
+
+def robot(*parts: str) -> Robot:
+    return parse_robot(f'<robot name="r"><link name="base"/>{"".join(parts)}</robot>')
+
+
+def rolling(name: str, shape: str, axis: str, kind: str = "continuous", rpy: str = "0 0 0") -> str:
+    limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    return (
+        f'<link name="{name}"><visual><origin rpy="{rpy}"/><geometry>{shape}</geometry></visual></link>'
+        f'<joint name="{name}_joint" type="{kind}"><parent link="base"/><child link="{name}"/>'
+        f'<axis xyz="{axis}"/>{limit}</joint>'
+    )
+
+
+CYLINDER = '<cylinder radius="0.1" length="0.02"/>'
+
+
+@pytest.mark.parametrize(
+    ("part", "is_wheel"),
+    [
+        (rolling("w", CYLINDER, "0 1 0", rpy="1.5707963 0 0"), True),
+        (rolling("w", CYLINDER, "0 -2 0", rpy="1.5707963 0 0"), True),
+        (rolling("w", CYLINDER, "1 0 0", rpy="0 1.5707963 0"), True),
+        (rolling("w", CYLINDER, "0 1 0", "revolute", "1.5707963 0 0"), True),
+        (rolling("w", '<sphere radius="0.1"/>', "0 1 0"), True),
+        (rolling("w", CYLINDER, "0 0 1"), False),  # a turntable
+        (rolling("w", CYLINDER, "0 1 0"), False),  # it would tumble
+        (rolling("w", '<box size="1 1 1"/>', "0 1 0"), False),
+        (rolling("w", CYLINDER, "0 1 0", "prismatic", "1.5707963 0 0"), False),
+        (rolling("w", CYLINDER, "0 0 0", rpy="1.5707963 0 0"), False),
+    ],
+)
+def test_a_wheel_is_what_turns_about_a_level_axis_and_is_round(part: str, is_wheel: bool) -> None:
+    car = robot(part)
+    assert bool(find_wheels(car)) == is_wheel
+    assert len(picture(car, 40, 12)) == 12
+
+
+def test_a_wheel_mounted_the_other_way_round_rolls_forwards_with_negative_angles() -> None:
+    car = robot(rolling("w", CYLINDER, "0 -1 0", rpy="1.5707963 0 0"))
+    assert mark_column(picture(car, 60, 18, w_joint=-0.5)) > mark_column(picture(car, 60, 18, w_joint=0.5))
+
+
+def test_a_robot_of_nothing_but_frames_is_an_empty_sheet_with_an_arrow() -> None:
+    rows = picture(robot(), 20, 5)
+    assert "".join(rows).replace(" ", "") == "==>"
+
+
+def test_a_chinese_character_that_is_half_overwritten_leaves_a_blank() -> None:
+    canvas = Canvas(6, 1)
+    canvas.text(0, 0, "左轮x", "label")
+    canvas.put(1, 0, "|", "")
+    canvas.put(2, 0, "|", "")
+    canvas.text(5, 0, "轮", "")
+    assert "".join(text for text, _ in canvas.rows()[0]) == " || x "
