@@ -164,7 +164,8 @@ class Desktop(Container):
 
     def rearrange(self) -> None:
         """Place the panes anew."""
-        self.refresh(layout=True)
+        # Asked of a child: a widget's own arrangement is only forgotten when a child's layout changes.
+        self.terminals.refresh(layout=True)
         for pane in (self.terminals, self.welcome, *self.panes.values()):
             pane.touch()
 

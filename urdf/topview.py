@@ -86,6 +86,8 @@ class _Drawing:
         if self._label_rows:
             self._draw_name()
             self._draw_labels()
+        else:
+            self._draw_readings()
         if self._scale_rows:
             self._draw_scale()
 
@@ -205,7 +207,7 @@ class _Drawing:
                     inside.append((column, along * radius))
             if inside:
                 rows.append((row, inside))
-        return rows
+        return rows or [(_nearest(self._y(y)), [(_nearest(self._x(x)), 0.0)])]
 
     def _draw_heading(self) -> None:
         """An arrow out of the front, on the line through the root's origin."""
@@ -234,6 +236,21 @@ class _Drawing:
             column = _nearest(self._x(x)) - cell_width(text) // 2
             column = max(min(column, self._canvas.width - cell_width(text)), 0)
             self._canvas.text(column, row, text, self._style(link, "label"))
+
+    def _draw_readings(self) -> None:
+        """In a low picture: what the labels say behind the link's name, in the wheel's own row, as many words as fit."""
+        for wheel in self._plan.wheels:
+            link = wheel.joint.child
+            words = self._labels.get(link, "").removeprefix(f"{link} ").split(" ")
+            rows = self._wheel_cells(wheel)
+            row, inside = rows[len(rows) // 2]
+            column = inside[-1][0] + 2
+            while words:
+                text = " ".join(words)
+                if self._canvas.is_free(column, row, cell_width(text)):
+                    self._canvas.text(column, row, text, self._style(link, "label"))
+                    break
+                words.pop()
 
     def _draw_scale(self) -> None:
         """A bar of a round length in the last row."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from array import array
+
 from day6_tui.core.interfaces import checks
 from day6_tui.core.interfaces.definition import Structure
 from day6_tui.core.interfaces.fields import ARRAY, SINGLE
@@ -78,6 +80,10 @@ class _Writer:
                     lines.append(
                         f"    {new} = {name}({old})" if one else f"    {new} = [{name}(item) for item in {old}]"
                     )
+            elif type_.count == SINGLE and type_.base == "float32":
+                # Over a wire a float32 has 24 bits; a subscriber in the same process must not see more of them.
+                self.names["single"] = array
+                lines.append(f"    {new} = single('f', ({old},))[0] if {old}.__class__ is float else {old}")
             elif type_.count == SINGLE:
                 lines.append(f"    {new} = {old}")
             elif type_.is_numeric_array():

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 __all__ = ["join", "leave"]
 
 _links: dict[Graph, Link] = {}
+_abandoned: list[Link] = []
 _lock = threading.Lock()
 _prepared = False
 _forked = False
@@ -98,15 +99,10 @@ def _leave_all() -> None:
 
 def _after_fork() -> None:
     global _lock, _forked
-    links = list(_links.values())
-    _links.clear()
     _lock = threading.Lock()
-    if not links:
-        return
-    _forked = True
-    import ctypes
-
-    for link in links:
-        # Its Zenoh objects would wait in their destructors for threads that this process does not have: never free it.
-        ctypes.pythonapi.Py_IncRef(ctypes.py_object(link))
+    _forked = _forked or bool(_links)
+    for link in _links.values():
         link.abandon()
+    # Kept for good: the engine's objects expect threads that stayed in the parent.
+    _abandoned.extend(_links.values())
+    _links.clear()

@@ -23,6 +23,8 @@ _COMMON = {
     # Needed by the caches of transient-local publishers.
     "timestamping/enabled": "true",
     "transport/shared_memory/enabled": "false",
+    "transport/link/tx/queue/congestion_control/drop/wait_before_drop": "20000",
+    "transport/link/tx/queue/size/data": "16",
 }
 
 

@@ -366,7 +366,7 @@ class Link:
         self.graph.identify = lambda _: self.graph.new_gid()
         self.graph.renew_lock()
         if self._place is not None and not self._place.tcp:
-            pass
+            close_inherited_sockets(self._place)
 
     def _report(self, what: str, error: Exception) -> None:
         self.problems.append(f"{what}: {error}")

@@ -11,6 +11,15 @@ GOLDEN = Path(__file__).resolve().parents[3] / "shared" / "reference" / "golden"
 CASES_FILE = GOLDEN / "ros2cli.jsonl"
 EXCEPTIONS_FILE = Path(__file__).with_name("exceptions.json")
 
+LATER = "later: "
+"""How the reason of an exception begins that another issue will end."""
+
+STEPS_BEFORE: dict[str, list[list[str]]] = {
+    "daemon_status_debug": [["ros2", "daemon", "start", "--debug"]],
+    "ts_spawn_same": [["ros2", "service", "call", "/spawn", "turtlesim/srv/Spawn", "{x: 3.0, y: 4.0, name: kame}"]],
+}
+"""Half of the recording is kept apart; these cases follow one of that half, which is played first."""
+
 
 @dataclass(frozen=True)
 class Case:

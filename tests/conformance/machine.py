@@ -10,6 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from golden_cases import STEPS_BEFORE, Case, differences
+
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros import environment, ros2
 from day6_tui.core.ros.ros2.cli import daemon
@@ -35,6 +37,7 @@ class Machine:
         self.scheduler.start()
         self.nodes_folder = nodes_folder
         self.files = files
+        self._with_daemon: bool | None = None
         self.prefixes = [str(environment.SHARE_PATH.parent)]
         self._threads: list[threading.Thread] = []
         self._contexts: list[Any] = []
@@ -55,8 +58,11 @@ class Machine:
                 self._start_node(name)
             self.running = nodes
             self._wait(lambda: self._settled(nodes))
-        session = self.session(["ros2"])
-        (daemon.start if with_daemon else daemon.stop)(session)
+            self._with_daemon = None
+        if with_daemon != self._with_daemon:
+            # Only where a block of cases begins: commands of the block may stop and start it themselves.
+            self._with_daemon = with_daemon
+            (daemon.start if with_daemon else daemon.stop)(self.session(["ros2"]))
 
     def _start_node(self, name: str) -> None:
         from rclpy._time_source import MACHINE_TIME
@@ -112,6 +118,13 @@ class Machine:
         )
         session.shell = object()  # a machine that goes on after the command: one with a daemon
         return session
+
+    def play(self, case: Case) -> str:
+        """Play a case with its setup and return how the answer differs from the recording, '' if it does not."""
+        self.set_up(case.nodes, case.daemon)
+        for argv in STEPS_BEFORE.get(case.name, ()):
+            self.run(argv)
+        return differences(case, *self.run(case.argv, case.stdin, case.interrupt_after), self.prefixes)
 
     def run(self, argv: list[str], stdin: str = "", interrupt_after: float | None = None) -> tuple[str, str, int]:
         """Run a command, interrupt it after some seconds if asked, and return stdout, stderr and exit status."""

@@ -14,7 +14,7 @@ from day6_tui.core.ros import environment
 
 environment.activate()
 
-from golden_cases import GOLDEN, differences, load_cases, load_exceptions  # noqa: E402
+from golden_cases import GOLDEN, LATER, load_cases, load_exceptions  # noqa: E402
 from machine import Machine  # noqa: E402
 
 from day6_tui.core.ros.ros2.cli.later import missing  # noqa: E402
@@ -38,11 +38,14 @@ def main(words: list[str]) -> int:
             total[group] += 1
             if group == "(later)":
                 continue
+            if exceptions.get(case.name, "").startswith(LATER):
+                total[group] -= 1
+                total["(later)"] += 1
+                continue
             if any(not (GOLDEN / "nodes" / f"{node}.py").exists() for node in case.nodes):
                 print(f"-- {case.name}: no stand-in for {case.nodes}")
                 continue
-            machine.set_up(case.nodes, case.daemon)
-            found = differences(case, *machine.run(case.argv, case.stdin, case.interrupt_after), machine.prefixes)
+            found = machine.play(case)
             if not found:
                 equal[group] += 1
                 if case.name in exceptions:

@@ -51,7 +51,7 @@ class Machine:
         session = Session(self.scheduler, self.graph, ["watcher"])
         self.node = session.create_node("watcher")
         self._programs.append(Program(session, lambda session: session.spin(self.node)))
-        self._joints = self.node.create_publisher(JointState, "joint_states", 10)
+        self._joints: Any = None
 
     def start(self, package: str, executable: str, *args: str, screen: bool = False) -> Running:
         """Run an executable up to its first wait."""
@@ -83,6 +83,8 @@ class Machine:
         message = JointState(name=names, position=positions)
         if stamp:
             message.header.stamp = self.node.get_clock().now().to_msg()
+        if self._joints is None:  # only now: a publisher is seen by whoever counts them
+            self._joints = self.node.create_publisher(JointState, "joint_states", 10)
         self._joints.publish(message)
         self.advance()
 

@@ -129,8 +129,10 @@ def test_messages_that_do_not_fit_are_named_in_the_real_words(machine: Machine) 
     machine.joint_states(BOTH, [])
     assert running.errors.splitlines()[2:] == [
         "[ERROR] [robot_state_publisher]: Robot state publisher ignored an invalid JointState message",
-        "[WARN] [robot_state_publisher]: Robot state publisher ignored a JointState message about joint(s)"
-        ' "left_wheel_joint"(,...) whose position member was empty.',
+        (
+            "[WARN] [robot_state_publisher]: Robot state publisher ignored a JointState message about joint(s)"
+            ' "left_wheel_joint"(,...) whose position member was empty.'
+        ),
     ]
 
 
@@ -208,18 +210,24 @@ def test_a_missing_file_is_named(machine: Machine) -> None:
     [
         (
             '<robot name="r"><link name="a">\n</robot>',
-            "Error:   Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=1: XMLElement name=link\n"
-            "         at line 101 in ./urdf_parser/src/model.cpp\n",
+            (
+                "Error:   Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=1: XMLElement name=link\n"
+                "         at line 101 in ./urdf_parser/src/model.cpp\n"
+            ),
         ),
         (
             '<robot name="r"><link name="a"/><link name="b"/></robot>',
-            "Error:   Failed to find root link: Two root links found: [a] and [b]\n"
-            "         at line 265 in ./urdf_parser/src/model.cpp\n",
+            (
+                "Error:   Failed to find root link: Two root links found: [a] and [b]\n"
+                "         at line 265 in ./urdf_parser/src/model.cpp\n"
+            ),
         ),
         (
             "",
-            "Error:   Error=XML_ERROR_EMPTY_DOCUMENT ErrorID=13 (0xd) Line number=0\n"
-            "         at line 101 in ./urdf_parser/src/model.cpp\n",
+            (
+                "Error:   Error=XML_ERROR_EMPTY_DOCUMENT ErrorID=13 (0xd) Line number=0\n"
+                "         at line 101 in ./urdf_parser/src/model.cpp\n"
+            ),
         ),
     ],
 )
@@ -276,8 +284,10 @@ def test_kdls_warnings_are_printed(machine: Machine) -> None:
         "robot_state_publisher", "robot_state_publisher", "--ros-args", "-p", f"robot_description:='{text}'"
     )
     assert running.errors.splitlines() == [
-        "[WARN] [kdl_parser]: The root link a has an inertia specified in the URDF, but KDL does not support a root link"
-        " with an inertia.  As a workaround, you can add an extra dummy link to your URDF.",
+        (
+            "[WARN] [kdl_parser]: The root link a has an inertia specified in the URDF, but KDL does not support a root link"
+            " with an inertia.  As a workaround, you can add an extra dummy link to your URDF."
+        ),
         "[WARN] [kdl_parser]: Converting unknown joint type of joint 'floating' into a fixed joint",
         "[WARN] [kdl_parser]: Converting unknown joint type of joint 'planar' into a fixed joint",
         "[INFO] [robot_state_publisher]: Robot initialized",

@@ -163,8 +163,14 @@ def test_a_name_no_topic_can_have_ends_the_node_as_in_the_original(machine: Mach
     client = machine.node.create_client(Spawn, "/spawn")
     client.call_async(Spawn.Request(name="my turtle"))
     machine.ticks(2)
-    assert turtlesim.program.status == 1
-    assert any("topic name must not contain characters other than" in line for line in turtlesim.log)
+    assert turtlesim.program.killed_by == 6
+    characters = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
+    assert turtlesim.log[2:] == [
+        "terminate called after throwing an instance of 'rclcpp::exceptions::InvalidTopicNameError'",
+        f"  what():  Invalid topic name: {characters}:",
+        "  'my turtle/cmd_vel'",
+        "     ^",
+    ]
 
 
 # -- parameters --------------------------------------------------------------------------------------------------------
@@ -308,7 +314,10 @@ def test_killing_a_turtle_ends_its_rotation(machine: Machine) -> None:
     machine.ticks(3)
     machine.call(Kill, "/kill", name="turtle1")
     assert machine.wait(result).status == CANCELED
+    machine.ticks(3)
     assert turtlesim.program.status is None
+    services = machine.node.get_service_names_and_types_by_node("turtlesim", "/")
+    assert not [name for name, _ in services if name.startswith("/turtle1/")]
 
 
 # -- window and end ----------------------------------------------------------------------------------------------------

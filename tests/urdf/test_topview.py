@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -75,7 +76,7 @@ def test_both_wheels_show_a_turn_of_a_third_of_a_second_at_one_radian_a_second(c
 @pytest.mark.parametrize(("columns", "rows"), SIZES[1:])
 def test_at_ten_frames_a_second_most_frames_differ_from_the_one_before(columns: int, rows: int) -> None:
     frames = [turned(step * 0.1, columns, rows) for step in range(63)]
-    different = sum(a != b for a, b in zip(frames, frames[1:], strict=False))
+    different = sum(a != b for a, b in itertools.pairwise(frames))
     assert different > 40
 
 
@@ -179,6 +180,16 @@ def test_a_wheel_is_what_turns_about_a_level_axis_and_is_round(part: str, is_whe
     assert len(picture(car, 40, 12)) == 12
 
 
+@pytest.mark.parametrize("columns", range(1, 40))
+def test_a_ball_is_never_too_small_to_be_drawn(columns: int) -> None:
+    far = (
+        '<link name="far"><visual><geometry><box size="9 9 1"/></geometry></visual></link>'
+        '<joint name="far" type="fixed"><parent link="base"/><child link="far"/></joint>'
+    )
+    car = robot(rolling("w", '<sphere radius="0.1"/>', "0 1 0"), far)
+    assert any("#" in row for row in picture(car, columns, 7))
+
+
 def test_a_wheel_mounted_the_other_way_round_rolls_forwards_with_negative_angles() -> None:
     car = robot(rolling("w", CYLINDER, "0 -1 0", rpy="1.5707963 0 0"))
     assert mark_column(picture(car, 60, 18, w_joint=-0.5)) > mark_column(picture(car, 60, 18, w_joint=0.5))
@@ -196,3 +207,11 @@ def test_a_chinese_character_that_is_half_overwritten_leaves_a_blank() -> None:
     canvas.put(2, 0, "|", "")
     canvas.text(5, 0, "轮", "")
     assert "".join(text for text, _ in canvas.rows()[0]) == " || x "
+
+
+def test_in_a_low_picture_angle_and_speed_stand_beside_the_wheel_as_far_as_they_fit() -> None:
+    labels = {"left_wheel": "left_wheel 57 deg +1.00 rad/s", "right_wheel": "right_wheel 172 deg +1.00 rad/s"}
+    drawn = render_top(CAR, link_transforms(CAR, {}), 38, 10, "ascii", labels)
+    rows = ["".join(text for text, _ in row) for row in drawn]
+    assert rows[0].strip() == "==#== 57 deg +1.00 rad/s"
+    assert rows[8].strip() == "==#== 172 deg +1.00"

@@ -30,7 +30,7 @@ class Texts:
         self.language = language
         catalogue(language)
 
-    def __call__(self, key: str, **values: object) -> str:
+    def __call__(self, key: str, /, **values: object) -> str:
         """The text for `key` with its {fields} filled in. Raises KeyError for an unknown key."""
         text = catalogue(self.language)[key]
         return text.format(**values) if values else text

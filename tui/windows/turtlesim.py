@@ -272,11 +272,12 @@ def _arrow(theta: float, unicode: bool) -> str:
 
 def _blocks(segment: Any, canvas: Canvas) -> tuple[range, range]:
     """The pixels of the canvas that a segment of the trail can have touched."""
-    margin = segment.width / 2 + 1
+    margin = segment.width * 0.75 + 1  # half the diagonal of the square at a line's end
 
     def span(a: float, b: float, size: int) -> range:
         low, high = min(a, b) - margin, max(a, b) + margin
-        return range(max(0, int(low * size / IMAGE)), min(size, int(high * size / IMAGE) + 1))
+        # One more on either side: blocks begin at whole pixels of the image.
+        return range(max(0, int(low * size / IMAGE) - 1), min(size, int(high * size / IMAGE) + 2))
 
     return span(segment.x0, segment.x1, canvas.width), span(segment.y0, segment.y1, canvas.height)
 

@@ -54,8 +54,7 @@ class JointReadings:
 
     def hear(self, names: list[str], positions: list[float], now_ns: int, turning: frozenset[str]) -> None:
         """Take in one message that came at `now_ns`; `turning` names the joints whose positions are angles."""
-        self._arrivals = [moment for moment in self._arrivals[-99:] if now_ns - moment < 2 * SECOND]
-        self._arrivals.append(now_ns)
+        self._arrivals = [*self._arrivals[-99:], now_ns]
         for name, position in zip(names, positions, strict=False):
             track = self._tracks.get(name)
             if track is None:
@@ -76,9 +75,13 @@ class JointReadings:
         return tuple(name for name, track in self._tracks.items() if now_ns - track.heard_ns <= SILENCE_NS)
 
     def rate(self, now_ns: int) -> float | None:
-        """Return messages per second over the last two seconds; None when there are fewer than two to count."""
+        """Return messages per second over the last two seconds (or two messages); None when they have stopped."""
         recent = [moment for moment in self._arrivals if now_ns - moment < 2 * SECOND]
-        if len(recent) < 2 or now_ns - recent[-1] > SILENCE_NS + SECOND // 2:
+        if not recent or now_ns - recent[-1] > SILENCE_NS + SECOND // 2:
+            return None
+        if len(recent) < 2:
+            recent = self._arrivals[-2:]
+        if len(recent) < 2:
             return None
         return (len(recent) - 1) * SECOND / max(recent[-1] - recent[0], 1)
 

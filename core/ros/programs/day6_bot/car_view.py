@@ -23,6 +23,9 @@ REFRESH_SECONDS = 0.5
 SETTLE_SECONDS = 2.0
 """Without a screen: how long to wait for a robot that is whole before it is printed as it is."""
 
+SPEED_SECONDS = 0.5
+"""And how long at least, so that speeds have been measured."""
+
 
 async def main(session: Session) -> int:
     """Follow the robot until interrupted; without a display print it once, status 1 if there is none."""
@@ -71,7 +74,7 @@ async def _print(session: Session, model: CarModel) -> int:
         model.refresh()
         moment = model.snapshot()
         whole = moment.robot is not None and len(moment.transforms) == len(moment.robot.links)
-        if (whole and moment.rate is not None) or step * 0.1 >= SETTLE_SECONDS:
+        if (whole and moment.rate is not None and step * 0.1 >= SPEED_SECONDS) or step * 0.1 >= SETTLE_SECONDS:
             break
     moment = model.snapshot()
     if moment.robot is not None:

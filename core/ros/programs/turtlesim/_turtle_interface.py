@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from rclpy.action.server import ServerGoalHandle
     from rclpy.node import Node
 
+RESULT_ROUNDS = 3
+"""Rounds of the executor in which a finished execution's result gets to those who wait for it."""
+
 
 class TurtleInterface:
     """Passes messages to `turtle` and publishes what its steps did.
@@ -153,10 +156,14 @@ class TurtleInterface:
             goal._update_state(GoalEvent.CANCEL_GOAL)
         goal.canceled()
         self._results[_id_of(goal)].set_result(RotateAbsolute.Result())
-        # The server has to live until the waiting execution has sent that result.
+        self._destroy_rotations_after(RESULT_ROUNDS)
+
+    def _destroy_rotations_after(self, rounds: int) -> None:
         executor = self._node.executor
-        if executor is not None:
-            executor.create_task(self._rotations.destroy)
+        if rounds and executor is not None:
+            executor.create_task(self._destroy_rotations_after, rounds - 1)
+        else:
+            self._rotations.destroy()
 
     def _now(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Twist
 from turtlesim.action import RotateAbsolute
 
-from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS, create_node
+from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS, abort, create_node
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -42,8 +42,6 @@ HEADINGS = {  # key -> radians; on the keyboard they lie around f as on a compas
     "v": -1.5708,
     "b": -0.7854,
 }
-
-ABORTED = 134  # 128 + SIGABRT
 
 
 class Teleop:
@@ -102,9 +100,7 @@ class Teleop:
 
 async def main(session: Session) -> int:
     if not session.stdin.isatty():
-        session.print_error("terminate called after throwing an instance of 'std::runtime_error'")
-        session.print_error("  what():  Failed to get old console mode")
-        return ABORTED
+        abort(session, "std::runtime_error", "Failed to get old console mode")
     with session.stdin.raw():
         teleop = Teleop(session)
         session.spawn(session.spin(teleop.node))

@@ -1,0 +1,201 @@
+"""Measures the budgets of day6-tui and prints one table.
+
+    python tests/perf/bench.py [--real PYTHON] [--messages rclpy_bench.py] [--quick]
+
+`--real` is an interpreter with real rclpy; `--messages` a message benchmark that runs on any rclpy. With both, messages are
+measured on both and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from screen import Screen
+
+from day6_tui.core.ros.environment import program_environment
+
+HERE = Path(__file__).resolve().parent
+DAY6 = [sys.executable, "-m", "day6_tui.tui.main"]
+BARE = [sys.executable, str(HERE / "bare_app.py")]
+
+TWIST = '"{linear: {x: 2.0}, angular: {z: 0.7}}"'
+DENSE = "".join(
+    f'ros2 service call /turtle1/teleport_absolute turtlesim/srv/TeleportAbsolute "{{x: {x}, y: {y}}}" > /dev/null; '
+    for x, y in [(1, 1), (10, 10), (1, 10), (10, 1), (5, 10), (1, 4), (10, 7), (3, 1), (8, 10), (5, 5)]
+)
+TURTLE = "ros2 run turtlesim turtlesim_node &\n"
+RUNAWAYS = {
+    "loop.py": "while True: pass\n",
+    "print.py": "while True: print('again and again')\n",
+    "sum.py": "n = 0\nwhile True: n += sum(range(1000))\n",
+}
+
+Row = tuple[str, str, str]
+
+
+class Bench:
+    """One run: `quick` measures shorter and fewer times."""
+
+    def __init__(self, quick: bool) -> None:
+        self.rounds = 3 if quick else 7
+        self.seconds = 3.0 if quick else 8.0
+        self.home = Path(tempfile.mkdtemp(prefix="day6-bench-"))
+        self.env = {
+            "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-"),
+            "LANG": "C.UTF-8",
+        }
+
+    def desktop(self, columns: int, rows: int, *options: str, cpus: set[int] | None = None) -> Screen:
+        command = [*DAY6, "--home", str(self.home), "--lang", "en", *options]
+        return Screen(command, columns, rows, cpus, **self.env)
+
+    def start(self) -> Iterator[Row]:
+        """First frame and memory, beside a bare Textual app."""
+        ours, bare, memory = [], [], []
+        for _ in range(self.rounds):
+            with Screen(BARE, 80, 24) as screen:
+                bare.append(screen.first_frame())
+            with self.desktop(80, 24) as screen:
+                ours.append(screen.first_frame())
+                memory.append(screen.rss_mb())
+        ratio = statistics.median(ours) / statistics.median(bare)
+        yield "first frame, 80x24", f"{statistics.median(ours):.2f} s = {ratio:.2f} x a bare Textual app", "<= 1.5 x"
+        yield "memory at the first frame", f"{statistics.median(memory):.1f} MB", "<= 48 MB"
+
+    def screens(self) -> Iterator[Row]:
+        """CPU and bytes of the running desktop."""
+        with self.desktop(80, 24) as screen:
+            screen.first_frame()
+            screen.read(3)
+            yield "CPU at the welcome screen", f"{screen.use(self.seconds).cpu_percent:.2f} %", "<= 0.5 %"
+        with self.desktop(120, 40, "--scene", "empty") as screen:
+            screen.first_frame()
+            screen.read(1)
+            screen.send(TURTLE)
+            screen.read(4)
+            yield "turtlesim standing still", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 4 %"
+            screen.send(DENSE + "\n")
+            screen.read(8)
+            screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
+            screen.read(4)
+            usage = screen.use(self.seconds)
+            yield "moving turtle, 120x40, dense", f"{usage.cpu_percent:.1f} %", "<= 12 %"
+            yield (
+                "  bytes a second / at 30 fps a frame",
+                f"{usage.bytes_written / usage.seconds:.0f} / {usage.bytes_written / usage.seconds / 30:.0f}",
+                "<= 700 a frame",
+            )
+        with self.desktop(120, 40, "--scene", "car") as screen:
+            screen.first_frame()
+            screen.read(15)
+            yield "memory, robot shown and link open", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
+            yield "CPU, car with turning wheels", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
+
+    def keys(self) -> Iterator[Row]:
+        """Key to echo, alone and with three runaway student programs, all on one core."""
+        for name, code in RUNAWAYS.items():
+            (self.home / name).write_text(code)
+        one_core = {min(os.sched_getaffinity(0))}
+        with self.desktop(120, 40, "--scene", "empty", cpus=one_core) as screen:
+            screen.first_frame()
+            screen.read(3)
+            yield "key to echo, alone", _spread(_echoes(screen, self.rounds * 4)), "-"
+            for name in RUNAWAYS:
+                screen.send(f"python3 {name} > /dev/null &\n")
+                screen.read(1)
+            screen.read(2)
+            yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
+
+
+def _echoes(screen: Screen, count: int) -> list[float]:
+    return [screen.echo_time(key) for key in ("xyzw" * count)[:count]]
+
+
+def _spread(seconds: list[float]) -> str:
+    return f"{statistics.median(seconds) * 1000:.0f} ms median, {max(seconds) * 1000:.0f} ms worst"
+
+
+def messages(script: Path, real: str | None) -> Iterator[Row]:
+    """Publish to callback in one process, ours and real."""
+    ours = _run_messages(sys.executable, script, program_environment({**os.environ, "DAY6_LINK": "off"}))
+    theirs = _run_messages(real, script, dict(os.environ)) if real else None
+    for kind, budget in (("String_20B", 10), ("Twist", 8), ("JointState_10", 8)):
+        mine = ours["pubsub"][kind]["throughput_msg_s"]
+        text, wanted = f"{mine} messages/s", "-"
+        if theirs:
+            text += f" = {mine / theirs['pubsub'][kind]['throughput_msg_s']:.0f} x real rclpy"
+            wanted = f">= {budget} x"
+        yield f"publish -> callback, {kind}", text, wanted
+    start = ours["startup_median"]
+    text = f"{start['whole_process_ms']:.0f} ms, {start['rss_kib'] / 1024:.1f} MB"
+    if theirs:
+        text += f" = {start['whole_process_ms'] / theirs['startup_median']['whole_process_ms']:.2f} x real rclpy"
+    yield "process with a node, alone", text, "<= 1/3, <= 24 MB"
+
+
+def _run_messages(python: str, script: Path, env: dict[str, str]) -> dict:  # type: ignore[type-arg]
+    done = subprocess.run([python, str(script), "--quick"], capture_output=True, text=True, env=env, check=True)
+    return json.loads(done.stdout)  # type: ignore[no-any-return]
+
+
+TALKER = """
+import os, sys, time
+import rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node('bench_talker')
+publisher = node.create_publisher(String, 'chatter', 10)
+publisher.publish(String(data='first'))
+print(time.time(), next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')), flush=True)
+rclpy.shutdown()
+"""
+
+
+def processes(real: str | None, rounds: int) -> Iterator[Row]:
+    """Start of a student's process to its first message out, joined to the link."""
+    env = program_environment({**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")})
+    ours = [_first_message(sys.executable, env) for _ in range(rounds)]
+    seconds = statistics.median(each[0] for each in ours)
+    text = f"{seconds * 1000:.0f} ms, {statistics.median(each[1] for each in ours):.1f} MB"
+    if real:
+        theirs = statistics.median(_first_message(real, dict(os.environ))[0] for _ in range(rounds))
+        text += f" = {seconds / theirs:.2f} x real rclpy"
+    yield "process joined, start to first message", text, "<= 1/3, <= 38 MB"
+
+
+def _first_message(python: str, env: dict[str, str]) -> tuple[float, float]:
+    began = time.time()
+    done = subprocess.run([python, "-c", TALKER], capture_output=True, text=True, env=env, check=True)
+    at, rss = done.stdout.split()
+    return float(at) - began, int(rss) / 1024
+
+
+def main() -> int:
+    """Run the sections and print the table as Markdown."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
+    parser.add_argument("--messages", metavar="FILE", type=Path, help="message benchmark")
+    parser.add_argument("--quick", action="store_true", help="shorter and fewer measurements")
+    options = parser.parse_args()
+    bench = Bench(options.quick)
+    print("| what | measured | budget |\n| --- | --- | --- |")
+    sections = [bench.start(), bench.screens(), bench.keys(), processes(options.real, bench.rounds)]
+    if options.messages:
+        sections.append(messages(options.messages, options.real))
+    for section in sections:
+        for what, measured, budget in section:
+            print(f"| {what} | {measured} | {budget} |", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,138 @@
+"""Plays recorded programs of real rclpy with ours and makes both outputs comparable.
+
+What is made equal: time stamps, addresses, paths, and everything that shows the inside of an implementation (its frames in a
+traceback, the line of its warnings). What a student reads of their own program stays.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+
+ROOT = Path(__file__).resolve().parents[2]
+REFERENCE = ROOT.parent / "shared" / "reference" / "golden" / "rclpy_behaviour.jsonl"
+SITE = "<PREFIX>/lib/python3.11/site-packages"
+TIMEOUT_S = 30
+
+_REPLACEMENTS = (
+    (re.compile(r"\[\d{9,}\.\d{9}\]"), "[<TIME>]"),
+    (re.compile(r"\b0x[0-9a-f]{4,}\b"), "<ADDR>"),
+    (re.compile(r"Goal ID: \[[\d\s]+\]"), "Goal ID: [<UUID_BYTES>]"),
+    (re.compile(r"goal ID: \[[\d\s]+\]"), "goal ID: [<UUID_BYTES>]"),
+)
+_FRAME = re.compile(r'  File "([^"]+)", line \d+, in ')
+_INSIDE = re.compile(rf"({re.escape(SITE)}/rclpy/|<frozen)")
+_WARNING = re.compile(rf"^{re.escape(SITE)}/rclpy/[\w/]+\.py:\d+: ")
+_POINTERS = re.compile(r"\s*[\^~]+\s*")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a program did."""
+
+    stdout: str
+    stderr: str
+    exit_code: int
+
+
+@dataclass(frozen=True)
+class Case:
+    """One recorded program and what it did with real rclpy."""
+
+    name: str
+    code: str
+    expected: Outcome
+
+
+def cases() -> list[Case]:
+    """Return the recorded cases; none where the reference folder is absent."""
+    if not REFERENCE.is_file():
+        return []
+    entries = [json.loads(line) for line in REFERENCE.read_text(encoding="utf-8").splitlines()]
+    return [
+        Case(entry["name"], entry["code"], comparable(Outcome(entry["stdout"], entry["stderr"], entry["exit_code"])))
+        for entry in entries
+    ]
+
+
+def play(code: str, folder: Path) -> Outcome:
+    """Run a program as a process with our rclpy in an empty folder; -9 after `TIMEOUT_S` seconds."""
+    (folder / "prog.py").write_text(code, encoding="utf-8")
+    env = program_environment()
+    env.update(LANG="C.UTF-8", DAY6_LINK="off", PYTHONDONTWRITEBYTECODE="1")
+    for name in ("COLUMNS", "RCUTILS_CONSOLE_OUTPUT_FORMAT", "ROS_PYTHON_CHECK_FIELDS"):
+        env.pop(name, None)
+    process = subprocess.Popen(
+        [sys.executable, "prog.py"],
+        cwd=folder,
+        env=env,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        stdout, stderr = process.communicate(timeout=TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        stdout, stderr = process.communicate()
+    prefixes = ((str(folder) + os.sep, ""), (str(PYTHON_PATH), SITE), (str(ROOT), SITE))
+    for path, placeholder in prefixes:
+        stdout, stderr = stdout.replace(path, placeholder), stderr.replace(path, placeholder)
+    return comparable(Outcome(stdout, stderr, process.returncode))
+
+
+def comparable(outcome: Outcome) -> Outcome:
+    """Make equal what may differ."""
+    return Outcome(_even(outcome.stdout), _without_insides(_even(outcome.stderr)), outcome.exit_code)
+
+
+def _even(text: str) -> str:
+    for pattern, placeholder in _REPLACEMENTS:
+        text = pattern.sub(placeholder, text)
+    return text
+
+
+def _without_insides(text: str) -> str:
+    """Drop frames of the implementation, markers under source lines, and lines that show the implementation's source."""
+    kept: list[str] = []
+    lines = iter(_without_ignored(text.splitlines()))
+    inside = False
+    for line in lines:
+        frame = _FRAME.match(line)
+        if frame:
+            inside = bool(_INSIDE.match(frame[1]))
+        elif not line.startswith("    "):
+            inside = False
+        if inside or _POINTERS.fullmatch(line):
+            continue
+        if _WARNING.match(line):
+            kept.append(_WARNING.sub("<rclpy>: ", line))
+            following = next(lines, None)
+            if following is not None and not following.startswith("  "):
+                kept.append(following)
+            continue
+        kept.append(line)
+    return "\n".join(kept)
+
+
+def _without_ignored(lines: list[str]) -> list[str]:
+    """Drop what real rclpy's `Executor.__del__` prints when its own constructor failed (a slip, not behaviour)."""
+    kept: list[str] = []
+    dropping = False
+    for line in lines:
+        if line.startswith("Exception ignored in: <function Executor.__del__"):
+            dropping = True
+        elif dropping and (line.startswith((" ", "Traceback")) or "_sigint_gc" in line):
+            continue
+        else:
+            dropping = False
+            kept.append(line)
+    return kept

@@ -1,0 +1,40 @@
+"""Recorded programs of real rclpy (Kilted, 9.1.2) do the same with ours: output, errors and exit status."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, os.path.dirname(__file__))
+
+from golden import REFERENCE, Case, cases, play
+from known_differences import KNOWN, UNCHECKED_FIELDS
+
+_CASES = cases()
+
+
+def test_the_recorded_cases_are_there() -> None:
+    if not REFERENCE.is_file():
+        pytest.skip(f"the reference folder is not beside this repository: {REFERENCE}")
+    names = [case.name for case in _CASES]
+    assert len(names) > 80
+    assert set(KNOWN) <= set(names), "a known difference names a case that does not exist"
+    assert set(UNCHECKED_FIELDS) <= set(names)
+
+
+@pytest.mark.skipif(sys.version_info[:2] != (3, 11), reason="recorded with Python 3.11, whose own messages are part of it")
+@pytest.mark.skipif(os.name == "nt", reason="recorded on Linux, with its signals and exit codes")
+@pytest.mark.parametrize("case", _CASES, ids=lambda case: case.name)
+def test_a_recorded_program_does_the_same(case: Case, tmp_path: Path) -> None:
+    if case.name in UNCHECKED_FIELDS:
+        pytest.skip("agreed: recorded with field checks off, ours are on")
+    outcome = play(case.code, tmp_path)
+    if case.name in KNOWN:
+        assert outcome != case.expected, f"no longer a difference: {KNOWN[case.name]}"
+        pytest.xfail(KNOWN[case.name])
+    assert outcome.exit_code == case.expected.exit_code, outcome.stderr
+    assert outcome.stdout == case.expected.stdout
+    assert outcome.stderr == case.expected.stderr

@@ -1,0 +1,290 @@
+"""The desktop as a whole: scenes, focus, windows that come and go, time, looks, and what happens when something breaks."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from conftest import opened, screen_lines, screen_text, step
+from fakes import FakeSimulation, turtle
+
+from day6_tui.tui.scenes import SCENES, Player
+
+
+class _Stage:
+    """Notes what a scene does; everything it waits for is there at once, unless `missing`."""
+
+    def __init__(self, missing: bool = False) -> None:
+        self.done: list[str] = []
+        self.missing = missing
+
+    def use_terminal(self, which: str) -> None:
+        self.done.append(f"[{which}]")
+
+    def send(self, text: str) -> None:
+        self.done.append(text)
+
+    def ready(self) -> bool:
+        return not self.missing
+
+    def has_window(self, kind: str) -> bool:
+        return not self.missing
+
+    def reading_keys(self) -> bool:
+        return not self.missing
+
+
+def _play(scene: str, stage: _Stage, **options: object) -> float:
+    player = Player(SCENES[scene], stage, values={"robot": "day6_bot.urdf"}, **options)
+    now = 1000.0
+    while not player.done:
+        player.advance(now)
+        now += 1 / 30
+    return now - 1000.0
+
+
+def test_the_turtle_scene_types_the_two_commands_letter_by_letter() -> None:
+    stage = _Stage()
+    seconds = _play("turtle", stage)
+    assert "".join(stage.done) == "[idle]ros2 run turtlesim turtlesim_node\r[new]ros2 run turtlesim turtle_teleop_key\r"
+    assert len(stage.done) > 60
+    assert 2 < seconds < 6
+
+
+def test_a_window_that_never_comes_does_not_hold_the_scene_up_for_ever() -> None:
+    stage = _Stage(missing=True)
+    assert _play("turtle", stage, visibly=False) < 30
+    assert "".join(stage.done).endswith("turtle_teleop_key\r")
+
+
+def test_in_a_hurry_a_command_is_typed_at_once() -> None:
+    stage = _Stage()
+    assert _play("turtle", stage, visibly=False) < 1
+    assert "ros2 run turtlesim turtlesim_node\r" in stage.done
+
+
+async def test_choosing_the_turtle_types_into_two_terminals_and_leaves_the_keyboard_there(desk) -> None:
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        await pilot.press("1")
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        for _ in range(5):
+            await step(app, pilot)
+        assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node\r"
+        assert desk.terminals[1].sent == "ros2 run turtlesim turtle_teleop_key\r"
+        assert app.screen.focused is app.terminals
+        assert app.terminals.view.terminal is desk.terminals[1]
+
+
+async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
+        assert app.player is not None
+        await pilot.press("up", "a")
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        terminal = None
+        for _ in range(8):
+            await step(app, pilot)
+            terminal = desk.terminals[-1]
+            terminal.busy = len(desk.terminals) == 2 and terminal.sent.endswith("\r")
+            await asyncio.sleep(0.03)
+        assert app.player is None
+        assert terminal.sent == "ros2 run turtlesim turtle_teleop_key\r\x1b[Aa"
+
+
+async def test_escape_stops_a_scene(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
+        await pilot.press("escape")
+        await step(app, pilot)
+        assert app.player is None and "turtle_teleop_key" not in "".join(terminal.sent for terminal in desk.terminals)
+
+
+async def test_the_guide_types_a_command_but_leaves_running_it_to_the_user(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        app.desktop.focus_pane(app.welcome)
+        await pilot.press("enter")
+        assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node"
+        assert app.screen.focused is app.terminals
+
+
+async def test_f3_goes_through_terminals_and_windows(desk) -> None:
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        await step(app, pilot)
+        await pilot.press("f2")
+        seen = []
+        for _ in range(4):
+            await pilot.press("f3")
+            pane = app.screen.focused
+            seen.append(f"terminal {app.terminals.active}" if pane is app.terminals else pane.window.title)
+        assert seen == ["TurtleSim", "terminal 0", "terminal 1", "TurtleSim"]
+        assert app.desktop.active == window.number
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+async def test_the_focused_pane_has_the_heavy_frame_and_only_it(desk, size) -> None:
+    desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, *size, lang="en") as (app, pilot):
+        for _ in range(3):
+            await pilot.press("f3")
+            await step(app, pilot)
+            assert screen_text(app).count("┏") == 1
+
+
+async def test_the_names_of_windows_that_cannot_be_seen_stand_on_the_frame(desk) -> None:
+    for title in ("TurtleSim", "Second", "Third"):
+        desk.display.open("turtlesim", title, FakeSimulation())
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await step(app, pilot)
+        line = screen_lines(app)[1]
+        assert line.startswith("╭ Third ") and "TurtleSim" in line and "Second" in line
+
+
+async def test_f8_enlarges_and_puts_back(desk) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await step(app, pilot)
+        app.desktop.focus_pane(app.desktop.panes[window.number])
+        await pilot.press("f8")
+        await step(app, pilot)
+        assert app.desktop.panes[window.number].size.height == 22
+        await pilot.press("f3")
+        await step(app, pilot)
+        assert app.terminals.size.height == 22
+        await pilot.press("f8")
+        await step(app, pilot)
+        assert app.terminals.size.height == 9
+
+
+async def test_f4_lists_everything_and_del_closes(desk) -> None:
+    desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await step(app, pilot)
+        await pilot.press("f4")
+        await step(app, pilot)
+        assert "TurtleSim" in screen_text(app) and "Windows and terminals" in screen_text(app)
+        await pilot.press("down", "delete", "escape")
+        await step(app, pilot)
+        assert desk.display.windows == []
+
+
+async def test_the_palette_finds_a_command_by_either_language(desk) -> None:
+    async with opened(desk, 80, 24, lang="zh") as (app, pilot):
+        await pilot.press("ctrl+p")
+        await pilot.press(*"light")
+        await step(app, pilot)
+        assert "深色或浅色" in screen_text(app) and "新终端" not in screen_text(app)
+        await pilot.press("enter")
+        await step(app, pilot)
+        assert app.look.colours.name == "light" and app.desktop.overlay is None
+
+
+async def test_the_language_changes_at_once(desk) -> None:
+    async with opened(desk, 80, 24, lang="zh") as (app, pilot):
+        assert "退出" in screen_text(app)
+        app.do_language()
+        await step(app, pilot)
+        assert "Quit" in screen_text(app) and "退出" not in screen_text(app)
+
+
+async def test_every_glyph_set_can_be_chosen_while_a_window_is_open(desk) -> None:
+    desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle("a"), turtle("b", 2.0)))
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        seen = set()
+        for _ in range(4):
+            app.do_glyphs()
+            await step(app, pilot)
+            seen.add(screen_text(app))
+        assert len(seen) == 4
+
+
+async def test_f9_lets_the_world_stand_and_run(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("f9")
+        await step(app, pilot)
+        assert desk.clock.paused and "paused" in screen_lines(app)[0] and "Run" in screen_lines(app)[-1]
+        app.do_step()
+        assert desk.steps == [0.016]
+        await pilot.press("f9")
+        await step(app, pilot)
+        assert not desk.clock.paused and "paused" not in screen_lines(app)[0]
+
+
+async def test_another_speed_is_shown_with_what_it_does_not_reach(desk) -> None:
+    async with opened(desk, 120, 24, lang="en") as (app, pilot):
+        app.do_slower()
+        await step(app, pilot)
+        assert desk.clock.speed == 0.5
+        assert "0.5×" in screen_lines(app)[0] and "student processes run at normal speed" in screen_lines(app)[-1]
+
+
+async def test_a_click_on_a_tab_shows_its_terminal(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("f2")
+        await step(app, pilot)
+        await pilot.click(app.terminals, offset=(2, 0))
+        assert app.terminals.active == 0
+
+
+async def test_a_click_on_the_key_bar_does_what_the_key_does(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await step(app, pilot)
+        await pilot.click(app.bottom, offset=(4, 0))
+        assert len(desk.terminals) == 2
+
+
+async def test_a_window_that_cannot_be_drawn_says_why_and_nothing_else_stops(desk) -> None:
+    class Broken:
+        node_name = "/x"
+
+        @property
+        def scene(self) -> object:
+            raise ValueError("no scene today")
+
+    desk.display.open("turtlesim", "TurtleSim", Broken())
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        await step(app, pilot)
+        text = screen_text(app)
+        assert "This window cannot be drawn: ValueError: no scene today" in text
+        await pilot.press("f2", "x")
+        assert desk.terminals[1].sent == "x"
+
+
+async def test_an_unknown_kind_of_window_says_so(desk) -> None:
+    desk.display.open("gazebo", "Gazebo", object())
+    async with opened(desk, 120, 40, lang="zh") as (app, pilot):
+        await step(app, pilot)
+        assert "画不出来：KeyError: 'gazebo'" in screen_text(app)
+
+
+async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
+    from types import SimpleNamespace
+
+    from conftest import UTF8, make_look
+
+    from day6_tui.tui.app import Day6App
+
+    options = SimpleNamespace(fps=0, lang="en", home="/proc/nothing/here")
+    app = Day6App(options, look=make_look(options, UTF8))
+    async with app.run_test(size=(80, 24)) as pilot:
+        await pilot.pause()
+        await pilot.pause()
+    assert app.return_code == 1
+
+
+async def test_when_nothing_changed_nothing_is_refreshed(desk) -> None:
+    desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        await step(app, pilot)
+        await step(app, pilot)
+        refreshed: list[object] = []
+        for pane in app.screen.query("Pane"):
+            pane.refresh = lambda *regions, pane=pane, **kw: refreshed.append(pane)  # type: ignore[method-assign]
+        for _ in range(10):
+            app.frames.step()
+        assert refreshed == []
+
+
+async def test_quitting_leaves_no_frame_behind(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("ctrl+q")
+        await pilot.pause()
+    assert app.frames._loop is None and app.return_code == 0

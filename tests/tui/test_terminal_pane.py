@@ -1,0 +1,223 @@
+"""Terminals: keys go in as a real terminal sends them, what changed comes out and nothing else."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import opened, screen_lines, screen_text, step
+from fakes import FakeTerminal
+from textual import events
+
+from day6_tui.tui.colours import colours
+from day6_tui.tui.terminal_keys import encode
+from day6_tui.tui.terminal_view import TerminalView, tab_name
+
+
+@pytest.mark.parametrize(
+    ("key", "character", "sent"),
+    [
+        ("a", "a", "a"),
+        ("upper_a", "A", "A"),
+        ("海", "海", "海"),
+        ("space", " ", " "),
+        ("enter", "\r", "\r"),
+        ("tab", "\t", "\t"),
+        ("shift+tab", None, "\x1b[Z"),
+        ("backspace", "\x7f", "\x7f"),
+        ("escape", "\x1b", "\x1b"),
+        ("up", None, "\x1b[A"),
+        ("shift+left", None, "\x1b[1;2D"),
+        ("ctrl+right", None, "\x1b[1;5C"),
+        ("home", None, "\x1b[H"),
+        ("delete", None, "\x1b[3~"),
+        ("ctrl+c", "\x03", "\x03"),
+        ("ctrl+d", "\x04", "\x04"),
+        ("ctrl+z", "\x1a", "\x1a"),
+        ("ctrl+r", "\x12", "\x12"),
+        ("ctrl+backslash", "\x1c", "\x1c"),
+        ("alt+b", None, "\x1bb"),
+        ("f5", None, "\x1b[15~"),
+        ("f24", None, ""),
+        ("plus", "+", "+"),
+        ("+", "+", "+"),
+    ],
+)
+def test_a_key_sends_what_xterm_sends(key, character, sent) -> None:
+    assert encode(key, character) == sent
+
+
+def test_programs_that_ask_for_it_get_application_cursor_keys() -> None:
+    assert encode("up", None, application_cursor=True) == "\x1bOA"
+    assert encode("ctrl+up", None, application_cursor=True) == "\x1b[1;5A"
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        ("ros2 run turtlesim turtle_teleop_key", "turtle_teleop_key"),
+        ("ros2 topic echo /turtle1/pose", "echo /turtle1/pose"),
+        ("ros2 launch day6_publisher day6_display.launch.py", "day6_display.launch.py"),
+        ("python3 src/day6/talker.py --loud", "talker.py"),
+        ("~/ros2_ws", "~/ros2_ws"),
+        ("", ""),
+    ],
+)
+def test_a_tab_has_a_short_name(command, name) -> None:
+    assert tab_name(command) == name
+
+
+def _text(view: TerminalView, line: int) -> str:
+    return "".join(segment.text for segment in view.segments(line, colours(), focused=False)).rstrip()
+
+
+def test_only_the_cells_that_changed_are_drawn_again() -> None:
+    terminal = FakeTerminal(40, 5)
+    view = TerminalView(terminal)
+    assert len(view.changes()) == 5
+    assert view.changes() == []
+    terminal.write("hello")
+    spans = view.changes()
+    assert {span.line for span in spans} == {0}
+    assert min(span.first for span in spans) == 0 and max(span.end for span in spans) <= 8
+    terminal.write("\rhellO")
+    assert [(span.first, span.end) for span in view.changes()] == [(4, 6)]
+
+
+def test_a_wide_character_is_never_cut_in_half() -> None:
+    terminal = FakeTerminal(10, 2)
+    terminal.write("ab海龟")
+    view = TerminalView(terminal)
+    view.changes()
+    terminal.write("\x1b[1;6H!")
+    first = min(span.first for span in view.changes() if span.line == 0)
+    assert first <= 4
+    assert _text(view, 0) == "ab海 !"
+
+
+def test_looking_back_stays_at_its_lines_while_more_is_printed() -> None:
+    terminal = FakeTerminal(20, 4)
+    terminal.write("\n".join(f"line {n}" for n in range(20)))
+    view = TerminalView(terminal)
+    view.changes()
+    assert view.scroll_by(10)
+    view.changes()
+    before = [_text(view, line) for line in range(4)]
+    assert before == ["line 6", "line 7", "line 8", "line 9"]
+    terminal.write("\nmore\nand more")
+    view.changes()
+    assert [_text(view, line) for line in range(4)] == before
+    assert not view.scroll_by(-5) or view.scroll == 7
+    view.scroll_by(-99)
+    view.changes()
+    assert _text(view, 3) == "and more"
+
+
+def test_the_selected_text_spans_scrollback_and_screen() -> None:
+    terminal = FakeTerminal(20, 3)
+    terminal.write("one\ntwo   \n海龟\nfour\nfive")
+    view = TerminalView(terminal)
+    view.changes()
+    view.selection = ((0, 1), (3, 2))
+    assert view.selected_text() == "ne\ntwo\n海龟\nfo"
+
+
+def test_the_colours_of_programs_are_kept() -> None:
+    terminal = FakeTerminal(20, 2)
+    terminal.write("\x1b[01;32mstudent\x1b[0m \x1b[7mback\x1b[0m \x1b[38;2;1;2;3mx")
+    view = TerminalView(terminal)
+    view.changes()
+    styles = {segment.text: segment.style for segment in view.segments(0, colours(), focused=False)}
+    assert styles["student"].bold and styles["student"].color.get_truecolor().green > 150
+    assert styles["back"].bgcolor == colours().terminal.color
+    assert tuple(styles["x"].color.get_truecolor()) == (1, 2, 3)
+    plain = view.segments(0, colours(colourless=True), focused=False)
+    assert all(segment.style.color is None for segment in plain)
+
+
+async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> None:
+    async with opened(desk, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        await pilot.press("l", "s", "space", "tab", "up", "ctrl+c", "escape", "f5", "enter")
+        assert desk.terminals[0].sent == "ls \t\x1b[A\x03\x1b\x1b[15~\r"
+        await pilot.press("f2")
+        assert len(desk.terminals) == 2
+        await pilot.press("x")
+        assert desk.terminals[1].sent == "x"
+
+
+async def test_pasted_text_goes_in_as_a_paste(desk) -> None:
+    async with opened(desk, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        await pilot.pause()
+        app.post_message(events.Paste("ros2 node list\nls"))
+        await pilot.pause()
+        await pilot.pause()
+        assert desk.terminals[0].sent == "<ros2 node list\nls>"
+
+
+async def test_a_tab_tells_what_runs_and_that_there_is_news(desk) -> None:
+    async with opened(desk, 100, 30, lang="en") as (app, pilot):
+        await pilot.press("f2")
+        desk.terminals[0].title = "ros2 topic echo /turtle1/pose"
+        desk.terminals[0].write("x: 1.0\n")
+        await step(app, pilot)
+        title = screen_lines(app)[1]
+        assert " 1 echo /turtle1/po… ● " in title
+        assert " 2 ~ " in title
+        await pilot.press("f3", "f3")
+        await step(app, pilot)
+        assert "●" not in screen_lines(app)[1]
+
+
+async def test_a_teleop_terminal_says_that_it_lacks_the_keyboard(desk) -> None:
+    async with opened(desk, 100, 30, lang="zh") as (app, pilot):
+        desk.terminals[0].busy = True
+        app.desktop.focus_pane(app.welcome)
+        await step(app, pilot)
+        assert "方向键只在这个终端里有用" in screen_text(app)
+        app.desktop.focus_pane(app.terminals)
+        await step(app, pilot)
+        assert "方向键只在这个终端里有用" not in screen_text(app)
+
+
+async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
+        await step(app, pilot)
+        assert "line 49" in screen_text(app)
+        await pilot.press("shift+pageup")
+        await step(app, pilot)
+        assert "line 49" not in screen_text(app) and "lines further down" in screen_text(app)
+        await pilot.press("a")
+        await step(app, pilot)
+        assert "line 49" in screen_text(app) and "lines further down" not in screen_text(app)
+
+
+async def test_dragging_with_the_mouse_copies(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        await step(app, pilot)
+        await pilot.mouse_down(app.terminals, offset=(1, 1))
+        await pilot.hover(app.terminals, offset=(8, 1))
+        await pilot.mouse_up(app.terminals, offset=(8, 1))
+        assert app.clipboard == "student"
+
+
+async def test_a_shell_that_ended_leaves_and_the_last_one_is_replaced(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("f2")
+        desk.terminals[0].closed = True
+        await step(app, pilot)
+        assert [view.terminal for view in app.terminals.views] == [desk.terminals[1]]
+        desk.terminals[1].closed = True
+        await step(app, pilot)
+        assert [view.terminal for view in app.terminals.views] == [desk.terminals[2]]
+
+
+async def test_terminals_are_as_large_as_their_pane(desk) -> None:
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        await step(app, pilot)
+        assert (desk.terminals[0].screen.columns, desk.terminals[0].screen.lines) == (58, 36)
+        await pilot.resize_terminal(80, 24)
+        await step(app, pilot)
+        assert desk.terminals[0].screen.columns == 78
