@@ -261,6 +261,9 @@ class TerminalView:
         attributes: Any = None
         plain: Style | None = None
         for x, char in enumerate(row):
+            data = char.data
+            if not data.isascii() or not data:
+                data = _whole(row, x)
             if char[1:] != attributes:
                 attributes = char[1:]
                 plain = _style(attributes, colours)
@@ -272,7 +275,7 @@ class TerminalView:
                     segments.append(Segment("".join(text), current))
                     text = []
                 current = style
-            text.append(char.data)
+            text.append(data)
         if text:
             segments.append(Segment("".join(text), current))
         return segments
@@ -318,6 +321,16 @@ def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
             if cell_len(char) == 2:
                 cells.append(Char("", *style))
     return cells[:columns] + [blank] * (columns - len(cells))
+
+
+def _whole(row: Row, x: int) -> str:
+    """The character at a cell, a blank where only half of a wide one is left (the line must not change its width)."""
+    data: str = row[x].data
+    if data == "":
+        return "" if x and cell_len(row[x - 1].data) == 2 else " "
+    if cell_len(data) == 2 and (x + 1 >= len(row) or row[x + 1].data != ""):
+        return " "
+    return data
 
 
 def tab_name(command: str) -> str:

@@ -196,6 +196,15 @@ def test_without_a_description_it_dies_saying_so(machine: Machine) -> None:
     )
 
 
+def test_a_parameter_of_the_wrong_type_is_named_in_rclcpps_words(machine: Machine) -> None:
+    assert died(machine, str(shipped_model()), "--ros-args", "-p", "publish_frequency:=20") == (
+        FALLBACK
+        + "terminate called after throwing an instance of 'rclcpp::exceptions::InvalidParameterTypeException'\n"
+        "  what():  parameter 'publish_frequency' has invalid type: Wrong parameter type, parameter {publish_frequency}"
+        " is of type {double}, setting it to {integer} is not allowed.\n"
+    )
+
+
 def test_a_missing_file_is_named(machine: Machine) -> None:
     assert died(machine, "no_such.urdf") == (
         FALLBACK

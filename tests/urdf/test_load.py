@@ -11,6 +11,7 @@ from dataclasses import fields
 from pathlib import Path
 
 import pytest
+import yaml
 
 from day6_tui.urdf import RobotError, load_robot, parse_robot, shipped_model, shipped_models
 from day6_tui.urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
@@ -47,6 +48,13 @@ def test_the_shipped_car_has_the_articles_figures() -> None:
     assert car.joint("left_wheel_joint").axis == car.joint("right_wheel_joint").axis == (0.0, 1.0, 0.0)
     assert chassis.material is not None and chassis.material.color == (0.2, 0.3, 0.9, 1.0)
     assert caster.material is not None and caster.material.color == (0.7, 0.7, 0.7, 1.0)
+
+
+def test_the_shipped_car_can_be_given_as_a_parameter_on_the_command_line() -> None:
+    # -p robot_description:="$(cat day6_bot.urdf)" is read as YAML, in which a colon before a blank would end the string.
+    text = shipped_model().read_text(encoding="utf-8")
+    value = yaml.safe_load(text)
+    assert isinstance(value, str) and parse_robot(value) == parse_robot(text)
 
 
 @pytest.mark.parametrize("read", [parse_robot, load_robot])

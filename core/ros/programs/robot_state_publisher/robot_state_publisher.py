@@ -8,6 +8,7 @@ callback, as in the original, because that callback has to answer; its size is b
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
@@ -17,7 +18,7 @@ from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
-from day6_tui.core.ros.programs.turtlesim._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.session.session import KilledBySignal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
@@ -201,8 +202,12 @@ def _declare(node: Node, name: str, default: Any) -> Any:
     try:
         return node.declare_parameter(name, default).value
     except InvalidParameterTypeException as error:
-        kind = "rclcpp::exceptions::InvalidParameterTypeException"
-        raise Fatal(f"parameter '{name}' has invalid type: {error}", kind) from error
+        given, expected = (kind.lower() for kind in re.findall(r"type '(\w+)'", str(error))[:2])
+        raise Fatal(
+            f"parameter '{name}' has invalid type: Wrong parameter type, parameter {{{name}}} is of type {{{expected}}},"
+            f" setting it to {{{given}}} is not allowed.",
+            "rclcpp::exceptions::InvalidParameterTypeException",
+        ) from error
 
 
 def _description(session: Session, node: Node) -> tuple[str, int]:

@@ -9,7 +9,7 @@ from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
-from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS
+from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
 from rclpy.task import Future

@@ -9,7 +9,7 @@ from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
 from day6_tui.core.ros.programs.turtlesim import model
-from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS, create_node, log_interrupt
+from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, create_node, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

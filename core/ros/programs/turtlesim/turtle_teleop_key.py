@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Twist
 from turtlesim.action import RotateAbsolute
 
-from day6_tui.core.ros.programs.turtlesim._rclcpp import TOPIC_QOS, abort, create_node
+from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, abort, create_node
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:

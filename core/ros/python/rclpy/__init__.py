@@ -6,9 +6,12 @@ run (`spin`, `spin_once`, `spin_until_future_complete`) and ends with `shutdown`
 
 from __future__ import annotations
 
+import sys
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+import rclpy.callback_groups
+import rclpy.impl
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
 from rclpy.qos import QoSProfile as QoSProfile
@@ -26,6 +29,33 @@ from rclpy.utilities import try_shutdown as _try_shutdown
 if TYPE_CHECKING:
     from rclpy.executors import Executor
     from rclpy.node import Node
+
+
+# In real rclpy these come with rclpy.node, so programs use them as attributes once that is imported.
+_WITH_NODE = frozenset(
+    (
+        "event_handler",
+        "executors",
+        "logging",
+        "logging_service",
+        "qos_overriding_options",
+        "subscription_content_filter_options",
+        "topic_endpoint_info",
+        "type_hash",
+        "validate_full_topic_name",
+        "validate_namespace",
+        "validate_node_name",
+        "validate_topic_name",
+    )
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name in _WITH_NODE and "rclpy.node" in sys.modules:
+        from importlib import import_module
+
+        return import_module(f"rclpy.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 class InitContextManager:

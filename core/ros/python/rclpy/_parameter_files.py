@@ -27,10 +27,6 @@ class ParameterTextError(ValueError):
         super().__init__(f"{message}, at /project/src/{'parser' if line == 271 else 'parse'}.c:{line}")
 
 
-class _Skip(Exception):
-    """There is no value (an empty YAML document)."""
-
-
 def plain_value(text: str) -> Any:
     """Return what an unquoted YAML scalar stands for: a bool, an int (C notation), a float or the text itself."""
     if text in _TRUE:
@@ -161,7 +157,6 @@ class _FileReader:
                 self._parameters_of(prefix, line)
                 continue
             name = f"{prefix}/{event.value}" if prefix else event.value
-            _check_node_pattern(name)
             kind, event, line = self._next()
             if kind == "SequenceStart":
                 message = f"Sequences can only be values and not keys in params. Error at line {line}\n"
@@ -173,6 +168,7 @@ class _FileReader:
     def _parameters_of(self, node: str, line: int) -> None:
         if not node:
             raise ParameterTextError(f"There are no node names before ros__parameters at line {line}", 642)
+        _check_node_pattern(node)
         kind, _, line = self._next()
         if kind != "MappingStart":
             raise ParameterTextError(f"Cannot have a value before ros__parameters at line {line}", 812)

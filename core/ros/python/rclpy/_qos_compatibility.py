@@ -15,13 +15,14 @@ _OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")
 
 
 def check(publisher: QoSProfile, subscription: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Return OK, WARNING or ERROR and all the reasons in one line."""
+    """Return OK, WARNING or ERROR and all reasons of that weight in one line."""
     errors = list(_errors(publisher, subscription))
-    warnings = list(_warnings(publisher, subscription))
-    reason = "".join(f"ERROR: {text};" for text in errors) + "".join(f"WARNING: {text};" for text in warnings)
     if errors:
-        return QoSCompatibility.ERROR, reason
-    return (QoSCompatibility.WARNING if warnings else QoSCompatibility.OK), reason
+        return QoSCompatibility.ERROR, "".join(f"ERROR: {text};" for text in errors)
+    warnings = list(_warnings(publisher, subscription))
+    if warnings:
+        return QoSCompatibility.WARNING, "".join(f"WARNING: {text};" for text in warnings)
+    return QoSCompatibility.OK, ""
 
 
 def _errors(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:

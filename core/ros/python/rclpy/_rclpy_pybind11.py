@@ -112,6 +112,18 @@ class QoSCompatibility(_NumberedEnum):
     ERROR = 2
 
 
+class TransitionCallbackReturnType(_NumberedEnum):
+    """How a transition of a lifecycle node ended; numbers of lifecycle_msgs/msg/Transition."""
+
+    SUCCESS = 97
+    FAILURE = 98
+    ERROR = 99
+
+    def to_label(self) -> str:
+        """Return the label of the transition that follows."""
+        return f"transition_{self.name.lower()}"
+
+
 class ServiceIntrospectionState(_NumberedEnum):
     """rcl_service_introspection_state_t."""
 

@@ -139,8 +139,8 @@ class Executor:
             if node in self._nodes:
                 return False
             self._nodes.add(node)
-            node.executor = self
             self._new_nodes.append(node)
+            node.executor = self
         self.wake()
         return True
 

@@ -43,6 +43,11 @@ class ActionEndpoints:
     def __init__(self, node: NodeHandle, action_type: Any, action_name: str, failed: str) -> None:
         node.check()
         self.node = node
+        if not hasattr(action_type, "Impl"):
+            # Real rclpy dies of a segmentation fault here.
+            raise RuntimeError(
+                f"The action type provided is not valid ({action_type}), this might be a message or service"
+            )
         self.implementation = action_type.Impl
         self.name = _full_name(node, action_name, failed)
         self.endpoints: list[Any] = []

@@ -1,0 +1,82 @@
+"""Service introspection: what a service or client tells on `<service>/_service_event`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph import RequestId
+from day6_tui.core.interfaces import copy_message, type_hash, type_name
+from rclpy._rclpy_pybind11 import ServiceIntrospectionState
+
+if TYPE_CHECKING:
+    from rclpy._handles import EndpointHandle
+    from rclpy.clock import Clock
+    from rclpy.qos import QoSProfile
+
+# service_msgs/msg/ServiceEventInfo
+_REQUEST_SENT, _REQUEST_RECEIVED, _RESPONSE_SENT, _RESPONSE_RECEIVED = range(4)
+
+
+class Introspection:
+    """Publishes the events of one service or client."""
+
+    def __init__(
+        self, handle: EndpointHandle, srv_type: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState
+    ) -> None:
+        self._event_type = srv_type.Event
+        self._clock = clock
+        self._gid = handle._endpoint.gid
+        self.contents = state is ServiceIntrospectionState.CONTENTS
+        self._publisher = handle._node.node.create_publisher(
+            f"{handle.get_topic_name()}/_service_event",
+            type_name(self._event_type),
+            type_hash(self._event_type),
+            qos.get_c_qos_profile(),
+            copy_message,
+        )
+
+    @classmethod
+    def configured(
+        cls,
+        current: Introspection | None,
+        handle: EndpointHandle,
+        srv_type: Any,
+        clock: Clock,
+        qos: QoSProfile,
+        state: ServiceIntrospectionState,
+    ) -> Introspection | None:
+        """Return the introspection that a new state asks for, in place of the current one."""
+        if current is not None:
+            current.destroy()
+        return None if state is ServiceIntrospectionState.OFF else cls(handle, srv_type, clock, qos, state)
+
+    def _publish(self, kind: int, gid: bytes, number: int, request: Any = None, response: Any = None) -> None:
+        event = self._event_type()
+        event.info.event_type = kind
+        event.info.stamp = self._clock.now().to_msg()
+        event.info.client_gid = list(gid)
+        event.info.sequence_number = number
+        if self.contents:
+            event.request = [] if request is None else [request]
+            event.response = [] if response is None else [response]
+        self._publisher.publish(event)
+
+    def request_sent(self, request: Any, number: int) -> None:
+        """A client has asked."""
+        self._publish(_REQUEST_SENT, self._gid, number, request=request)
+
+    def request_received(self, request: Any, request_id: RequestId) -> None:
+        """A service was asked."""
+        self._publish(_REQUEST_RECEIVED, request_id.client_gid, request_id.sequence_number, request=request)
+
+    def response_sent(self, response: Any, request_id: RequestId) -> None:
+        """A service has answered."""
+        self._publish(_RESPONSE_SENT, request_id.client_gid, request_id.sequence_number, response=response)
+
+    def response_received(self, response: Any, number: int) -> None:
+        """A client was answered."""
+        self._publish(_RESPONSE_RECEIVED, self._gid, number, response=response)
+
+    def destroy(self) -> None:
+        """Tell no more."""
+        self._publisher.destroy()
