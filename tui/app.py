@@ -272,9 +272,9 @@ class Day6App(AppActions, App[None]):
         self.welcome.show_guide()
         self.desktop.focus_pane(self.terminals)
         if scene.steps:
-            robot = getattr(self.options, "robot", None)
             visibly = bool(self.frames.rate) and not self.look.reduced_motion
-            self.player = Player(scene, self, values={"robot": str(robot or "")}, visibly=visibly)
+            values = self.machine.robot_words(self.options) if scene.needs_robot else {}
+            self.player = Player(scene, self, values=values, visibly=visibly)
         self.frames.wake()
 
     def key_before(self, event: events.Key) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -31,6 +32,20 @@ class Machine:
         self.desk = desk
         if self._given is None:
             desk.start()
+
+    def robot_words(self, options: Any) -> dict[str, str]:
+        """What the car scene types: `robot`, the URDF file, and `fetch`, which first copies the shipped one ('' if not needed).
+
+        The copy in the home folder is the student's own: it can be edited, and is never overwritten.
+        """
+        given = getattr(options, "robot", None)
+        if given:
+            return {"robot": shlex.quote(str(Path(given).expanduser().resolve())), "fetch": ""}
+        from day6_tui.urdf.shipped import shipped_model
+
+        model = shipped_model()
+        there = (Path(self.desk.home) / model.name).exists()
+        return {"robot": f"~/{model.name}", "fetch": "" if there else f"cp {shlex.quote(str(model))} ~"}
 
     def close(self) -> None:
         """End every program."""

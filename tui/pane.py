@@ -44,7 +44,7 @@ class Pane(Widget, can_focus=True):
     def __init__(self, look: Look, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self.look = look
-        self._lines: dict[int, Strip] = {}
+        self._strips: dict[int, Strip] = {}
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ class Pane(Widget, can_focus=True):
 
     def touch(self) -> None:
         """Everything has to be drawn again."""
-        self._lines.clear()
+        self._strips.clear()
         self._hits.clear()
         self.refresh()
 
@@ -118,7 +118,7 @@ class Pane(Widget, can_focus=True):
         regions = []
         for line, first, end in spans:
             if 0 <= line < height and first < width and end > first:
-                self._lines.pop(line + offset, None)
+                self._strips.pop(line + offset, None)
                 regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
         if regions:
             self.refresh(*regions)
@@ -127,7 +127,7 @@ class Pane(Widget, can_focus=True):
         """Title and status have to be drawn again."""
         if self.framed:
             for y in (0, self.size.height - 1):
-                self._lines.pop(y, None)
+                self._strips.pop(y, None)
             width = self.size.width
             self.refresh(Region(0, 0, width, 1), Region(0, self.size.height - 1, width, 1))
 
@@ -137,16 +137,16 @@ class Pane(Widget, can_focus=True):
         # Not through Textual's styles cache: these lines are finished, with frame and colours, and cached here.
         left, right = crop.x, crop.right
         whole = left == 0 and right == self.size.width
-        lines = [self._line(y) for y in range(crop.y, crop.bottom)]
+        lines = [self._strip(y) for y in range(crop.y, crop.bottom)]
         return lines if whole else [line.crop(left, right) for line in lines]
 
-    def _line(self, y: int) -> Strip:
-        strip = self._lines.get(y)
+    def _strip(self, y: int) -> Strip:
+        strip = self._strips.get(y)
         if strip is None:
-            strip = self._lines[y] = self._build(y)
+            strip = self._strips[y] = self._make_strip(y)
         return strip
 
-    def _build(self, y: int) -> Strip:
+    def _make_strip(self, y: int) -> Strip:
         width, height = self.size
         if not self.framed:
             segments = list(self.content_line(y, width))
@@ -224,7 +224,7 @@ class Pane(Widget, can_focus=True):
             action()
 
     def on_resize(self, event: events.Resize) -> None:
-        self._lines.clear()
+        self._strips.clear()
         self._hits.clear()
         self.look.wake()
 

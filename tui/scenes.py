@@ -1,7 +1,8 @@
 """Scenes: the steps a teacher would take, as data, and the player that types them where everybody can see it.
 
-A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return, ('window',
-kind) waits until such a window is open, ('reading', '') until the program reads keys, ('pause', seconds) lets one look.
+A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
+empty), ('window', kind) waits until such a window is open, ('reading', '') until the program reads keys, ('pause', seconds)
+lets one look. A command that fails ends the scene, as a teacher would stop to read what it says.
 """
 
 from __future__ import annotations
@@ -18,6 +19,11 @@ class Scene(NamedTuple):
     name: str
     title: str
     steps: tuple[Step, ...]
+
+    @property
+    def needs_robot(self) -> bool:
+        """Whether a command names a robot's URDF file."""
+        return any("{robot}" in value for _, value in self.steps)
 
 
 SCENES: dict[str, Scene] = {
@@ -39,12 +45,13 @@ SCENES: dict[str, Scene] = {
         "bar.car",
         (
             ("terminal", "idle"),
+            ("type", "{fetch}"),
             ("type", "ros2 run robot_state_publisher robot_state_publisher {robot}"),
             ("pause", "0.6"),
             ("terminal", "new"),
             ("type", "ros2 run day6_bot car_view"),
             ("window", "car"),
-            ("pause", "0.4"),
+            ("pause", "0.6"),
             ("terminal", "new"),
             ("type", "ros2 run day6_bot wheel_spinner"),
         ),
@@ -52,11 +59,14 @@ SCENES: dict[str, Scene] = {
     "empty": Scene("empty", "bar.desk", ()),
 }
 
-KEYS_PER_SECOND = 28.0
+KEYS_PER_SECOND = 40.0
 """How fast a teacher types who wants to be read."""
 
 LONGEST_WAIT = 6.0
-"""Seconds a step waits for a window or program before the next one is taken anyway."""
+"""Seconds a step waits for a window or program."""
+
+FAILED_AFTER = 1.5
+"""Seconds after a command from which a prompt means that it has ended: before, it may not have begun."""
 
 
 class Stage(Protocol):
@@ -109,17 +119,21 @@ class Player:
         for kind, value in self.scene.steps:
             if kind == "terminal":
                 stage.use_terminal(value)
-                yield from self._until(stage.ready)
             elif kind == "type":
+                yield from self._until(stage.ready)
                 yield from self._type(value.format(**self._values))
             elif kind == "window":
                 yield from self._until(lambda kind=value: stage.has_window(kind))
+                if not stage.has_window(value):
+                    return
             elif kind == "reading":
                 yield from self._until(stage.reading_keys)
             elif kind == "pause" and self._visibly:
                 yield float(value)
 
     def _type(self, command: str) -> Iterator[float]:
+        if not command:
+            return
         if self._visibly:
             for char in command:
                 self._stage.send(char)
@@ -131,6 +145,10 @@ class Player:
         yield 0.0
 
     def _until(self, condition: Callable[[], bool]) -> Iterator[float]:
-        end = self._now + LONGEST_WAIT
-        while not condition() and self._now < end:
+        """Wait for `condition`, not for ever, and not after the program one waits for has ended."""
+        began = self._now
+        while not condition():
+            waited = self._now - began
+            if waited > LONGEST_WAIT or (waited > FAILED_AFTER and condition != self._stage.ready and self._stage.ready()):
+                return
             yield 0.03

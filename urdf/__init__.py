@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from day6_tui.urdf.load import RobotError, load_robot, parse_robot
     from day6_tui.urdf.model import Robot
     from day6_tui.urdf.report import Diagnostic, Report
-    from day6_tui.urdf.shipped import shipped_model, shipped_models
+    from day6_tui.urdf.shipped import copy_model, shipped_model, shipped_models
 
 __all__ = [
     "Diagnostic",
@@ -22,6 +22,7 @@ __all__ = [
     "RobotError",
     "check_file",
     "check_text",
+    "copy_model",
     "load_robot",
     "parse_robot",
     "shipped_model",
@@ -35,6 +36,7 @@ _HOME = {
     "RobotError": "load",
     "check_file": "check",
     "check_text": "check",
+    "copy_model": "shipped",
     "load_robot": "load",
     "parse_robot": "load",
     "shipped_model": "shipped",

@@ -227,12 +227,11 @@ class _Drawing:
 
     def _draw_labels(self) -> None:
         for wheel in self._plan.wheels:
-            (x, y), (hx, hy) = stand(wheel, self._at)
+            (x, y), _ = stand(wheel, self._at)
             link = wheel.joint.child
             text = self._labels.get(link, link)
-            half = max(abs(hx) * wheel.width / 2 + abs(hy) * wheel.radius, self._row / 2)
-            up = y >= self._middle[1]
-            row = _nearest(self._y(y + half)) - 1 if up else _nearest(self._y(y - half)) + 1
+            rows = [row for row, _ in self._wheel_cells(wheel)]
+            row = rows[0] - 1 if y >= self._middle[1] else rows[-1] + 1
             column = _nearest(self._x(x)) - cell_width(text) // 2
             column = max(min(column, self._canvas.width - cell_width(text)), 0)
             self._canvas.text(column, row, text, self._style(link, "label"))

@@ -23,8 +23,10 @@ _COMMON = {
     # Needed by the caches of transient-local publishers.
     "timestamping/enabled": "true",
     "transport/shared_memory/enabled": "false",
-    "transport/link/tx/queue/congestion_control/drop/wait_before_drop": "20000",
+    # What a burst fills (batches of 64 KiB, made when needed), and the microseconds a message that may be dropped waits
+    # for room: the receiver's interpreter lets Zenoh's thread in every 5 ms.
     "transport/link/tx/queue/size/data": "16",
+    "transport/link/tx/queue/congestion_control/drop/wait_before_drop": "20000",
 }
 
 

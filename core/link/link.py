@@ -168,7 +168,7 @@ class Link:
         Processes are known by their sockets; each says by a token that it has announced what it had.
         """
         deadline = time.monotonic() + timeout
-        if self._place is None:
+        if self._place is None or self.problem is not None:
             return True
         while True:
             missing = self._missing()
@@ -275,6 +275,8 @@ class Link:
             entries.append(self._topics.subscribe(subject))
         elif isinstance(subject, Service):
             entries.append(self._services.serve(subject))
+        elif isinstance(subject, Publisher) and subject.cache:
+            self._topics.open(subject)
         token = node_token(subject, self.zid) if isinstance(subject, Node) else endpoint_token(subject, self.zid)
         entries.append(self._session.liveliness().declare_token(token))
         self._declared[subject] = entries

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.graph.endpoints import Publisher, Subscription
 from day6_tui.core.graph.qos import Durability, Reliability
@@ -20,6 +20,17 @@ if TYPE_CHECKING:
 Report = Callable[[str, Exception], None]
 
 
+class _Outlet(NamedTuple):
+    """A Zenoh publisher, its GID, and the number of the last message it sent when it was opened."""
+
+    publisher: Any
+    gid: bytes
+    replayed: int
+
+    def put(self, message: Any, source_timestamp: int, number: int) -> None:
+        self.publisher.put(serialize(message), attachment=pack(number, source_timestamp, self.gid))
+
+
 class Topics:
     """Carries the messages of local publishers out and those of remote publishers in."""
 
@@ -32,15 +43,28 @@ class Topics:
         self._report = report
         self._never_wait = never_wait
         self._lock = threading.Lock()
-        self._outlets: dict[Publisher, tuple[Any, bytes]] = {}
+        self._outlets: dict[Publisher, _Outlet] = {}
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
         """Send one message. The Zenoh publisher is declared with the first."""
         outlet = self._outlets.get(publisher)
         if outlet is None:
-            outlet = self._open_outlet(publisher)
-        put, gid = outlet
-        put(serialize(message), attachment=pack(number, source_timestamp, gid))
+            outlet = self.open(publisher)
+        if number > outlet.replayed:
+            outlet.put(message, source_timestamp, number)
+
+    def open(self, publisher: Publisher) -> _Outlet:
+        """Declare the Zenoh publisher; what a transient-local one has kept goes into Zenoh's cache, too."""
+        with self._lock:
+            outlet = self._outlets.get(publisher)
+            if outlet is None:
+                outlet = _Outlet(self._declare(publisher), gid_of(endpoint_token(publisher, self._zid)), 0)
+                for message, source_timestamp, number in list(publisher.cache or ()):
+                    # Through `copy`: a publisher may keep something smaller than messages (rclpy's /rosout does).
+                    outlet.put(publisher.copy(message), source_timestamp, number)
+                    outlet = outlet._replace(replayed=number)
+                self._outlets[publisher] = outlet
+            return outlet
 
     def subscribe(self, subscription: Subscription) -> Any:
         """Receive for a local subscription from now on; `undeclare()` of what is returned ends it.
@@ -70,15 +94,7 @@ class Topics:
         with self._lock:
             outlet = self._outlets.pop(publisher, None)
         if outlet is not None:
-            outlet[0].__self__.undeclare()
-
-    def _open_outlet(self, publisher: Publisher) -> tuple[Any, bytes]:
-        with self._lock:
-            outlet = self._outlets.get(publisher)
-            if outlet is None:
-                gid = gid_of(endpoint_token(publisher, self._zid))
-                outlet = self._outlets[publisher] = (self._declare(publisher).put, gid)
-            return outlet
+            outlet.publisher.undeclare()
 
     def _declare(self, publisher: Publisher) -> Any:
         import zenoh

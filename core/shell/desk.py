@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import threading
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 _log = logging.getLogger(__name__)
 
 FIRST_PID = 1001
+MOST_PROGRAMS = 1000
+"""A runaway `while true; do … & done` ends with a message instead of the memory."""
 USER = "student"
 HOST = "day6"
 GRACE = 2.0
@@ -155,9 +158,14 @@ class Desk:
         env: dict[str, str],
         cwd: Path,
         shell: Shell | None = None,
-        on_end: Callable[[Program], None] | None = None,
+        pid: int | None = None,
     ) -> Program:
-        """Start a cooperative program; it is in `programs` until it has ended."""
+        """Start a cooperative program; it is in `programs` until it has ended.
+
+        Raises BlockingIOError, as `fork` does, when too many run already.
+        """
+        if len(self.programs) >= MOST_PROGRAMS:
+            raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
         from day6_tui.core.shell.process import run_python
 
         session = Session(
@@ -166,7 +174,7 @@ class Desk:
             argv,
             env=env,
             cwd=cwd,
-            pid=self.new_pid(),
+            pid=self.new_pid() if pid is None else pid,
             stdin=streams.stdin,
             stdout=streams.stdout,
             stderr=streams.stderr,
@@ -179,8 +187,6 @@ class Desk:
 
         def forget() -> None:
             self.programs.pop(program.pid, None)
-            if on_end is not None:
-                on_end(program)
             with self._changed:
                 self._changed.notify_all()
 

@@ -73,6 +73,8 @@ class Shell:
         self.cwd = cwd
         self.interactive = interactive
         self.name = name
+        self.zero = name
+        """What `$0` is: the name of the script being run."""
         self.arguments: list[str] = []
         self.options: set[str] = set()
         """Of `set`: 'e' ends the shell at the first failing command, 'x' shows each command."""
@@ -119,7 +121,7 @@ class Shell:
             "@": lambda: " ".join(self.arguments),
             "*": lambda: " ".join(self.arguments),
             "-": lambda: "hiB" if self.interactive else "hB",
-            "0": lambda: self.name,
+            "0": lambda: self.zero,
         }
         if name in special:
             return special[name]()
@@ -144,11 +146,16 @@ class Shell:
         front.stop()
         return True
 
+    @property
+    def too_deep(self) -> str:
+        return f"{self.name}: maximum nesting level exceeded ({MAX_DEPTH})"
+
     def clone(self) -> Shell:
         """A copy for a subshell: changes to it do not come back, and it has no jobs."""
         twin = Shell(self.desk, env=dict(self.variables), cwd=self.cwd, interactive=False, name=self.name)
         twin.exported = set(self.exported)
         twin.arguments = list(self.arguments)
+        twin.zero = self.zero
         twin.options = set(self.options)
         twin.status = self.status
         twin.pid = self.pid
@@ -197,7 +204,11 @@ class Shell:
 
     async def _and_or(self, node: syntax.AndOr, streams: Streams) -> None:
         if node.background:
-            await self._background(node, streams)
+            try:
+                await self._background(node, streams)
+            except SyntaxProblem as problem:
+                streams.stderr.write(f"{self.name}: {problem}\n")
+                self.status = 1
             return
         for index, (operator, pipeline) in enumerate(node.items):
             if index and (self.status == 0) != (operator == "&&"):
@@ -455,7 +466,10 @@ class Shell:
         shell: Shell | None = None,
     ) -> Program:
         environment = self.environment if env is None else env
-        return self.desk.start_program(argv, main, streams, env=environment, cwd=self.cwd, shell=shell)
+        try:
+            return self.desk.start_program(argv, main, streams, env=environment, cwd=self.cwd, shell=shell)
+        except BlockingIOError as error:
+            raise SyntaxProblem(f"fork: {error.strerror}") from None
 
     async def _foreground(self, job: Job, streams: Streams) -> None:
         """Give the job the terminal until it ends or is stopped, and take its status."""
@@ -525,7 +539,7 @@ def _subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
         session.on_interrupt = inner.interrupt
         session.on_stop = on_stop
         if inner.depth > MAX_DEPTH:
-            session.print_error(f"{inner.name}: maximum nesting level exceeded ({MAX_DEPTH})")
+            session.print_error(inner.too_deep)
             return 1
         try:
             return await run()

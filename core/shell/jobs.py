@@ -114,12 +114,13 @@ class JobTable:
         if job in self.jobs:
             self.jobs.remove(job)
 
-    def take_finished(self) -> list[Job]:
-        """Remove and return the jobs that have ended, by number."""
-        finished = sorted((job for job in self.jobs if job.finished), key=lambda job: job.number)
+    def take_finished(self) -> list[str]:
+        """Remove the jobs that have ended; return their lines, by number."""
+        finished = [job for job in self.ordered() if job.finished]
+        lines = [self.line(job) for job in finished]
         for job in finished:
             self.jobs.remove(job)
-        return finished
+        return lines
 
     def ordered(self) -> list[Job]:
         return sorted(self.jobs, key=lambda job: job.number)

@@ -38,8 +38,8 @@ async def login(session: Session, terminal: Terminal) -> int:
             await _run(shell, 'source "$HOME/.bashrc"', terminal)
         warned = False
         while True:
-            for job in shell.jobs.take_finished():
-                session.print(shell.jobs.line(job))
+            for line in shell.jobs.take_finished():
+                session.print(line)
             if not terminal.at_line_start:
                 session.print()
             try:

@@ -6,6 +6,7 @@ processes on threads of their own; both only append to a bounded ring. The view 
 
 from __future__ import annotations
 
+import re
 import threading
 from collections import deque
 from pathlib import Path
@@ -20,13 +21,15 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
     from day6_tui.core.shell.screen import Screen, Scrollback
 
-RING = 512 * 1024
+RING = 256 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines go."""
 
 CROWDED = 64 * 1024
 """Characters from which copying threads pause until the view has caught up, at most `PAUSE` seconds."""
 
 PAUSE = 0.1
+_SEQUENCES_AT_END = re.compile(r"(?:\x1b\[[0-?]*[@-~])+\Z")
+
 SLOW_PER_UPDATE = 24 * 1024
 """Characters with escape sequences fed in one update (pyte takes about a microsecond each); plain text has no such limit."""
 
@@ -71,8 +74,8 @@ class Terminal:
             env=self.shell.environment,
             cwd=self.shell.cwd,
             shell=self.shell,
+            pid=self.shell.pid,
         )
-        self.program.session.pid = self.shell.pid
 
     # -- for the view --------------------------------------------------------------------------------------------------
 
@@ -225,7 +228,7 @@ class Terminal:
                 self._size = len(kept)
             if self._size > CROWDED:
                 self._room.clear()
-            self.at_line_start = text.endswith(("\n", "\r"))
+            self.at_line_start = _ends_line(text, self.at_line_start)
             self.version += 1
         self.desk.scheduler.announce_activity()
 
@@ -277,6 +280,14 @@ class Terminal:
         self.desk.end_programs([*mine, self.program])
         if self in self.desk.terminals:
             self.desk.terminals.remove(self)
+
+
+def _ends_line(text: str, before: bool) -> bool:
+    """Whether the cursor stands at the beginning of a line after `text`, if it did so (`before`) or not before it."""
+    shown = _SEQUENCES_AT_END.sub("", text)
+    if shown == text or shown:
+        return shown.endswith(("\n", "\r"))
+    return before or "\x1b[H" in text
 
 
 class TtyOutput(OutputStream):

@@ -1,11 +1,16 @@
-"""A simulated machine for the recorded cases: one graph, the stand-in nodes on it, and `ros2` run in sessions."""
+"""A simulated machine for the recorded cases: a graph, the stand-in nodes on it, and `ros2` run in sessions.
+
+World time is stepped, so that a recording of minutes plays in seconds. Only a stand-in that sleeps in a callback needs the
+wall clock; it gets a thread of its own.
+"""
 
 from __future__ import annotations
 
+import builtins
 import itertools
-import os
 import threading
 import time
+import types
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -22,85 +27,108 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, TextInput
 
 DOMAIN = 30
-_pids = itertools.count(4000)
+PREFIXES = [str(environment.SHARE_PATH.parent)]
+SLEEPING = frozenset({"fibonacci_server", "turtlesim_node"})
+"""Stand-ins that sleep in their callbacks."""
+
+LONGEST = 20.0
+"""Seconds after which a command that should have ended is given up."""
 
 
 class Machine:
-    """Runs commands on one graph by the real clock. `nodes_folder` has the stand-in nodes, `files` is the working directory."""
+    """Plays cases. `nodes_folder` has the stand-in nodes, `files` is the working directory of the commands."""
 
     def __init__(self, nodes_folder: Path, files: Path) -> None:
-        os.environ["ROS_DOMAIN_ID"] = str(DOMAIN)
-        from day6_tui.core.graph import graph_for_domain
-
-        self.graph: Graph = graph_for_domain(DOMAIN)
-        self.scheduler = Scheduler(WorldClock())
-        self.scheduler.start()
         self.nodes_folder = nodes_folder
         self.files = files
-        self._with_daemon: bool | None = None
-        self.prefixes = [str(environment.SHARE_PATH.parent)]
-        self._threads: list[threading.Thread] = []
-        self._contexts: list[Any] = []
-        self.running: tuple[str, ...] = ()
+        self._world: World | None = None
+
+    def play(self, case: Case) -> str:
+        """Play a case with its setup and return how the answer differs from the recording, '' if it does not."""
+        world = self._world
+        if world is None or world.nodes != case.nodes or world.with_daemon != case.daemon:
+            # Only where a block of cases begins: those of a block build on each other, as they did when recorded.
+            self.close()
+            world = self._world = World(self, case.nodes, case.daemon)
+        for argv in STEPS_BEFORE.get(case.name, ()):
+            world.run(argv)
+        return differences(case, *world.run(case.argv, case.stdin, case.interrupt_after), PREFIXES)
 
     def close(self) -> None:
-        self.stop_nodes()
+        if self._world is not None:
+            self._world.close()
+            self._world = None
+
+
+class World:
+    """One graph with its stand-ins, in stepped time or (with a sleeping stand-in) by the wall."""
+
+    def __init__(self, machine: Machine, nodes: tuple[str, ...], with_daemon: bool) -> None:
+        self.machine = machine
+        self.nodes = nodes
+        self.with_daemon = with_daemon
+        self.stepped = not SLEEPING & set(nodes)
+        self.graph = Graph(DOMAIN)
+        self.scheduler = Scheduler(WorldClock(wall=None) if self.stepped else WorldClock())
+        self._pids = itertools.count(4000)
+        self._contexts: list[Any] = []
+        if not self.stepped:
+            self.scheduler.start()
+        for name in nodes:
+            code = compile((machine.nodes_folder / f"{name}.py").read_text(encoding="utf-8"), f"{name}.py", "exec")
+            (self._start_stepped if self.stepped else self._start_thread)(name, code)
+        if with_daemon:
+            daemon.start(self.session(["ros2"]))
+
+    def close(self) -> None:
+        daemon.stop(self.session(["ros2"]))
+        for context in self._contexts:
+            context.try_shutdown()
         self.scheduler.stop()
-        del os.environ["ROS_DOMAIN_ID"]
 
     # -- stand-in nodes ------------------------------------------------------------------------------------------------
 
-    def set_up(self, nodes: tuple[str, ...], with_daemon: bool) -> None:
-        """Let exactly these stand-in nodes run, and the daemon or not."""
-        if nodes != self.running:
-            self.stop_nodes()
-            for name in nodes:
-                self._start_node(name)
-            self.running = nodes
-            self._wait(lambda: self._settled(nodes))
-            self._with_daemon = None
-        if with_daemon != self._with_daemon:
-            # Only where a block of cases begins: commands of the block may stop and start it themselves.
-            self._with_daemon = with_daemon
-            (daemon.start if with_daemon else daemon.stop)(self.session(["ros2"]))
+    def _start_stepped(self, name: str, code: types.CodeType) -> None:
+        session = self.session([name])
+        nodes: list[Any] = []
 
-    def _start_node(self, name: str) -> None:
+        def spin(node: Any, executor: Any = None) -> None:
+            nodes.extend(executor.get_nodes() if node is None else [node])
+            raise _Spinning
+
+        async def main(session: Session) -> None:
+            try:
+                run_as_process(code, session.context, spin)
+            except _Spinning:
+                await session.spin(*nodes)
+
+        Program(session, main)
+        self._contexts.append(session.context)
+        self.scheduler.advance()
+
+    def _start_thread(self, name: str, code: types.CodeType) -> None:
         from rclpy._time_source import MACHINE_TIME
         from rclpy.context import Context
+        from rclpy.executors import SingleThreadedExecutor
 
         context = Context._for_session(self.graph, MACHINE_TIME)
         context._log_write = lambda text: None
-        code = compile((self.nodes_folder / f"{name}.py").read_text(encoding="utf-8"), f"{name}.py", "exec")
-        thread = threading.Thread(target=_run_node, args=(code, context), name=name, daemon=True)
-        thread.start()
         self._contexts.append(context)
-        self._threads.append(thread)
 
-    def stop_nodes(self) -> None:
-        for context in self._contexts:
-            context.try_shutdown()
-        for thread in self._threads:
-            thread.join(5)
-        self._threads, self._contexts = [], []
-        for node in list(self.graph.nodes):
-            if not node.name.startswith(daemon.PREFIX):
-                self.graph.remove_node(node)
-        self.running = ()
+        def spin(node: Any, executor: Any = None) -> None:
+            runner = executor if executor is not None else SingleThreadedExecutor(context=context)
+            runner.add_node(node)
+            while context.ok():
+                runner.spin_once()
 
-    def _settled(self, nodes: tuple[str, ...]) -> bool:
-        """Say whether every stand-in has made what it makes: nothing has come for a while."""
-        before = self.graph.names_and_types(*_ALL_KINDS())
-        time.sleep(0.15)
-        return (
-            bool(before) and self.graph.names_and_types(*_ALL_KINDS()) == before and len(self.graph.nodes) >= len(nodes)
-        )
-
-    @staticmethod
-    def _wait(condition: Callable[[], bool], seconds: float = 10.0) -> None:
-        deadline = time.monotonic() + seconds
-        while not condition():
+        before = len(self.graph.nodes)
+        threading.Thread(target=run_as_process, args=(code, context, spin), name=name, daemon=True).start()
+        deadline = time.monotonic() + 10.0
+        while len(self.graph.nodes) == before or not self.graph.nodes[-1].endpoints:
             if time.monotonic() > deadline:
-                raise TimeoutError("the stand-in nodes did not come up")
+                raise TimeoutError(f"{name} did not come up")
+            time.sleep(0.05)
+        time.sleep(0.3)  # its endpoints come one after the other
 
     # -- commands ------------------------------------------------------------------------------------------------------
 
@@ -110,8 +138,8 @@ class Machine:
             self.graph,
             argv,
             env={"COLUMNS": "80"},
-            cwd=self.files,
-            pid=next(_pids),
+            cwd=self.machine.files,
+            pid=next(self._pids),
             stdin=TextInput(stdin),
             stdout=Captured(),
             stderr=Captured(),
@@ -119,39 +147,43 @@ class Machine:
         session.shell = object()  # a machine that goes on after the command: one with a daemon
         return session
 
-    def play(self, case: Case) -> str:
-        """Play a case with its setup and return how the answer differs from the recording, '' if it does not."""
-        self.set_up(case.nodes, case.daemon)
-        for argv in STEPS_BEFORE.get(case.name, ()):
-            self.run(argv)
-        return differences(case, *self.run(case.argv, case.stdin, case.interrupt_after), self.prefixes)
-
     def run(self, argv: list[str], stdin: str = "", interrupt_after: float | None = None) -> tuple[str, str, int]:
         """Run a command, interrupt it after some seconds if asked, and return stdout, stderr and exit status."""
         session = self.session(argv, stdin)
         program = Program(session, ros2.main)
-        limit = time.monotonic() + (interrupt_after if interrupt_after is not None else 20.0)
-        while program.status is None and time.monotonic() < limit:
-            time.sleep(0.002)
-        if program.status is None:
+        ended = self._pass(lambda: program.status is not None, interrupt_after or LONGEST)
+        if not ended:
             session.interrupt()
-            limit = time.monotonic() + 5.0
-            while program.status is None and time.monotonic() < limit:
-                time.sleep(0.002)
+            self._pass(lambda: program.status is not None, 5.0)
         status = program.status
         if status is None:
             program.kill()
             status = -9
-        elif interrupt_after is None and time.monotonic() >= limit:
+        elif not ended and interrupt_after is None:
             status = -1
         return session.stdout.text, session.stderr.text, status
 
+    def _pass(self, condition: Callable[[], bool], seconds: float) -> bool:
+        """Let time pass until the condition holds, at most so many seconds."""
+        if self.stepped:
+            self.scheduler.advance()
+            for _ in range(int(seconds / 0.02)):
+                if condition():
+                    return True
+                self.scheduler.advance(0.02)
+        else:
+            deadline = time.monotonic() + seconds
+            while not condition() and time.monotonic() < deadline:
+                time.sleep(0.002)
+        return condition()
 
-def _run_node(code: Any, context: Any) -> None:
-    """Run a stand-in's file in this thread as in a process of its own: its default context is `context`."""
-    import builtins
-    import types
 
+class _Spinning(BaseException):
+    """Leaves a stand-in's file where it would spin for ever."""
+
+
+def run_as_process(code: types.CodeType, context: Any, spin: Callable[..., None]) -> None:
+    """Run a stand-in's file as if in a process of its own: its default context is `context`, `spin` is what it spins by."""
     import rclpy
     from rclpy import executors, node
 
@@ -166,15 +198,9 @@ def _run_node(code: Any, context: Any) -> None:
         private.__dict__.update(vars(module), **changes)
         return private
 
-    def spin(one: Any, executor: Any = None) -> None:
-        runner = executor if executor is not None else own_executors.SingleThreadedExecutor()
-        runner.add_node(one)
-        while context.ok():
-            runner.spin_once()
-        raise executors.ExternalShutdownException()
-
-    kinds = ("SingleThreadedExecutor", "MultiThreadedExecutor")
-    own_executors = copy_of(executors, **{kind: by_default(getattr(executors, kind)) for kind in kinds})
+    single, multi = map(by_default, (executors.SingleThreadedExecutor, executors.MultiThreadedExecutor))
+    single.spin = lambda self: spin(None, self)  # type: ignore[attr-defined]
+    own_executors = copy_of(executors, SingleThreadedExecutor=single, MultiThreadedExecutor=multi)
     own_node = copy_of(node, Node=by_default(node.Node))
     own = {
         "rclpy": copy_of(rclpy, init=lambda: None, spin=spin, executors=own_executors, node=own_node),
@@ -189,9 +215,3 @@ def _run_node(code: Any, context: Any) -> None:
         return found if found is not None else builtins.__import__(module, globals_, locals_, names, level)
 
     exec(code, {"__name__": "__main__", "__builtins__": {**vars(builtins), "__import__": import_}})
-
-
-def _ALL_KINDS() -> tuple[Any, ...]:
-    from day6_tui.core.graph.endpoints import EndpointKind
-
-    return tuple(EndpointKind)

@@ -103,22 +103,16 @@ def _even(text: str) -> str:
 def _without_insides(text: str) -> str:
     """Drop frames of the implementation, markers under source lines, and lines that show the implementation's source."""
     kept: list[str] = []
-    lines = iter(_without_ignored(text.splitlines()))
     inside = False
-    for line in lines:
+    for line in _without_ignored(text.splitlines()):
         frame = _FRAME.match(line)
         if frame:
             inside = bool(_INSIDE.match(frame[1]))
         elif not line.startswith("    "):
             inside = False
-        if inside or _POINTERS.fullmatch(line):
+        if inside or _POINTERS.fullmatch(line) or line.startswith("  warnings.warn("):
             continue
-        if _WARNING.match(line):
-            kept.append(_WARNING.sub("<rclpy>: ", line))
-            following = next(lines, None)
-            if following is not None and not following.startswith("  "):
-                kept.append(following)
-            continue
+        line = _WARNING.sub("<rclpy>: ", line)
         kept.append(line)
     return "\n".join(kept)
 

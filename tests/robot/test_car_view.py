@@ -10,6 +10,7 @@ import pytest
 from std_msgs.msg import Float64MultiArray, String
 
 from day6_tui.core.ros.programs.day6_bot._model import CarModel
+from day6_tui.urdf import parse_robot
 from day6_tui.urdf.topplan import find_wheels, spin_of
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
@@ -118,7 +119,6 @@ def test_it_says_step_by_step_what_is_missing(machine: Machine) -> None:
     machine.advance(0.6)
     assert texts(model) == ["nobody has published /robot_description yet: is robot_state_publisher running?"]
     machine.publish_robot()
-    assert texts(model) == ["reading the robot description"]
     machine.until(lambda: model.snapshot().robot is not None)
     assert texts(model) == [
         NO_JOINT_STATES,
@@ -128,6 +128,15 @@ def test_it_says_step_by_step_what_is_missing(machine: Machine) -> None:
     spin(machine)
     machine.advance(1.0)
     assert texts(model) == []
+
+
+def test_while_the_description_is_read_it_says_so(machine: Machine) -> None:
+    model = CarModel(machine.node)
+    machine.publish_robot()
+    assert texts(model) == ["reading the robot description"]
+    assert model.waiting_description is not None
+    model.show(parse_robot(model.waiting_description))
+    assert texts(model)[0] == NO_JOINT_STATES
 
 
 def test_another_type_on_joint_states_is_named(machine: Machine) -> None:

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
-from rcl_interfaces.srv import SetParameters
+from rcl_interfaces.srv import ListParameters, SetParameters
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from day6_tui.urdf import shipped_model
-from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 if TYPE_CHECKING:
     from tests.robot.conftest import Machine
@@ -121,6 +121,27 @@ def test_publish_frequency_and_frame_prefix_are_parameters(machine: Machine) -> 
         machine.joint_states(["left_wheel_joint"], [0.0], after=0.02)
     assert frames(heard) == [[("robot1/base_link", "robot1/left_wheel")]] * 10
     assert frames(fixed) == [[("robot1/base_link", "robot1/caster")]]
+
+
+def test_its_parameters_are_those_of_the_original(machine: Machine) -> None:
+    machine.publish_robot()
+    listed = machine.call(ListParameters, "/robot_state_publisher/list_parameters").result.names
+    overrides = sorted(name for name in listed if name.startswith("qos_overrides./") and "parameter_events" not in name)
+    assert overrides == [
+        *(f"qos_overrides./joint_states.subscription.{kind}" for kind in ("depth", "history", "reliability")),
+        *(f"qos_overrides./tf.publisher.{kind}" for kind in ("depth", "durability", "history", "reliability")),
+        *(f"qos_overrides./tf_static.publisher.{kind}" for kind in ("depth", "history", "reliability")),
+    ]
+    own = {"robot_description", "publish_frequency", "frame_prefix", "ignore_timestamp", "use_sim_time"}
+    assert own <= set(listed)
+
+
+def test_joint_states_are_heard_best_effort_and_tf_static_kept(machine: Machine) -> None:
+    machine.publish_robot()
+    (heard,) = machine.node.get_subscriptions_info_by_topic("/joint_states")
+    (kept,) = machine.node.get_publishers_info_by_topic("/tf_static")
+    assert heard.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT
+    assert kept.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
 
 
 def test_messages_that_do_not_fit_are_named_in_the_real_words(machine: Machine) -> None:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -63,7 +63,6 @@ class Machine:
         self.daemon = False
         self.env = {"COLUMNS": "80"}
         self._pids = itertools.count(100)
-        self._nodes: list = []
 
     def step(self, seconds: float = 0.0) -> None:
         self.scheduler.advance(seconds)
@@ -108,6 +107,20 @@ class Machine:
 
         self.program(complete)
         return found
+
+    def node(self, name: str, build: Callable[[Any], object] | None = None, **keywords: Any) -> Any:
+        """Let a node run: `build(node)` gives it what it has."""
+        made = []
+
+        async def main(session: Session) -> None:
+            node = session.create_node(name, cli_args=[], **keywords)
+            made.append(node)
+            if build is not None:
+                build(node)
+            await session.spin(node)
+
+        self.program(main)
+        return made[0]
 
     def program(self, main) -> Session:
         """Run another program on the same machine: `main(session)`."""

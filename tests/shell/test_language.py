@@ -86,8 +86,8 @@ SAME_AS_BASH = [
 @pytest.mark.parametrize("line", SAME_AS_BASH[:-1])
 def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: Path) -> None:
     home = tmp_path / "home"
-    real_home = tmp_path / "real"
-    real_home.mkdir()
+    real_home = tmp_path / "real" / "home"
+    real_home.mkdir(parents=True)
     real = subprocess.run(
         ["bash", "-c", line], cwd=real_home, env={"PATH": "/usr/bin:/bin", "HOME": str(real_home), "LC_ALL": "C.UTF-8"},
         capture_output=True, text=True, timeout=20, check=False, stdin=subprocess.DEVNULL,
@@ -156,9 +156,14 @@ def test_a_file_that_sources_itself_ends_with_a_message(machine: Any) -> None:
     assert result.err == "bash: source: maximum nesting level exceeded (100)\n"
 
 
-def test_a_fork_bomb_of_subshells_ends_with_a_message(machine: Any) -> None:
+def test_a_script_that_runs_itself_ends_with_a_message(machine: Any) -> None:
     result = machine.run("echo 'bash bomb' > bomb; bash bomb")
-    assert "maximum nesting level exceeded" in result.err
+    assert result.err == "bash: maximum nesting level exceeded (100)\n"
+
+
+def test_a_machine_full_of_programs_says_so(machine: Any) -> None:
+    result = machine.run("for i in {1..1100}; do sleep 1000 & done")
+    assert result.err.splitlines()[0] == "bash: fork: Resource temporarily unavailable"
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -65,6 +66,7 @@ class FakeDesk:
         self.scheduler = SimpleNamespace(on_activity=None)
         self.terminals: list[FakeTerminal] = []
         self.steps: list[float] = []
+        self.home = Path("/nowhere")
 
     def open_terminal(self, columns: int, rows: int) -> FakeTerminal:
         terminal = FakeTerminal(columns, rows, title="~")

@@ -34,8 +34,8 @@ class _Stage:
         return not self.missing
 
 
-def _play(scene: str, stage: _Stage, **options: object) -> float:
-    player = Player(SCENES[scene], stage, values={"robot": "day6_bot.urdf"}, **options)
+def _play(scene: str, stage: _Stage, fetch: str = "", **options: object) -> float:
+    player = Player(SCENES[scene], stage, values={"robot": "~/car.urdf", "fetch": fetch}, **options)
     now = 1000.0
     while not player.done:
         player.advance(now)
@@ -51,10 +51,25 @@ def test_the_turtle_scene_types_the_two_commands_letter_by_letter() -> None:
     assert 2 < seconds < 6
 
 
-def test_a_window_that_never_comes_does_not_hold_the_scene_up_for_ever() -> None:
+def test_a_window_that_never_comes_ends_the_scene_there() -> None:
     stage = _Stage(missing=True)
-    assert _play("turtle", stage, visibly=False) < 30
-    assert "".join(stage.done).endswith("turtle_teleop_key\r")
+    assert _play("turtle", stage, visibly=False) < 15
+    assert "".join(stage.done) == "[idle]ros2 run turtlesim turtlesim_node\r"
+
+
+def test_a_program_that_failed_ends_the_scene_sooner() -> None:
+    stage = _Stage(missing=True)
+    stage.ready = lambda: True  # type: ignore[method-assign]
+    assert _play("turtle", stage, visibly=False) < 3
+
+
+def test_the_car_scene_copies_the_model_only_if_there_is_none() -> None:
+    with_copy, without = _Stage(), _Stage()
+    _play("car", with_copy, fetch="cp model ~", visibly=False)
+    _play("car", without, visibly=False)
+    assert with_copy.done[:3] == ["[idle]", "cp model ~\r", "ros2 run robot_state_publisher robot_state_publisher ~/car.urdf\r"]
+    assert without.done[1:] == with_copy.done[2:]
+    assert without.done[-1] == "ros2 run day6_bot wheel_spinner\r"
 
 
 def test_in_a_hurry_a_command_is_typed_at_once() -> None:

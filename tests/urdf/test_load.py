@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from day6_tui.urdf import RobotError, load_robot, parse_robot, shipped_model, shipped_models
+from day6_tui.urdf import RobotError, copy_model, load_robot, parse_robot, shipped_model, shipped_models
 from day6_tui.urdf.model import Box, Collision, Cylinder, Inertial, Joint, Link, Pose, Robot, Sphere, Visual
 
 
@@ -55,6 +55,20 @@ def test_the_shipped_car_can_be_given_as_a_parameter_on_the_command_line() -> No
     text = shipped_model().read_text(encoding="utf-8")
     value = yaml.safe_load(text)
     assert isinstance(value, str) and parse_robot(value) == parse_robot(text)
+
+
+def test_the_shipped_car_is_copied_to_where_it_is_short_to_type_but_never_over_somebodys_work(tmp_path: Path) -> None:
+    copy = copy_model(tmp_path)
+    assert copy == tmp_path / "day6_bot.urdf"
+    assert parse_robot(copy) == parse_robot(shipped_model())
+    copy.write_text("mine")
+    assert copy_model(tmp_path).read_text() == "mine"
+
+
+def test_a_robot_that_is_not_shipped_is_an_error() -> None:
+    assert shipped_model("day6_bot.urdf") == shipped_model()
+    with pytest.raises(KeyError):
+        shipped_model("no_such_bot")
 
 
 @pytest.mark.parametrize("read", [parse_robot, load_robot])

@@ -109,6 +109,15 @@ TEXTS = {
     "car.many_publishers": "{count} publishers on {topic}: {nodes}",
     "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
+    # rqt_graph
+    "rqt.hidden": "{count} hidden:",
+    "rqt.hides": "{option} hides {names}",
+    "rqt.separator": "; ",
+    "rqt.nothing_hidden": "nothing is hidden",
+    "rqt.empty": "No node is publishing or subscribing.",
+    "rqt.type": "type",
+    "rqt.hide": "Hide",
+    "rqt.refresh": "refresh",
     # topics
     "topics.columns.topic": "topic",
     "topics.columns.rate": "rate",

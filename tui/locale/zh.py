@@ -109,6 +109,15 @@ TEXTS = {
     "car.many_publishers": "{topic} 上有 {count} 个发布者：{nodes}",
     "car.slow": "{topic} 每秒只来 {rate} 次：眼睛需要大约 20 次",
     "car.silent": "{topic} 已经 {seconds} 秒没有消息",
+    # rqt_graph
+    "rqt.hidden": "藏起了 {count} 个：",
+    "rqt.hides": "{option} 藏起 {names}",
+    "rqt.separator": "；",
+    "rqt.nothing_hidden": "没有藏起任何东西",
+    "rqt.empty": "现在没有节点在发布或订阅。",
+    "rqt.type": "类型",
+    "rqt.hide": "隐藏",
+    "rqt.refresh": "刷新",
     # topics
     "topics.columns.topic": "话题",
     "topics.columns.rate": "频率",

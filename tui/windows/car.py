@@ -46,7 +46,6 @@ class CarPane(WindowPane):
         self._snapshot: Any = None
         self._rows: list[Row] = []
         self._said: list[tuple[str, str]] = []
-        self._lines_drawn = False
         self._boxes = False
         """Box lines instead of ASCII."""
 

@@ -6,7 +6,15 @@ import importlib
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell, Streams
+from day6_tui.core.shell.interpreter import (
+    MAX_DEPTH,
+    ExitShell,
+    Interrupted,
+    LoopControl,
+    ReturnFromSource,
+    Shell,
+    Streams,
+)
 
 
 async def python3(session: Session) -> int:
@@ -60,13 +68,13 @@ async def bash(session: Session) -> int:
         if len(words) < 2:
             session.print_error(f"{session.name}: -c: option requires an argument")
             return 2
-        return await _run_copy(session, words[1], words[3:])
+        return await _run_copy(session, words[1], words[2] if len(words) > 2 else session.name, words[3:])
     if words and not words[0].startswith("-"):
         return await run_script(session, words[0], words[1:])
     if words:
         session.print_error(f"{session.name}: {words[0]}: invalid option")
         return 2
-    return await _run_copy(session, await session.stdin.read_all(), [])
+    return await _run_copy(session, await session.stdin.read_all(), session.name, [])
 
 
 async def run_script(session: Session, name: str, arguments: list[str]) -> int:
@@ -76,13 +84,16 @@ async def run_script(session: Session, name: str, arguments: list[str]) -> int:
     except OSError as error:
         session.print_error(f"{session.shell.name}: {name}: {reason(error)}")
         return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127
-    return await _run_copy(session, text, arguments)
+    return await _run_copy(session, text, name, arguments)
 
 
-async def _run_copy(session: Session, text: str, arguments: list[str]) -> int:
+async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]) -> int:
     shell: Shell = session.shell
     inner = shell.clone()
-    inner.arguments = arguments
+    if inner.depth > MAX_DEPTH:
+        session.print_error(inner.too_deep)
+        return 1
+    inner.arguments, inner.zero = arguments, zero
     inner.options = set()
     inner.cwd = session.cwd
     inner.variables = dict(session.env)

@@ -17,13 +17,19 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
+from day6_tui.core.ros.programs._rclcpp import abort, create_node, log_interrupt
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
-from day6_tui.core.session.session import KilledBySignal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
 from day6_tui.urdf.model import Robot
-from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events, qos_profile_sensor_data
+from rclpy.qos import (
+    DurabilityPolicy,
+    QoSPolicyKind,
+    QoSProfile,
+    ReliabilityPolicy,
+    qos_profile_parameter_events,
+)
+from rclpy.qos_overriding_options import QoSOverridingOptions
 from rclpy.utilities import remove_ros_args
 
 if TYPE_CHECKING:
@@ -36,11 +42,8 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.parameter import Parameter
 
-LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 SHORT = 100_000
 """Characters of a description that may be read (in some hundredths of a second) without a thread."""
-
-_SIGABRT = 6
 
 
 class Fatal(Exception):
@@ -70,9 +73,18 @@ class RobotStatePublisher:
             raise Fatal("publish_frequency must be between 0 and 1000")
         _declare(node, "frame_prefix", "")
         _declare(node, "ignore_timestamp", False)
-        self._tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100))
-        self._tf_static = node.create_publisher(TFMessage, "/tf_static", LATCHED)
-        self._description = node.create_publisher(String, "robot_description", LATCHED)
+        # These three and the subscription have the QoS, and the `qos_overrides.…` parameters, of tf2_ros and the original.
+        kinds = (QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
+        self._tf = node.create_publisher(
+            TFMessage,
+            "/tf",
+            QoSProfile(depth=100),
+            qos_overriding_options=QoSOverridingOptions((*kinds, QoSPolicyKind.DURABILITY)),
+        )
+        self._tf_static = node.create_publisher(
+            TFMessage, "/tf_static", _latched(), qos_overriding_options=QoSOverridingOptions(kinds)
+        )
+        self._description = node.create_publisher(String, "robot_description", _latched())
 
     def start(self, description: str, report: Report) -> None:
         """Publish the description and the fixed transforms, then listen. Raises Fatal."""
@@ -82,7 +94,13 @@ class RobotStatePublisher:
             raise Fatal(str(error)) from error
         self._setup(description, robot)
         node = self._node
-        node.create_subscription(JointState, "joint_states", self._joint_states, qos_profile_sensor_data)
+        node.create_subscription(
+            JointState,
+            "joint_states",
+            self._joint_states,
+            QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT),  # rclcpp::SensorDataQoS
+            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+        )
         self._publish_fixed()
         node.add_on_set_parameters_callback(self._check_parameters)
         events_qos = qos_profile_parameter_events
@@ -195,6 +213,10 @@ class RobotStatePublisher:
         return int(self._node.get_clock().now().nanoseconds)
 
 
+def _latched() -> QoSProfile:
+    return QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
 def _declare(node: Node, name: str, default: Any) -> Any:
     """Declare a parameter and return its value. Raises Fatal when the command line gives it another type."""
     from rclpy.exceptions import InvalidParameterTypeException
@@ -250,9 +272,7 @@ async def main(session: Session) -> int:
     except Fatal as error:
         if error.log:
             node.get_logger().fatal(str(error))
-        session.print_error(f"terminate called after throwing an instance of '{error.kind}'")
-        session.print_error(f"  what():  {error}")
-        raise KilledBySignal(_SIGABRT) from None
+        abort(session, error.kind, str(error))
     try:
         await session.spin(node)
     except KeyboardInterrupt:

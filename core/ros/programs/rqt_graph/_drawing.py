@@ -127,8 +127,8 @@ def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs) -> None
             if step in _DIRECTION:
                 masks[first] = masks.get(first, 0) | _DIRECTION[step]
                 masks[second] = masks.get(second, 0) | _DIRECTION[(-step[0], -step[1])]
-        for end, step in ((0, 1), (-1, -2)):
-            if len(route.cells) > 1 and route.cells[end][1] == route.cells[step][1]:
+        for end, beside in ((0, 1), (-1, -2)):
+            if len(route.cells) > 1 and route.cells[end][1] == route.cells[beside][1]:
                 masks[route.cells[end]] = masks.get(route.cells[end], 0) | _EAST | _WEST
     for (x, y), mask in masks.items():
         canvas.put(x, y, glyphs.lines[mask], "edge")
@@ -147,7 +147,7 @@ def _draw_box(canvas: Canvas, box: Box, rect: Rect, glyphs: Glyphs, style: str) 
     round_shape = box.shape == "node"
     x, y, width, height = rect.x, rect.y, rect.width, rect.height
     if height == 1:
-        left, right = glyphs.sides if round_shape else ("[", "]")
+        left, right = tuple(glyphs.sides if round_shape else "[]")
         canvas.put(x, y, f"{left} {box.lines[0]} {right}", style)
         return
     corners = glyphs.round_corners if round_shape else glyphs.square_corners

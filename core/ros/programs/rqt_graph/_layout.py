@@ -160,15 +160,15 @@ def _backward_edges(keys: list[str], edges: list[Edge]) -> set[Edge]:
         stack = [(root, iter(targets[root]))]
         while stack:
             key, rest = stack[-1]
-            edge = next(rest, None)
-            if edge is None:
+            following = next(rest, None)
+            if following is None:
                 state[key] = 2
                 stack.pop()
-            elif state.get(edge.end) == 1:
-                backward.add(edge)
-            elif edge.end not in state:
-                state[edge.end] = 1
-                stack.append((edge.end, iter(targets[edge.end])))
+            elif state.get(following.end) == 1:
+                backward.add(following)
+            elif following.end not in state:
+                state[following.end] = 1
+                stack.append((following.end, iter(targets[following.end])))
     return backward
 
 

@@ -11,7 +11,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import rclpy.callback_groups
-import rclpy.impl
+import rclpy.impl  # noqa: F401
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
 from rclpy.qos import QoSProfile as QoSProfile

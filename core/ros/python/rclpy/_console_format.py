@@ -12,9 +12,7 @@ _ESCAPES = {r"\a": "\a", r"\b": "\b", r"\n": "\n", r"\r": "\r", r"\t": "\t"}
 _ESCAPE = re.compile(r"\\[abnrt]")
 
 
-def expand(
-    form: str, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int
-) -> str:
+def expand(form: str, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> str:
     """Return a console line by a format; unknown tokens stay as they are. `stamp` is epoch nanoseconds."""
     seconds, rest = divmod(stamp, 1_000_000_000)
 

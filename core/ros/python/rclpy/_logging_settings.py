@@ -86,9 +86,7 @@ class LoggingSettings:
             if publisher is not None:
                 publisher.log(stamp, severity, name, message, file, function, line)
 
-    def _print(
-        self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int
-    ) -> None:
+    def _print(self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> None:
         form = self._format
         if form is None:
             form = self._format = self._env.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import threading
-import time
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import Endpoint, EndpointKind, Graph
@@ -166,20 +164,9 @@ class NodeGraph:
         name = fully_qualified_node_name
         if not name.startswith("/"):
             name = f"/{name}"
-        changed = threading.Event()
-        remove = self._graph.add_listener(lambda _event: changed.set())
-        end = time.monotonic() + timeout
-        try:
-            while True:
-                left = end - time.monotonic()
-                if left <= 0:
-                    return False
-                if name in self.get_fully_qualified_node_names():
-                    return True
-                changed.wait(left)
-                changed.clear()
-        finally:
-            remove()
+        if timeout <= 0:
+            return False
+        return self.handle.context._wait_for_graph(lambda: name in self.get_fully_qualified_node_names(), timeout)
 
 
 def _mangled(found: NamesAndTypes, prefix: str) -> NamesAndTypes:
@@ -196,7 +183,7 @@ def _info(endpoint: Endpoint) -> TopicEndpointInfo:
     from rclpy.qos import QoSProfile
     from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 
-    info: Any = TopicEndpointInfo(
+    return TopicEndpointInfo(
         node_name=endpoint.node.name,
         node_namespace=endpoint.node.namespace,
         topic_type=endpoint.type_name,
@@ -209,7 +196,6 @@ def _info(endpoint: Endpoint) -> TopicEndpointInfo:
         endpoint_gid=list(endpoint.gid.ljust(_GID_LENGTH, b"\0")),
         qos_profile=QoSProfile._from_graph(endpoint.qos, known_history=False),
     )
-    return info
 
 
 def _type_hash(text: str) -> Any:

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-import math
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
+from rclpy._node_declarations import NodeDeclarations
+from rclpy._parameter_rules import accepted, refusal_of_range, refusal_of_type, refused
 from rclpy.exceptions import (
-    InvalidParameterTypeException,
     InvalidParameterValueException,
-    ParameterAlreadyDeclaredException,
     ParameterImmutableException,
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
-from rclpy.validate_parameter_name import validate_parameter_name
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
+
     from rclpy._handles import NodeHandle
     from rclpy.clock import Clock
     from rclpy.publisher import Publisher
@@ -28,13 +27,6 @@ PreSetCallback = Callable[[list[Parameter[Any]]], list[Parameter[Any]]]
 OnSetCallback = Callable[[list[Parameter[Any]]], Any]
 PostSetCallback = Callable[[list[Parameter[Any]]], None]
 
-_ONLY_A_NAME = (
-    "when declaring parameter named '{}', declaring a parameter only providing its name is deprecated. "
-    "You have to either:\n"
-    '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
-    "\t- Pass a name and a parameter type.\n"
-    "\t- Pass a name and a descriptor with `dynamic_typing=True"
-)
 _NOT_SET = Parameter.Type.NOT_SET
 
 
@@ -50,19 +42,7 @@ class _Descriptors(dict[str, Any]):
         return descriptor
 
 
-def _accepted() -> SetParametersResult:
-    from rcl_interfaces.msg import SetParametersResult
-
-    return SetParametersResult(successful=True)
-
-
-def _refused(reason: str) -> SetParametersResult:
-    from rcl_interfaces.msg import SetParametersResult
-
-    return SetParametersResult(successful=False, reason=reason)
-
-
-class NodeParameters:
+class NodeParameters(NodeDeclarations):
     """The parameter part of `rclpy.node.Node`."""
 
     PARAM_REL_TOL = 1e-6
@@ -82,135 +62,6 @@ class NodeParameters:
         self._pre_set_parameters_callbacks: list[PreSetCallback] = []
         self._on_set_parameters_callbacks: list[OnSetCallback] = []
         self._post_set_parameters_callbacks: list[PostSetCallback] = []
-
-    # declaring
-
-    def declare_parameter(
-        self,
-        name: str,
-        value: Any = None,
-        descriptor: ParameterDescriptor | None = None,
-        ignore_override: bool = False,
-    ) -> Parameter[Any]:
-        """Declare a parameter and return it with the value it got: from the command line or file, else `value`.
-
-        `value` may be a `Parameter.Type` for a parameter that has no value yet. Raises ParameterAlreadyDeclaredException,
-        InvalidParameterException (name), InvalidParameterValueException (refused by range or callback),
-        InvalidParameterTypeException (override of another type), TypeError, ValueError.
-        """
-        entry: tuple[Any, ...] = (name,)
-        if value is not None or descriptor is not None:
-            entry = (name, value) if descriptor is None else (name, value, descriptor)
-        return self.declare_parameters("", [entry], ignore_override)[0]
-
-    def declare_parameters(
-        self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
-    ) -> list[Parameter[Any]]:
-        """Declare several parameters, given as tuples (name[, value[, descriptor]]), in a namespace. See `declare_parameter`."""
-        declared: list[Parameter[Any]] = []
-        descriptors: dict[str, Any] = {}
-        for index, entry in enumerate(parameters):
-            parameter, descriptor = self._read_declaration(namespace, index, entry, ignore_override)
-            declared.append(parameter)
-            descriptors[parameter.name] = descriptor
-        known = [parameter.name for parameter in declared if parameter.name in self._parameters]
-        if known:
-            raise ParameterAlreadyDeclaredException(known)
-        self._declare_parameter_common(declared, descriptors)
-        return [self._parameters[parameter.name] for parameter in declared]
-
-    def _read_declaration(
-        self, namespace: str, index: int, entry: tuple[Any, ...], ignore_override: bool
-    ) -> tuple[Parameter[Any], Any]:
-        from rcl_interfaces.msg import ParameterDescriptor
-
-        if not 1 <= len(entry) <= 3:
-            raise TypeError(
-                f"Invalid parameter tuple length at index {index} in parameters list: {entry}; "
-                "expecting length between 1 and 3"
-            )
-        name = entry[0]
-        if not isinstance(name, str):
-            raise TypeError(f"First element {name} at index {index} in parameters list is not a str.")
-        if namespace:
-            name = f"{namespace}.{name}"
-        validate_parameter_name(name)
-        value = entry[1] if len(entry) > 1 else None
-        descriptor = entry[2] if len(entry) > 2 else ParameterDescriptor()
-        if not isinstance(descriptor, ParameterDescriptor):
-            raise TypeError(
-                f"Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor."
-            )
-        if len(entry) == 1:
-            # From here: _read_declaration, declare_parameters, declare_parameter; real rclpy's warning names itself too.
-            warnings.warn(_ONLY_A_NAME.format(name), stacklevel=1)
-            descriptor.dynamic_typing = True
-        value = self._fix_type(name, value, descriptor)
-        if not ignore_override and name in self._parameter_overrides:
-            value = self._parameter_overrides[name].value
-        elif _is_parameter_value(value):
-            raise ValueError(
-                "Cannot declare a Parameter from a ParameterValue without it being included in "
-                "self._parameter_overrides, and ",
-                "ignore_override=False",
-            )
-        return Parameter(name, value=value), descriptor
-
-    @staticmethod
-    def _fix_type(name: str, value: Any, descriptor: ParameterDescriptor) -> Any:
-        """Put the declared type into the descriptor; returns the value, None for a bare type."""
-        if isinstance(value, Parameter.Type):
-            if value == _NOT_SET:
-                raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
-            if descriptor.dynamic_typing:
-                raise ValueError(
-                    f"When declaring parameter {{{name}}} passing a descriptor with"
-                    "`dynamic_typing=True` is not allowed when the parameter type is provided"
-                )
-            descriptor.type = value.value
-            return None
-        if not descriptor.dynamic_typing:
-            type_ = value.type if _is_parameter_value(value) else Parameter.Type.from_parameter_value(value).value
-            if type_ == _NOT_SET:
-                raise ValueError(
-                    "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
-                )
-            descriptor.type = type_
-        return value
-
-    def _declare_own_parameter(self, name: str, value: bool, **descriptor: Any) -> None:
-        """Declare one of the parameters every node has, without making messages for it if nobody needs them."""
-        publisher = self._parameter_event_publisher
-        if name in self._parameter_overrides or (publisher is not None and publisher._endpoint_is_heard()):
-            from rcl_interfaces.msg import ParameterDescriptor
-
-            self.declare_parameters("", [(name, value, ParameterDescriptor(**descriptor))])
-            return
-        self._parameters[name] = Parameter(name, Parameter.Type.BOOL, value)
-        self._descriptors[name] = {"name": name, "type": Parameter.Type.BOOL.value, **descriptor}
-
-    def _declare_parameter_common(
-        self, parameter_list: list[Parameter[Any]], descriptors: dict[str, Any] | None = None
-    ) -> list[SetParametersResult]:
-        results = []
-        for parameter in parameter_list:
-            result = self._set_parameters_atomically_common([parameter], descriptors, allow_not_set_type=True)
-            if not result.successful:
-                if descriptors and result.reason.startswith("Wrong parameter type"):
-                    expected = Parameter.Type(descriptors[parameter.name].type).name
-                    raise InvalidParameterTypeException(parameter, expected)
-                raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
-            results.append(result)
-        return results
-
-    def undeclare_parameter(self, name: str) -> None:
-        """Forget a parameter. Raises ParameterNotDeclaredException, ParameterImmutableException for a read-only one."""
-        if name not in self._parameters:
-            raise ParameterNotDeclaredException(name)
-        if self._descriptors[name].read_only:
-            raise ParameterImmutableException(name)
-        del self._parameters[name]
-        del self._descriptors[name]
 
     # getting
 
@@ -303,7 +154,7 @@ class NodeParameters:
                 modified.extend(callback(parameter_list))
             parameter_list = modified
             if not parameter_list:
-                return _refused(
+                return refused(
                     "parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying "
                     "the original parameters list."
                 )
@@ -334,7 +185,7 @@ class NodeParameters:
             answer = callback(parameter_list)
             if not _is_result(answer):
                 warnings.warn("Callback returned an invalid type, it should return SetParameterResult.", stacklevel=1)
-                answer = _refused("Callback returned an invalid type")
+                answer = refused("Callback returned an invalid type")
             if not answer.successful:
                 return answer
         self.handle.check()
@@ -344,13 +195,15 @@ class NodeParameters:
             self._publish_event(publisher, new, changed, deleted)
         for post_callback in self._post_set_parameters_callbacks:
             post_callback(parameter_list)
-        return _accepted()
+        return accepted()
 
     def _store(
         self, parameter_list: list[Parameter[Any]], descriptors: dict[str, Any] | None, allow_not_set_type: bool
     ) -> tuple[list[Parameter[Any]], list[Parameter[Any]], list[Parameter[Any]]]:
         """Store parameters; returns which are new, changed and deleted."""
-        new, changed, deleted = [], [], []
+        new: list[Parameter[Any]] = []
+        changed: list[Parameter[Any]] = []
+        deleted: list[Parameter[Any]] = []
         for parameter in parameter_list:
             name = parameter.name
             if parameter.type_ == _NOT_SET and not allow_not_set_type:
@@ -425,64 +278,19 @@ class NodeParameters:
                 result = self._apply_descriptor(parameter, descriptors[parameter.name], check_read_only)
                 if not result.successful:
                     return result
-        return _accepted()
+        return accepted()
 
     def _apply_descriptor(
-        self, parameter: Parameter[Any], descriptor: ParameterDescriptor | None = None, check_read_only: bool = True
+        self, parameter: Parameter[Any], descriptor: ParameterDescriptor, check_read_only: bool = True
     ) -> SetParametersResult:
         """Say whether a parameter obeys its descriptor; a dynamically typed one takes over the parameter's type."""
-        name, type_ = parameter.name, parameter.type_
-        if descriptor is None:
-            descriptor = self.describe_parameter(name)
-        else:
-            descriptor.name = name
+        descriptor.name = parameter.name
         if check_read_only and descriptor.read_only:
-            return _refused(f"Trying to set a read-only parameter: {name}.")
-        if descriptor.dynamic_typing:
-            descriptor.type = type_.value
-        elif type_ == _NOT_SET:
-            if name in self._parameters:
-                return _refused("Static parameter cannot be undeclared")
-        elif type_.value != descriptor.type:
-            expected = Parameter.Type(descriptor.type)
-            return _refused(f"Wrong parameter type, expected '{expected:d}' got '{type_:d}'")
-        if type_ == Parameter.Type.INTEGER and descriptor.integer_range:
-            return self._apply_integer_range(parameter, descriptor.integer_range[0])
-        if type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:
-            return self._apply_floating_point_range(parameter, descriptor.floating_point_range[0])
-        return _accepted()
-
-    def _apply_integer_range(self, parameter: Parameter[Any], integer_range: Any) -> SetParametersResult:
-        low, high = sorted((integer_range.from_value, integer_range.to_value))
-        value, step = parameter.value, integer_range.step
-        if value in (low, high):
-            return _accepted()
-        if not low < value < high:
-            return _refused(f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {value}")
-        if step and (value - low) % step:
-            return _refused(
-                f"The parameter value for {parameter.name} is not a valid step. "
-                f"Min: {low}, max: {high}, value: {value}, step: {step}"
-            )
-        return _accepted()
-
-    def _apply_floating_point_range(self, parameter: Parameter[Any], floating_point_range: Any) -> SetParametersResult:
-        low, high = sorted((floating_point_range.from_value, floating_point_range.to_value))
-        value, step = parameter.value, floating_point_range.step
-
-        def close(a: float, b: float) -> bool:
-            return math.isclose(a, b, rel_tol=self.PARAM_REL_TOL)
-
-        if close(value, low) or close(value, high):
-            return _accepted()
-        if not low < value < high:
-            return _refused(f"Parameter {parameter.name} out of range Min: {low}, Max: {high}, value: {value}")
-        if step and not close(low + round((value - low) / step) * step, value):
-            return _refused(
-                f"The parameter value for {parameter.name} is not close enough to a valid step. "
-                f"Min: {low}, max: {high}, value: {value}, step: {step}"
-            )
-        return _accepted()
+            return refused(f"Trying to set a read-only parameter: {parameter.name}.")
+        refusal = refusal_of_type(parameter, descriptor, parameter.name in self._parameters)
+        if refusal is None:
+            refusal = refusal_of_range(parameter, descriptor, self.PARAM_REL_TOL)
+        return accepted() if refusal is None else refused(refusal)
 
     def describe_parameter(self, name: str) -> ParameterDescriptor:
         """Return a parameter's descriptor; an empty one or ParameterNotDeclaredException for an undeclared one."""
@@ -526,10 +334,6 @@ class NodeParameters:
                 self._descriptors[name] = descriptor
                 return self.get_parameter(name).get_parameter_value()
         raise InvalidParameterValueException(name, alternative.value, result.reason)
-
-
-def _is_parameter_value(value: object) -> bool:
-    return type(value).__name__ == "ParameterValue" and hasattr(value, "integer_array_value")
 
 
 def _is_result(value: object) -> bool:

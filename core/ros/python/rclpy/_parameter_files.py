@@ -226,7 +226,9 @@ def matches(pattern: str, full_name: str) -> bool:
     return re.fullmatch(expression, full_name) is not None
 
 
-def parameters_of_nodes(path: str, use_wildcard: bool, target_nodes: list[str] | None, namespace: str) -> dict[str, Any]:
+def parameters_of_nodes(
+    path: str, use_wildcard: bool, target_nodes: list[str] | None, namespace: str
+) -> dict[str, Any]:
     """Do the work of `rclpy.parameter.parameter_dict_from_yaml_file`."""
     import yaml
 

@@ -26,7 +26,10 @@ def check(publisher: QoSProfile, subscription: QoSProfile) -> tuple[QoSCompatibi
 
 
 def _errors(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
-    if publisher.reliability == ReliabilityPolicy.BEST_EFFORT and subscription.reliability == ReliabilityPolicy.RELIABLE:
+    if (
+        publisher.reliability == ReliabilityPolicy.BEST_EFFORT
+        and subscription.reliability == ReliabilityPolicy.RELIABLE
+    ):
         yield "Best effort publisher and reliable subscription"
     volatile = publisher.durability == DurabilityPolicy.VOLATILE
     if volatile and subscription.durability == DurabilityPolicy.TRANSIENT_LOCAL:

@@ -41,7 +41,7 @@ class TimerCancelledError(RCLError):
     """A cancelled timer was called."""
 
 
-class NotImplementedError(RCLError, builtins.NotImplementedError):  # type: ignore[misc] # noqa: A001
+class NotImplementedError(RCLError, builtins.NotImplementedError):  # noqa: A001
     """The middleware does not offer this."""
 
 

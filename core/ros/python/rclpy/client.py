@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -128,24 +127,8 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Block until somebody serves the service, or `timeout_sec` is over; says whether somebody does."""
         if not self.service_is_ready():
-            self._wait_for_match(timeout_sec)
+            self.context._wait_for_graph(self._endpoint.service_is_ready, timeout_sec)
         return self.service_is_ready()
-
-    def _wait_for_match(self, timeout_sec: float | None) -> None:
-        changed = threading.Event()
-        graph = self._endpoint.node.graph
-        remove = graph.add_listener(lambda _event: changed.set())
-        end = None if timeout_sec is None else time.monotonic() + timeout_sec
-        try:
-            while self.context._valid and not self._endpoint.service_is_ready():
-                left = None if end is None else end - time.monotonic()
-                if left is not None and left <= 0:
-                    return
-                # Somebody may shut the context down, which is no change of the graph.
-                changed.wait(0.1 if left is None else min(left, 0.1))
-                changed.clear()
-        finally:
-            remove()
 
     def configure_introspection(
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState

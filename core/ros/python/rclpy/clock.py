@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import ClockChange as ClockChange
 from rclpy._rclpy_pybind11 import Destroyable
-from rclpy._time_source import MACHINE_TIME, TimeSource
+from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
@@ -111,6 +111,8 @@ class Clock:
 
     _clock_type: ClockType
     _time: TimeSource = MACHINE_TIME
+    _handle: Destroyable
+    _jump_handles: list[JumpHandle]
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
         if not isinstance(clock_type, ClockType):
@@ -118,7 +120,7 @@ class Clock:
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
         self._clock_type = clock_type
         self._handle = Destroyable()
-        self._jump_handles: list[JumpHandle] = []
+        self._jump_handles = []
         if isinstance(self, ROSClock):
             self._active = False
             self._override = 0
@@ -192,15 +194,16 @@ class Clock:
                 source_changed = True
             woken.set()
 
-        context.on_shutdown(woken.set)
+        stop_watching = context._watch_end(woken.set)
         threshold = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=None, on_clock_change=True)
         with self.create_jump_callback(threshold, post_callback=on_jump):
             while context.ok() and not source_changed:
                 left = until.nanoseconds - self._now_ns()
                 if left <= 0:
                     break
-                woken.wait(None if self._is_simulated() else left / S_TO_NS)
+                wait_interruptibly(woken, None if self._is_simulated() else left / S_TO_NS)
                 woken.clear()
+        stop_watching()
         return context.ok() and not source_changed and self._now_ns() >= until.nanoseconds
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:

@@ -6,6 +6,7 @@ import atexit
 import os
 import sys
 import threading
+import time
 import warnings
 import weakref
 from collections.abc import Callable, Mapping
@@ -16,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph import Graph, graph_for_domain
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import Destroyable, RCLError
-from rclpy._time_source import MACHINE_TIME, TimeSource
+from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
 
 if TYPE_CHECKING:
     from rclpy._arguments import RosArguments
@@ -61,6 +62,7 @@ class Context:
         self._valid = False
         self._nodes: list[weakref.ReferenceType[Node]] = []
         self._executors: weakref.WeakSet[Executor] = weakref.WeakSet()
+        self._end_watchers: list[_Callback] = []
         self._graph: Graph | None = None
         self._domain_id = 0
         self._arguments: RosArguments | None = None
@@ -157,6 +159,39 @@ class Context:
         self._valid = False
         for executor in list(self._executors):
             executor.wake()
+        for watcher in list(self._end_watchers):
+            watcher()
+
+    def _watch_end(self, watcher: _Callback) -> _Callback:
+        """Call `watcher()`, from any thread, when the context becomes invalid; returns the function that ends that."""
+        self._end_watchers.append(watcher)
+
+        def remove() -> None:
+            if watcher in self._end_watchers:
+                self._end_watchers.remove(watcher)
+
+        return remove
+
+    def _wait_for_graph(self, condition: Callable[[], bool], timeout_sec: float | None) -> bool:
+        """Block until a condition on the graph is true, the context is invalid or time is up; says whether it is true."""
+        if condition():
+            return True
+        changed = threading.Event()
+        assert self._graph is not None
+        end_of_changes = self._graph.add_listener(lambda _event: changed.set())
+        end_of_watch = self._watch_end(changed.set)
+        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        try:
+            while self._valid and not condition():
+                left = None if end is None else end - time.monotonic()
+                if left is not None and left <= 0:
+                    return False
+                wait_interruptibly(changed, left)
+                changed.clear()
+        finally:
+            end_of_changes()
+            end_of_watch()
+        return condition()
 
     def _call_on_shutdown_callbacks(self) -> None:
         for each in self._callbacks:

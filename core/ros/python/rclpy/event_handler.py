@@ -171,9 +171,7 @@ class QoSEventHandler(EventHandler):
     """The old name of EventHandler."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        warnings.warn(
-            "QoSEventHandler is deprecated, use EventHandler instead.", DeprecationWarning, stacklevel=2
-        )
+        warnings.warn("QoSEventHandler is deprecated, use EventHandler instead.", DeprecationWarning, stacklevel=2)
         super().__init__(*args, **kwargs)
 
 

@@ -121,12 +121,12 @@ _OLD_NAMES: tuple[tuple[type[QoSPolicyEnum], str, tuple[str, ...]], ...] = (
     (ReliabilityPolicy, "RELIABILITY", ("SYSTEM_DEFAULT", "RELIABLE", "BEST_EFFORT", "UNKNOWN")),
     (DurabilityPolicy, "DURABILITY", ("SYSTEM_DEFAULT", "TRANSIENT_LOCAL", "VOLATILE", "UNKNOWN")),
     (LivelinessPolicy, "LIVELINESS", ("SYSTEM_DEFAULT", "AUTOMATIC", "MANUAL_BY_TOPIC")),
+    # A slip of real rclpy that programs could rely on: the unknown liveliness carries the name of durability.
+    (LivelinessPolicy, "DURABILITY", ("UNKNOWN",)),
 )
 for _class, _prefix, _names in _OLD_NAMES:
     for _name in _names:
         setattr(_class, f"RMW_QOS_POLICY_{_prefix}_{_name}", _OldName(f"RMW_QOS_POLICY_{_prefix}_{_name}", _name))
-# A slip of real rclpy that programs could rely on: the unknown liveliness carries the name of durability.
-LivelinessPolicy.RMW_QOS_POLICY_DURABILITY_UNKNOWN = _OldName("RMW_QOS_POLICY_DURABILITY_UNKNOWN", "UNKNOWN")
 
 QoSHistoryPolicy = HistoryPolicy
 QoSReliabilityPolicy = ReliabilityPolicy
@@ -182,15 +182,15 @@ class QoSProfile:
             if depth is None:
                 raise InvalidQoSProfileException("History and/or depth settings are required.")
             history = HistoryPolicy.KEEP_LAST
-        self.history = history  # type: ignore[assignment]
+        self.history = history
         if depth is None and self._history == HistoryPolicy.KEEP_LAST:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
         self.depth = 10 if depth is None else depth
-        self.reliability = ReliabilityPolicy.RELIABLE if reliability is None else reliability  # type: ignore[assignment]
-        self.durability = DurabilityPolicy.VOLATILE if durability is None else durability  # type: ignore[assignment]
+        self.reliability = ReliabilityPolicy.RELIABLE if reliability is None else reliability
+        self.durability = DurabilityPolicy.VOLATILE if durability is None else durability
         self.lifespan = _NO_TIME if lifespan is None else lifespan
         self.deadline = _NO_TIME if deadline is None else deadline
-        self.liveliness = LivelinessPolicy.SYSTEM_DEFAULT if liveliness is None else liveliness  # type: ignore[assignment]
+        self.liveliness = LivelinessPolicy.SYSTEM_DEFAULT if liveliness is None else liveliness
         self.liveliness_lease_duration = _NO_TIME if liveliness_lease_duration is None else liveliness_lease_duration
         bare_name = avoid_ros_namespace_conventions
         self.avoid_ros_namespace_conventions = False if bare_name is None else bare_name
@@ -400,9 +400,7 @@ class QoSPresetProfiles(Enum):
         return profile
 
 
-def qos_check_compatible(
-    publisher_qos: QoSProfile, subscription_qos: QoSProfile
-) -> tuple[QoSCompatibility, str]:
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
     """Say whether messages would flow between two profiles, and if not certainly so, why.
 
     The answer is OK, WARNING (a policy is not decided yet, for instance SYSTEM_DEFAULT) or ERROR, with a reason.

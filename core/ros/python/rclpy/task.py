@@ -185,7 +185,7 @@ class Task(Future[T]):
 
     @classmethod
     def _of_coroutine(cls, coroutine: Coroutine[Any, Any, T], executor: Executor) -> Task[T]:
-        task: Task[T] = cls(_no_function, executor=executor)
+        task: Task[T] = cls(_no_function, executor=executor)  # type: ignore[arg-type]
         task._coroutine, task._function = coroutine, None
         return task
 

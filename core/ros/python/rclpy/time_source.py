@@ -13,6 +13,7 @@ from rclpy.time import Time
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult
+
     from rclpy.node import Node
     from rclpy.subscription import Subscription
 

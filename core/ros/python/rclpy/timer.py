@@ -17,9 +17,9 @@ from rclpy.time import Time
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
+    from rclpy._timer_heap import TimerHeap
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
-    from rclpy.executors import Executor
 
 _INVALID_CONTEXT = (
     "failed to create timer: the given context is not valid, either rcl_init() was not called or "
@@ -88,7 +88,7 @@ class Timer(Entity):
         self._handle = Destroyable()
         self._steady_ns = self._context._time.steady_ns
         self._period = int(timer_period_ns)
-        self._heap_executor: Executor | None = None
+        self._heap: TimerHeap | None = None
         self._heap_deadline = 0
         self._canceled = not autostart
         self._last = self._base_now()
@@ -152,7 +152,9 @@ class Timer(Entity):
         self._last = now
         self._next = due + self._period
         if self._next < now:
-            self._next = now if self._period == 0 else self._next + -(-(now - self._next) // self._period) * self._period
+            self._next = (
+                now if self._period == 0 else self._next + -(-(now - self._next) // self._period) * self._period
+            )
         self._schedule()
         callback = self._callback
         if callback is None:

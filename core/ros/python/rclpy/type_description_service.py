@@ -49,4 +49,7 @@ class TypeDescriptionService:
     def _service_callback(self, request: Any, response: Any) -> Any:
         from rclpy._type_descriptions import answer
 
-        return answer(request, response)
+        node = self._node_weak_ref()
+        if node is None:
+            raise ReferenceError("Expected valid node weak reference")
+        return answer(node.handle, request, response)

@@ -49,6 +49,4 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
     """Raise AttributeError or RuntimeError for what is no service class."""
     check_for_type_support(srv_type)
     if getattr(srv_type, "Response", None) is None or getattr(srv_type, "Request", None) is None:
-        raise RuntimeError(
-            f"The service type provided is not valid ({srv_type}), this might be a message or action"
-        )
+        raise RuntimeError(f"The service type provided is not valid ({srv_type}), this might be a message or action")

@@ -62,14 +62,22 @@ async def main(session: Session, args: Namespace) -> str | None:
     session.print(f"Sending goal:\n     {message_to_yaml(goal)}")
     session.executor.add_node(node)
 
+    early: list[Any] | None = []
+
     def feedback(message: Any) -> None:
-        session.print(f"Feedback:\n    {message_to_yaml(message.feedback)}")
+        if early is not None:
+            early.append(message)  # it came together with the acceptance, which is told first
+        else:
+            session.print(f"Feedback:\n    {message_to_yaml(message.feedback)}")
 
     handle = await _send(session, client, goal, feedback if args.feedback else None)
     if handle is None:
         session.print("Goal was rejected.")
         return None
     session.print(f"Goal accepted with ID: {bytes(handle.goal_id.uuid).hex()}\n")
+    waiting, early = early, None
+    for message in waiting or ():
+        feedback(message)
     result = await _result(session, handle)
     session.print(f"Result:\n    {message_to_yaml(result.result)}")
     session.print(f"Goal finished with status: {_status_name(result.status)}")

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 SUMMARY = "Output the interface definition"
 
 _PRIMITIVE = re.compile(r"(bool|byte|char|float32|float64|u?int(8|16|32|64)|w?string)\b")
-_UNIT = re.compile(r"\s*\[[^,\]]+\]")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -84,25 +83,5 @@ def _nested_type(line: str, package: str) -> str | None:
 
 
 def _without_comment(line: str) -> str | None:
-    """Return a line as the real tool shows it without comments: None if not at all.
-
-    It takes a comment's text and one character before it away, so that a mark stays (`float64 x #`), and takes a unit in
-    brackets out of the text before it looks for it, so that some comments are not found and lose their last two letters.
-    """
-    if not line:
-        return None
-    code, mark, _ = line.partition("#")
-    if not mark:
-        return line
-    comment = (
-        _UNIT.sub("", line[len(code) :].lstrip("#"), count=1) if _has_one_unit(line) else line[len(code) :].lstrip("#")
-    )
-    comment = comment.strip()
-    if not code.strip():
-        # A comment of its own. One that is indented, or says nothing, passes for something else and stays.
-        return line if code or not comment else None
-    return line[: line.find(comment) - 1].strip() if comment else line
-
-
-def _has_one_unit(line: str) -> bool:
-    return len(_UNIT.findall(line.partition("#")[2])) == 1
+    """Return what a line says beside its comment, None if nothing."""
+    return line.partition("#")[0].rstrip() or None

@@ -84,6 +84,7 @@ def _receive(meter: _Meter, filter_expr: str | None, message: Any) -> None:
 
 async def _report(session: Session, meters: dict[str, _Meter]) -> None:
     async for _ in session.every(1.0):
+        await session.sleep(0.001)  # messages that come at this very moment count
         rates = {topic: rate for topic, meter in meters.items() if (rate := meter.rate()) is not None}
         if rates:
             session.print(_line(*rates.values()) if len(meters) == 1 else _table(rates))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -324,30 +323,22 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
 
     # the server
 
+    def _has_server(self) -> bool:
+        clients = (self._goal_client, self._cancel_client, self._result_client)
+        topics = (self._feedback_sub, self._status_sub)
+        return all(client.matched for client in clients) and all(topic.matched for topic in topics)
+
     def server_is_ready(self) -> bool:
         """Say whether a server of the action exists."""
         self._node.handle.check()
         if not self._node.context._valid:
             raise RCLError(f"Failed to check if action server is available: {INVALID_NODE}")
-        clients = (self._goal_client, self._cancel_client, self._result_client)
-        topics = (self._feedback_sub, self._status_sub)
-        return all(client.matched for client in clients) and all(topic.matched for topic in topics)
+        return self._has_server()
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Block until a server exists, or `timeout_sec` is over; says whether one does."""
-        changed = threading.Event()
-        remove = self._node.handle.node.graph.add_listener(lambda _event: changed.set())
-        end = None if timeout_sec is None else time.monotonic() + timeout_sec
-        try:
-            while self._node.context.ok() and not self.server_is_ready():
-                left = None if end is None else end - time.monotonic()
-                if left is not None and left <= 0:
-                    break
-                # Somebody may shut the context down, which is no change of the graph.
-                changed.wait(0.1 if left is None else min(left, 0.1))
-                changed.clear()
-        finally:
-            remove()
+        if not self.server_is_ready():
+            self._node.context._wait_for_graph(self._has_server, timeout_sec)
         return self.server_is_ready()
 
     def configure_introspection(

@@ -301,7 +301,8 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             goal_info.stamp = response.stamp = self._node.get_clock().now().to_msg()
             goal_handle = ServerGoalHandle(self, goal_info, request.goal)
             self._goal_handles[key] = goal_handle
-            self._result_futures[key] = future = Future()
+            future: Future[Any] = Future()
+            self._result_futures[key] = future
             self.add_future(future)
         self._goal_service.send_response(request_id, response)
         if goal_handle is None:
@@ -319,7 +320,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         try:
             result = await await_or_execute(execute_callback, goal_handle)
         except Exception as error:
-            result = self._action_type.Result()  # type: ignore[attr-defined]
+            result = self._action_type.Result()
             self._logger.error(f"Error raised in execute callback: {error}")
             traceback.print_exc()
         if goal_handle.is_active:
@@ -388,9 +389,9 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if outcome is None or self._handle.destroyed:
             return
         status, result = outcome
-        if not isinstance(result, self._action_type.Result):  # type: ignore[attr-defined]
+        if not isinstance(result, self._action_type.Result):
             # What rosidl says when it looks for the fields of a result in something that is none.
-            for name in self._action_type.Result.get_fields_and_field_types():  # type: ignore[attr-defined]
+            for name in self._action_type.Result.get_fields_and_field_types():
                 getattr(result, name)
         response = self._handle.implementation.GetResultService.Response(status=status, result=result)
         self._result_service.send_response(request_id, response)

@@ -1,0 +1,110 @@
+"""Names on a node: expansion, remapping, and the checks of what a program asks for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph import names
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy._resolve import expand, raise_for_namespace, raise_for_node, raise_for_topic, require_text
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph.names import RemapRule
+    from rclpy._handles import NodeHandle
+
+_WRONG_NAME_TYPE = (
+    "rclpy_resolve_name(): incompatible function arguments. The following argument types are supported:\n"
+    "    1. (arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str\n\nInvoked with: {!r}, {!r}, {}, {}"
+)
+
+
+class NodeNames:
+    """The part of `rclpy.node.Node` that turns names into full ones."""
+
+    handle: NodeHandle
+
+    def _resolved(self, name: str, only_expand: bool, is_service: bool) -> str:
+        handle = self.handle
+        handle.check()
+        if not isinstance(name, str):
+            require_text(name)
+            raise TypeError(_WRONG_NAME_TYPE.format(handle, name, only_expand, is_service))
+        flaw = names.flaw_of_topic_name(name)
+        if flaw is not None:
+            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/expand_topic_name.c:73")
+        try:
+            full = names.expand(name, handle.name, handle.namespace)
+        except names.UnknownSubstitution as error:
+            raise RCLError(f"failed to resolve name: {error}, at /project/src/rcl/expand_topic_name.c:164") from None
+        if handle.rules and not only_expand:
+            full = names.remap_topic(full, handle.name, handle.namespace, _rules_for(handle.rules, is_service))
+        flaw = names.flaw_of_full_topic_name(full)
+        if flaw is not None:
+            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/node_resolve_name.c:102")
+        return full
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a topic, remapped unless `only_expand`. RCLError for a bad name."""
+        return self._resolved(topic, only_expand, False)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a service, remapped unless `only_expand`. RCLError for a bad name."""
+        return self._resolved(service, only_expand, True)
+
+    def _full_topic_name(self, topic: str) -> str:
+        """Return the full, remapped name; raises what a student sees for a bad one."""
+        try:
+            full = self.resolve_topic_name(topic)
+        except RCLError:
+            self._validate_topic_or_service_name(topic)
+            raise
+        return full
+
+    def _full_service_name(self, service: str) -> str:
+        handle = self.handle
+        handle.check()
+        raise_for_topic(names.flaw_of_topic_name(service), service, is_service=True)
+        full = expand(service, handle.name, handle.namespace)
+        if handle.rules:
+            full = names.remap_topic(full, handle.name, handle.namespace, _rules_for(handle.rules, True))
+        raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=True)
+        return full
+
+    def _validate_topic_or_service_name(self, topic_or_service_name: str, *, is_service: bool = False) -> None:
+        if topic_or_service_name is None:
+            require_text(None)
+        raise_for_topic(names.flaw_of_topic_name(topic_or_service_name), topic_or_service_name, is_service=is_service)
+        full = expand(topic_or_service_name, self.handle.name, self.handle.namespace)
+        raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=is_service)
+
+
+def _rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
+    """Return the rules that count for topics or for services; `rostopic://` and `rosservice://` limit a rule."""
+    if not any("://" in rule.match for rule in rules):
+        return rules
+    wanted, other = ("rosservice://", "rostopic://") if is_service else ("rostopic://", "rosservice://")
+    return [
+        type(rule)(rule.kind, rule.match.removeprefix(wanted), rule.replacement, rule.node)
+        for rule in rules
+        if not rule.match.startswith(other)
+    ]
+
+
+def checked_namespace(node_name: Any, namespace: Any, context: object, node: object) -> str:
+    """Check a node's names as rclpy's binding, rcl and rmw do; returns the full namespace."""
+    if node_name is None:
+        raise RCLError("error creating node: name argument is null, at /project/src/rcl/node.c:126")
+    if not isinstance(node_name, str) or not isinstance(namespace, str):
+        raise TypeError(
+            "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
+            "    1. rclpy._rclpy_pybind11.Node(arg0: str, arg1: str, arg2: rclpy._rclpy_pybind11.Context, arg3: object, "
+            f"arg4: bool, arg5: bool, arg6: object)\n\nInvoked with: {node_name!r}, {namespace!r}, "
+            f"<rclpy._rclpy_pybind11.Context object at {id(context):#x}>, None, True, True, "
+            f"<rclpy._rclpy_pybind11.rmw_qos_profile_t object at {id(node):#x}>"
+        )
+    raise_for_node(node_name)
+    if not namespace.startswith("/"):
+        namespace = f"/{namespace}"
+    raise_for_namespace(namespace)
+    full: str = namespace
+    return full

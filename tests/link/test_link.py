@@ -1,0 +1,212 @@
+"""The link seen from one process: when it serialises, what it does without an engine, who waits for whom."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from typing import Any
+
+import pytest
+from link_harness import World, until
+
+from day6_tui.core.graph import EndpointKind, Graph, QoS
+from day6_tui.core.graph.endpoints import Publisher
+from day6_tui.core.link import join, leave
+
+
+def no_copy(message: Any) -> Any:
+    return message
+
+
+def test_nothing_is_serialised_while_nobody_listens_elsewhere(world: World) -> None:
+    here, there = world.here(), world.here()
+    publisher: Publisher = here.things[here.publisher(here.node("talker"), "/chatter")]
+    publisher.copy = no_copy
+    publisher.publish("no message at all, so serialising it would fail")
+    there.subscription(there.node("other"), "/another_topic")
+    assert until(lambda: here.nodes() == ["/other", "/talker"])
+    publisher.publish("nor this")
+    assert here.problems() == []
+
+
+def test_what_a_latched_publisher_said_before_its_process_joined_is_kept_for_late_joiners(world: World) -> None:
+    early = world.here(joined=False)
+    publisher = early.publisher(early.node("describer"), "/robot_description", latched=True, depth=2)
+    early.publish_numbers(publisher, 0, 3)
+    other = world.process()
+    waiting = other.subscription(other.node("viewer"), "/robot_description", latched=True, depth=5)
+    try:
+        join(early.graph)
+        assert until(lambda: other.length(waiting) == 2)
+        early.publish(publisher, data="after")
+        assert until(lambda: other.length(waiting) == 3)
+        assert other.messages(waiting) == ["1", "2", "after"]
+        late = other.subscription(other.node("late"), "/robot_description", latched=True, depth=5)
+        assert until(lambda: other.length(late) == 2)
+        assert other.messages(late) == ["2", "after"]
+    finally:
+        leave(early.graph)
+
+
+def test_joining_twice_is_joining_once_and_leaving_takes_the_others_nodes_away(world: World) -> None:
+    graph, other = Graph(), world.here()
+    other.node("other")
+    link = join(graph)
+    assert join(graph) is link
+    graph.create_node("mine")
+    assert until(lambda: len(graph.nodes) == 2 and len(other.graph.nodes) == 2)
+    leave(graph)
+    leave(graph)
+    assert [node.name for node in graph.nodes] == ["mine"]
+    assert until(lambda: other.nodes() == ["/other"])
+    assert graph.transport is None
+    again = join(graph)
+    assert again is not link
+    assert until(lambda: len(graph.nodes) == 2 and len(other.graph.nodes) == 2)
+    leave(graph)
+
+
+def test_leaving_ends_every_thread_of_ours(world: World) -> None:
+    before = set(threading.enumerate())
+    graph = Graph()
+    join(graph)
+    assert len(set(threading.enumerate()) - before) == 1
+    leave(graph)
+    assert set(threading.enumerate()) == before
+
+
+def test_remote_nodes_are_marked_and_not_told_on(world: World) -> None:
+    first, second = world.here(), world.here()
+    first.publisher(first.node("talker"), "/chatter")
+    assert until(lambda: second.endpoints("/chatter"))
+    (node,) = second.graph.nodes
+    assert node.origin is not None and first.graph.nodes[0].origin is None
+    (endpoint,) = second.graph.endpoints(EndpointKind.PUBLISHER)
+    assert endpoint.origin == node.origin
+    third = world.process()
+    assert until(lambda: third.nodes() == ["/talker"])
+    second.leave()
+    third.node("witness")
+    assert until(lambda: first.nodes() == ["/talker", "/witness"])
+    assert third.nodes() == ["/talker", "/witness"]
+
+
+def test_listeners_of_the_graph_hear_of_remote_nodes_and_endpoints(world: World) -> None:
+    near, far = world.here(), world.process()
+    heard: list[tuple[str, str]] = []
+
+    def listen(event: Any) -> None:
+        heard.append((event.change.value, getattr(event.subject, "topic", None) or event.subject.name))
+
+    near.graph.add_listener(listen)
+    node = far.node("talker")
+    far.publisher(node, "/chatter")
+    assert until(lambda: len(heard) == 2)
+    far.destroy(node)
+    assert until(lambda: len(heard) == 4)
+    assert heard == [
+        ("node added", "talker"),
+        ("endpoint added", "/chatter"),
+        ("endpoint removed", "/chatter"),
+        ("node removed", "talker"),
+    ]
+
+
+def test_a_listener_that_fails_does_not_stop_the_link(world: World) -> None:
+    near, far = world.here(), world.process()
+
+    def fail(event: Any) -> None:
+        raise RuntimeError("a bug in a window")
+
+    end = near.graph.add_listener(fail)
+    far.node("first")
+    assert until(lambda: any("a bug in a window" in problem for problem in near.problems()))
+    end()
+    far.node("second")
+    assert until(lambda: near.nodes() == ["/first", "/second"])
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGSTOP")
+def test_a_stopped_process_does_not_hold_up_one_that_never_waits(world: World) -> None:
+    screen, sleeper, awake = world.here(never_wait=True), world.process(), world.process()
+    publisher = screen.publisher(screen.node("screen"), "/pose")
+    sleeper.subscription(sleeper.node("sleeper"), "/pose")
+    heard = awake.subscription(awake.node("awake"), "/pose", depth=5000)
+    assert until(lambda: screen.matched(publisher) == 2)
+    pid = sleeper.pid()
+    os.kill(pid, signal.SIGSTOP)
+    try:
+        longest = 0.0
+        for number in range(3000):
+            started = time.monotonic()
+            screen.publish(publisher, data=f"{number:01000}")
+            longest = max(longest, time.monotonic() - started)
+        assert longest < 0.5
+        assert until(lambda: awake.length(heard) == 3000)
+    finally:
+        os.kill(pid, signal.SIGCONT)
+
+
+def test_a_reliable_flood_loses_nothing(world: World) -> None:
+    near, far = world.here(), world.process()
+    publisher = near.publisher(near.node("talker"), "/flood", depth=30_000)
+    subscription = far.subscription(far.node("listener"), "/flood", depth=30_000)
+    assert until(lambda: near.matched(publisher) == 1)
+    near.publish_numbers(publisher, 0, 20_000)
+    assert until(lambda: far.length(subscription) == 20_000, 30)
+    assert far.messages(subscription) == [str(number) for number in range(20_000)]
+
+
+def test_garbage_on_a_topic_is_passed_over(world: World) -> None:
+    near, far = world.here(), world.here()
+    publisher = near.publisher(near.node("talker"), "/chatter")
+    subscription = far.subscription(far.node("listener"), "/chatter")
+    assert until(lambda: near.matched(publisher) == 1)
+    session = near.graph.transport._session
+    from day6_tui.core.link.attachment import pack
+    from day6_tui.core.link.keys import data_key
+
+    key = data_key(near.things[publisher])
+    session.put(key, b"no attachment")
+    session.put(key, b"\x00\x01\x00\x00\xff\xff\xff\xffx", attachment=b"short")
+    session.put(key, b"\x00\x01\x00\x00\xff\xff\xff\xffx", attachment=pack(1, 1, bytes(16)))
+    session.liveliness().declare_token("@ros2_lv/0/abc/nonsense")
+    near.publish(publisher, data="fine")
+    assert until(lambda: far.length(subscription) >= 1)
+    assert far.messages(subscription) == ["fine"]
+    assert len(far.problems()) == 2
+
+
+def test_a_message_of_somebody_without_a_known_gid_is_delivered_with_it(world: World) -> None:
+    near, far = world.here(), world.here()
+    publisher = near.publisher(near.node("talker"), "/chatter")
+    subscription = far.subscription(far.node("listener"), "/chatter")
+    assert until(lambda: near.matched(publisher) == 1)
+    from day6_tui.core.interfaces import get_message, serialize
+    from day6_tui.core.link.attachment import pack
+    from day6_tui.core.link.keys import data_key
+
+    data = serialize(get_message("std_msgs/msg/String")(data="hello"))
+    near.graph.transport._session.put(data_key(near.things[publisher]), data, attachment=pack(5, 123, bytes(range(16))))
+    assert until(lambda: far.length(subscription) == 1)
+    (sample,) = far.samples(subscription)
+    assert sample == {"data": "hello", "number": 5, "gid": bytes(range(16)).hex(), "source": 123, "intra": False}
+
+
+def test_without_zenoh_a_program_runs_alone_and_says_so(
+    world: World, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setitem(sys.modules, "zenoh", None)
+    graph = Graph()
+    link = join(graph)
+    assert link.problem is not None and link.problem.startswith("no Zenoh here")
+    assert "other processes cannot be seen" in caplog.text
+    node = graph.create_node("alone")
+    publisher = node.create_publisher("/chatter", "std_msgs/msg/String", "", QoS(), no_copy)
+    subscription = node.create_subscription("/chatter", "std_msgs/msg/String", "", QoS())
+    publisher.publish("to myself")
+    assert subscription.take() is not None
+    leave(graph)

@@ -1,0 +1,268 @@
+"""A student's program as a process of its own: in a terminal, in a pipeline, in the background, and how it ends."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_tui.core.shell.process import running_processes
+
+PROMPT = "student@day6:~$"
+posix = pytest.mark.skipif(os.name != "posix", reason="needs ptys and process groups")
+
+
+def write(home: Path, name: str, text: str) -> None:
+    (home / name).write_text(text, encoding="utf-8")
+
+
+def gone(pid: int) -> bool:
+    """Whether a process has ended (a zombie nobody has collected yet has ended too)."""
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return True
+    status = Path(f"/proc/{pid}/stat")
+    return status.exists() and status.read_text().rpartition(")")[2].split()[0] == "Z"
+
+
+def until(condition: Callable[[], bool], seconds: float = 20.0) -> bool:
+    """Poll at a process boundary."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        os.sched_yield() if hasattr(os, "sched_yield") else None
+    return True
+
+
+def test_arguments_output_and_status_are_the_programs_own(machine: Any) -> None:
+    write(machine.desk.home, "a.py", "import sys\nprint(sys.argv)\nprint('e', file=sys.stderr)\nsys.exit(3)\n")
+    assert machine.run("python3 a.py 1 'b c'") == (3, "['a.py', '1', 'b c']\n", "e\n")
+
+
+def test_a_missing_file_is_answered_by_python_itself(machine: Any) -> None:
+    result = machine.run("python3 nowhere.py")
+    assert result.status == 2
+    assert "can't open file" in result.err
+    assert "No such file or directory" in result.err
+
+
+def test_the_traceback_is_pythons_own(machine: Any) -> None:
+    write(machine.desk.home, "a.py", "def f():\n    return 1 / 0\n\nf()\n")
+    result = machine.run("python3 a.py")
+    assert result.status == 1
+    lines = result.err.splitlines()
+    assert lines[0] == "Traceback (most recent call last):"
+    assert lines[-1] == "ZeroDivisionError: division by zero"
+    assert not [line for line in lines if "day6_tui" in line]
+
+
+def test_our_packages_are_on_its_path_and_the_environment_is_the_terminals(machine: Any) -> None:
+    write(machine.desk.home, "a.py", "import os, rclpy\nprint(os.environ['COLOUR'], os.environ['ROS_DISTRO'], os.getcwd())\n")
+    result = machine.run("export COLOUR=red; python3 a.py")
+    assert result.out == f"red jazzy {machine.desk.home}\n", result.err
+
+
+def test_it_takes_part_in_pipelines_and_redirections(machine: Any) -> None:
+    write(machine.desk.home, "up.py", "import sys\nfor line in sys.stdin: print(line.upper(), end='')\n")
+    write(machine.desk.home, "count.py", "for i in range(20): print('line', i)\n")
+    assert machine.run("echo abc | python3 up.py | cat").out == "ABC\n"
+    assert machine.run("python3 count.py | grep 1 | wc -l").out == "11\n"
+    assert machine.run("python3 count.py > f; python3 up.py < f | tail -1").out == "LINE 19\n"
+    assert machine.run("python3 up.py <<< word").out == "WORD\n"
+
+
+def test_a_reader_that_stops_early_ends_the_writer(machine: Any) -> None:
+    write(machine.desk.home, "yes.py", "while True: print('y')\n")
+    result = machine.run("python3 yes.py | head -2")
+    assert result.out == "y\ny\n"
+    assert until(lambda: not running_processes())
+
+
+@posix
+@pytest.mark.parametrize(
+    ("number", "status", "word"), [(11, 139, "Segmentation fault"), (15, 143, "Terminated"), (9, 137, "Killed"), (6, 134, "Aborted")]
+)
+def test_death_by_a_signal_is_told_as_bash_does(machine: Any, number: int, status: int, word: str) -> None:
+    result = machine.run(f"python3 -c 'import os; os.kill(os.getpid(), {number})'; echo $?")
+    assert result.out == f"{status}\n"
+    assert result.err == f"{word}\n"
+
+
+@posix
+def test_in_a_terminal_it_has_a_controlling_terminal_of_the_windows_size(seat: Any) -> None:
+    write(
+        seat.desk.home,
+        "a.py",
+        "import os, sys\nprint(sys.stdin.isatty(), sys.stdout.isatty(), os.get_terminal_size())\n"
+        "print(os.tcgetpgrp(0) == os.getpgrp(), os.ttyname(0) == os.ttyname(2), os.nice(0) >= 10)\n"
+        "open('/dev/tty').close()\n",
+    )
+    seat.line("python3 a.py")
+    assert seat.wait_prompt().splitlines()[1:-1] == [
+        "True True os.terminal_size(columns=80, lines=24)",
+        "True True True",
+    ]
+
+
+@posix
+def test_it_prints_as_it_goes_and_reads_what_is_typed(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "name = input('name? ')\nprint('hello', name)\ninput()\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: text.endswith("name?"))
+    seat.type("你好\r")
+    assert seat.wait(lambda text: "hello" in text).splitlines()[-2:] == ["name? 你好", "hello 你好"]
+    seat.type("\r")
+    seat.wait_prompt()
+
+
+@posix
+def test_ctrl_c_is_the_kernels_and_the_traceback_pythons(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "import time\nprint('ready')\nwhile True:\n    time.sleep(0.01)\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.type("\x03")
+    lines = seat.wait_prompt().splitlines()
+    assert lines[2] == "^CTraceback (most recent call last):"
+    assert "KeyboardInterrupt" in lines
+    assert seat.line("echo $?").splitlines()[-2] == "130"
+
+
+@posix
+def test_ctrl_z_stops_it_and_fg_lets_it_go_on(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "print('ready')\nprint('got', input())\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.type("\x1a")
+    assert seat.wait_prompt().splitlines()[-2] == "[1]+  Stopped                 python3 a.py"
+    (process,) = running_processes()
+    stat = Path(f"/proc/{process.pid}/stat")
+    if stat.exists():
+        assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "T")
+    seat.line("fg")
+    seat.type("x\r")
+    assert "got x" in seat.wait_prompt()
+
+
+@posix
+def test_a_changed_window_reaches_it(seat: Any) -> None:
+    write(
+        seat.desk.home,
+        "a.py",
+        "import os, signal\nsignal.signal(signal.SIGWINCH, lambda *a: print(os.get_terminal_size()))\n"
+        "print('ready')\nwhile True: signal.pause()\n",
+    )
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.terminal.resize(60, 12)
+    assert "columns=60, lines=12" in seat.wait(lambda text: "columns=" in text)
+
+
+@posix
+def test_kill_takes_the_job_or_the_process_number(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "import time\nprint('ready')\ntime.sleep(1000)\n")
+    seat.line("python3 a.py &")
+    seat.wait(lambda text: "ready" in text)
+    (process,) = running_processes()
+    seat.line("kill %1")
+    seat.wait(lambda text: not running_processes())
+    assert seat.line("").splitlines()[-2] == "[1]+  Terminated              python3 a.py"
+    assert until(lambda: gone(process.pid))
+
+
+@posix
+@pytest.mark.parametrize("stubborn", ["SIGINT", "SIGINT, signal.SIGTERM"])
+def test_closing_the_desk_ends_even_a_program_that_does_not_want_to(machine: Any, stubborn: str) -> None:
+    write(
+        machine.desk.home,
+        "a.py",
+        f"import signal, time\nfor s in (signal.{stubborn},): signal.signal(s, signal.SIG_IGN)\n"
+        "print('ready', flush=True)\nwhile True: time.sleep(1)\n",
+    )
+    machine.start("python3 a.py")
+    machine.wait(lambda: "ready" in machine.out.text)
+    (process,) = running_processes()
+    start = time.monotonic()
+    machine.desk.close()
+    assert time.monotonic() - start < 6
+    assert until(lambda: gone(process.pid))
+    assert running_processes() == []
+
+
+@posix
+def test_what_a_program_started_ends_with_it(machine: Any) -> None:
+    write(
+        machine.desk.home,
+        "a.py",
+        "import subprocess, sys\nchild = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(1000)'])\n"
+        "print(child.pid, flush=True)\nchild.wait()\n",
+    )
+    machine.start("python3 a.py")
+    machine.wait(lambda: "\n" in machine.out.text)
+    child = int(machine.out.text)
+    machine.desk.close()
+    assert until(lambda: gone(child))
+
+
+@posix
+@pytest.mark.parametrize("terminal", [True, False])
+def test_no_process_outlives_a_day6_that_was_killed(tmp_path: Path, terminal: bool) -> None:
+    write(tmp_path, "a.py", "import os, signal, time\nsignal.signal(signal.SIGHUP, signal.SIG_IGN)\nopen('pid', 'w').write(str(os.getpid()))\nwhile True: time.sleep(1)\n")  # fmt: skip
+    script = tmp_path / "desk.py"
+    write(
+        tmp_path,
+        "desk.py",
+        "from pathlib import Path\nfrom day6_tui.core.shell.desk import Desk\nimport threading\n"
+        f"desk = Desk(Path({str(tmp_path)!r}), join_link=False)\nterminal = desk.open_terminal(80, 24)\n"
+        f"terminal.run_line('python3 a.py' if {terminal} else 'python3 a.py | cat')\n"
+        "desk.start()\nthreading.Event().wait()\n",
+    )
+    ours = subprocess.Popen([sys.executable, str(script)])
+    try:
+        pid_file = tmp_path / "pid"
+        assert until(lambda: pid_file.exists() and pid_file.read_text() != "")
+        pid = int(pid_file.read_text())
+        ours.send_signal(signal.SIGKILL)
+        ours.wait(10)
+        assert until(lambda: gone(pid))
+    finally:
+        ours.kill()
+
+
+@posix
+def test_a_flood_of_output_leaves_the_keys_alive_and_the_memory_bounded(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "while True: print('x' * 60)\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "xxxx" in text)
+    seat.type("\x03")
+    assert "KeyboardInterrupt" in seat.wait_prompt()
+    assert seat.terminal._size < 512 * 1024
+
+
+def test_a_pause_of_the_world_stops_it_too(machine: Any) -> None:
+    write(machine.desk.home, "a.py", "import time\nprint('ready', flush=True)\ntime.sleep(1000)\n")
+    machine.start("python3 a.py")
+    machine.wait(lambda: "ready" in machine.out.text)
+    (process,) = running_processes()
+    stat = Path(f"/proc/{process.pid}/stat")
+    if not stat.exists():
+        pytest.skip("no /proc to look at")
+    machine.desk.pause()
+    assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "T")
+    machine.desk.resume()
+    assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "S")
+
+
+def test_a_file_with_a_python_first_line_runs_as_a_command(machine: Any) -> None:
+    write(machine.desk.home, "a.py", "#!/usr/bin/env python3\nimport sys\nprint('ran', sys.argv[1:])\n")
+    assert machine.run("chmod +x a.py; ./a.py 1 2").out == "ran ['1', '2']\n"
+    write(machine.desk.home, "b.sh", "#!/bin/bash\necho script $1\nexit 5\n")
+    assert machine.run("chmod +x b.sh; ./b.sh x") == (5, "script x\n", "")
