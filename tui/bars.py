@@ -32,7 +32,7 @@ class Bar(Pane, can_focus=False):
         pieces = self._source()
         if pieces != self._shown:
             self._shown = pieces
-            self.touch()
+            self.touch_lines([0])
         return False
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:

@@ -108,9 +108,9 @@ class Pane(Widget, can_focus=True):
         self.touch()
 
     def touch_lines(self, lines: Iterable[int]) -> None:
-        """These lines of the inside have to be drawn again."""
-        offset, width = self.inner_offset, self.inner_width
-        self.touch_spans((line, 0, width) for line in lines if offset + line >= 0)
+        """These lines of the inside may look different now: the cells that really do are refreshed."""
+        offset, height = self.inner_offset, self.inner_height
+        self._compare(line + offset for line in lines if 0 <= line < height)
 
     def touch_spans(self, spans: Iterable[tuple[int, int, int]]) -> None:
         """These parts (line, first column, end column) of the inside have to be drawn again."""
@@ -124,12 +124,21 @@ class Pane(Widget, can_focus=True):
             self.refresh(*regions)
 
     def touch_frame(self) -> None:
-        """Title and status have to be drawn again."""
-        if self.framed:
-            for y in (0, self.size.height - 1):
-                self._strips.pop(y, None)
-            width = self.size.width
-            self.refresh(Region(0, 0, width, 1), Region(0, self.size.height - 1, width, 1))
+        """Title and status may look different now."""
+        if self.framed and self.size.height > 1:
+            self._compare((0, self.size.height - 1))
+
+    def _compare(self, rows: Iterable[int]) -> None:
+        """Draw rows of the pane anew and refresh what differs from the strips shown."""
+        width = self.size.width
+        regions = []
+        for y in rows:
+            old = self._strips.get(y)
+            new = self._strips[y] = self._make_strip(y)
+            spans = [(0, width)] if old is None else differences(old, new)
+            regions += [Region(first, y, end - first, 1) for first, end in spans]
+        if regions:
+            self.refresh(*regions)
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 
@@ -233,6 +242,41 @@ class Pane(Widget, can_focus=True):
 
     def on_blur(self, event: events.Blur) -> None:
         self.touch()
+
+
+JOIN_GAP = 8
+"""Equal cells between two differences up to which one span is sent: moving the cursor and setting colours costs more."""
+
+
+def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
+    """The spans (first, end) of cells in which two strips differ."""
+    before, after = _cells(old), _cells(new)
+    if len(before) != len(after):
+        return [(0, len(after))]
+    spans: list[tuple[int, int]] = []
+    for x, (a, b) in enumerate(zip(before, after)):
+        if a != b:
+            if spans and x - spans[-1][1] <= JOIN_GAP:
+                spans[-1] = (spans[-1][0], x + 1)
+            else:
+                spans.append((x, x + 1))
+    # Both halves of a wide character belong to a span.
+    wide = [(first - (after[first][0] == "" and first > 0), end) for first, end in spans]
+    return [(first, end + (end < len(after) and after[end][0] == "")) for first, end in wide]
+
+
+def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
+    """The cells of a strip; a wide character is followed by an empty one."""
+    cells: list[tuple[str, Style | None]] = []
+    for text, style, _ in strip:
+        if text.isascii():
+            cells += [(char, style) for char in text]
+        else:
+            for char in text:
+                cells.append((char, style))
+                if cell_len(char) == 2:
+                    cells.append(("", style))
+    return cells
 
 
 def _in_ascii(strip: Strip) -> Strip:

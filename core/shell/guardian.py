@@ -21,9 +21,9 @@ while read -r change group; do
   esac
 done
 [ "$groups" = " " ] && exit 0
-for group in $groups; do kill -TERM -- "-$group" 2>/dev/null; kill -CONT -- "-$group" 2>/dev/null; done
+for group in $groups; do kill -s TERM -- "-$group" 2>/dev/null; kill -s CONT -- "-$group" 2>/dev/null; done
 sleep 1
-for group in $groups; do kill -KILL -- "-$group" 2>/dev/null; done
+for group in $groups; do kill -s KILL -- "-$group" 2>/dev/null; done
 """
 
 _lock = threading.Lock()

@@ -41,6 +41,9 @@ RUNAWAYS = {
 
 Row = tuple[str, str, str]
 
+# Compiled modules are part of any installation; a machine that forbids writing them would measure the compiler.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 
 class Bench:
     """One run: `quick` measures shorter and fewer times."""

@@ -12,6 +12,7 @@ from rcl_interfaces.srv import ListParameters, SetParameters
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
+from day6_tui.core.ros.programs.robot_state_publisher._segments import Throttle
 from day6_tui.urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
@@ -340,9 +341,18 @@ def test_mimic_joints_follow_the_joint_they_mimic(machine: Machine, tmp_path: Pa
     assert [2 * math.asin(item.transform.rotation.y) for item in heard[0].transforms] == pytest.approx([1.0, -0.25])
 
 
-def test_time_that_runs_backwards_is_told_and_everything_published_again() -> None:
-    from day6_tui.core.ros.programs.robot_state_publisher._segments import Throttle
+@pytest.mark.parametrize(("frequency", "milliseconds"), [(20.0, 50), (30.0, 33), (1000.0, 1), (0.0, 0)])
+def test_the_interval_is_whole_milliseconds(frequency: float, milliseconds: int) -> None:
+    throttle = Throttle()
+    then = 10_000_000_000
+    throttle.note(["j"], then)
+    due = then + milliseconds * 1_000_000
+    assert throttle.admits(["j"], due, due, frequency)
+    assert milliseconds == 0 or not throttle.admits(["j"], due - 1, due, frequency)
+    assert throttle.admits(["j", "new"], then, due, frequency)  # a joint never seen waits from the beginning of time
 
+
+def test_time_that_runs_backwards_is_told_and_everything_published_again() -> None:
     throttle = Throttle()
     second = 1_000_000_000
     assert not throttle.went_back(10 * second) and throttle.admits(["j"], 10 * second, 10 * second, 20.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 from std_msgs.msg import Header, Int32, String
 
@@ -223,6 +225,16 @@ def test_pub_without_end_prints_every_nth_message_until_ctrl_c(machine):
         "publisher: beginning loop\npublishing #5: std_msgs.msg.String(data='你好')\n\n"
         "publishing #10: std_msgs.msg.String(data='你好')\n\n"
     )
+
+
+def test_a_rate_beyond_the_machine_leaves_the_world_its_time(machine):
+    pub = machine.start("topic", "pub", "-r", "1e9", "-p", "0", "/x", "std_msgs/msg/String")
+    began = time.monotonic()
+    pub.step(0.2)
+    # Without a limit this would be 200 million publications.
+    assert time.monotonic() - began < 5.0
+    pub.interrupt()
+    assert pub.status == 2
 
 
 def test_pub_stamps_every_message_anew(machine):

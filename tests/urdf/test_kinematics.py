@@ -98,6 +98,8 @@ def test_quaternions_are_x_y_z_w() -> None:
         (1.0, (0, math.sin(0.5), 0, math.cos(0.5))),
         (3.0, (0, math.sin(1.5), 0, math.cos(1.5))),
         (4.0, (0, math.sin(2.0), 0, math.cos(2.0))),  # w is negative: KDL keeps y positive while the trace is
+        (4.1, (0, math.sin(2.05), 0, math.cos(2.05))),
+        (4.3, (0, -math.sin(2.15), 0, -math.cos(2.15))),  # past 240 degrees the trace is positive again
         (6.0, (0, -math.sin(3.0), 0, -math.cos(3.0))),
     ],
 )

@@ -10,7 +10,7 @@ from rich.style import Style
 from textual import events
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
@@ -61,12 +61,7 @@ class CarPane(WindowPane):
         if spoken != self._said or len(before) != len(self._rows):
             self.touch()
             return False
-        spans = []
-        for line, (old, new) in enumerate(zip(before, self._rows)):
-            span = _difference(old, new)
-            if span is not None:
-                spans.append((line, *span))
-        self.touch_spans(spans)
+        self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._rows)) if old != new)
         if rate_before != self._rate():
             self.touch_frame()
         return False
@@ -138,28 +133,3 @@ class CarPane(WindowPane):
             self._boxes = not self._boxes
             self.restyle()
             self.look.wake()
-
-
-def _difference(old: Row, new: Row) -> tuple[int, int] | None:
-    """The first and end column of what differs between two rows of runs; None if they are equal."""
-    if old == new:
-        return None
-    before, after = _cells(old), _cells(new)
-    width = min(len(before), len(after))
-    first = next((x for x in range(width) if before[x] != after[x]), width)
-    end = max(len(before), len(after))
-    while end > first and end <= width and before[end - 1] == after[end - 1]:
-        end -= 1
-    if first and after[first : first + 1] == [("", "")]:
-        first -= 1
-    return first, end + 1
-
-
-def _cells(row: Row) -> list[tuple[str, str]]:
-    cells: list[tuple[str, str]] = []
-    for text, style in row:
-        for char in text:
-            cells.append((char, style))
-            if cell_len(char) == 2:
-                cells.append(("", ""))
-    return cells

@@ -91,8 +91,9 @@ class TurtleSimPane(WindowPane):
             return False
         canvas = self._take_over()
         x, y, _, _ = self._world_place()
-        self.touch_spans((row + y, first + x, end + x) for row, first, end in canvas.take_changes())
-        self._touch_texts()
+        compared = self._touch_texts()
+        spans = [(row + y, first + x, end + x) for row, first, end in canvas.take_changes()]
+        self.touch_spans(span for span in spans if span[0] not in compared)
         return False
 
     def _take_over(self) -> Canvas:
@@ -169,16 +170,19 @@ class TurtleSimPane(WindowPane):
         canvas.set_sprites(sprites)
         canvas.set_marks(marks)
 
-    def _touch_texts(self) -> None:
-        """The status line and the list of turtles, if they say something else than before."""
+    def _touch_texts(self) -> range:
+        """Compare the status line and the list of turtles with what is shown; the lines of the list, if they were compared."""
         status = [piece.text for piece in self.status()]
-        if status != self._shown_status:
-            self._shown_status = status
-            self.touch_frame()
-            place = self._list_place()
-            if place is not None:
-                x, y, width, height = place
-                self.touch_spans((line, x, x + width) for line in range(y, min(y + height, y + 2 + len(self._scene.turtles))))
+        if status == self._shown_status:
+            return range(0)
+        self._shown_status = status
+        self.touch_frame()
+        place = self._list_place()
+        if place is None:
+            return range(0)
+        lines = range(place[1], min(place[1] + place[3], place[1] + 1 + len(self._scene.turtles)))
+        self.touch_lines(lines)
+        return lines
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 

@@ -8,7 +8,6 @@ from argparse import REMAINDER, ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.ros2.cli.completion import executable_names, package_names
-from day6_tui.core.ros.ros2.cli.failure import failure_text
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
@@ -60,6 +59,8 @@ async def _run_built_in(session: Session, package: str, executable: Executable, 
     except BrokenPipeError:
         raise
     except Exception as error:
+        from day6_tui.core.ros.ros2.cli.failure import failure_text
+
         _log.debug("%s ended by an exception", executable.path, exc_info=True)
         session.stderr.write(failure_text(error))
         status = 1

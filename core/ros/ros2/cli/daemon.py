@@ -7,7 +7,7 @@ each graph of a machine that goes on after the command; a command in a terminal 
 
 from __future__ import annotations
 
-import uuid
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
@@ -68,7 +68,7 @@ def start(session: Session) -> bool:
 
     context = Context._for_session(session.graph, session.clock)
     node = Node(
-        f"{PREFIX}_{session.graph.domain_id}_{uuid.uuid4().hex}",
+        f"{PREFIX}_{session.graph.domain_id}_{os.urandom(16).hex()}",
         context=context,
         cli_args=[],
         start_parameter_services=False,

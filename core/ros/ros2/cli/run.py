@@ -7,7 +7,6 @@ import signal
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros import environment
-from day6_tui.core.ros.ros2.cli.failure import failure_text
 from day6_tui.core.ros.ros2.cli.later import missing
 from day6_tui.core.ros.ros2.cli.parser import ParserExit
 from day6_tui.core.ros.ros2.cli.tree import build_parser, chosen_words, command_names
@@ -56,6 +55,8 @@ async def _status_of(session: Session, args: Any) -> int:
     except RuntimeError as error:
         outcome = str(error)
     except Exception as error:
+        from day6_tui.core.ros.ros2.cli.failure import failure_text
+
         _log.debug("%s", " ".join(session.argv), exc_info=True)
         session.stderr.write(failure_text(error))
         return 1

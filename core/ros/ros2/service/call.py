@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.ros.ros2.cli.completion import request_prototype, service_names, service_types_of_service
 from day6_tui.core.ros.ros2.cli.node import PREFIX, plain_node
 from day6_tui.core.ros.ros2.cli.options import completed
+from day6_tui.core.ros.ros2.cli.pace import Pace
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -62,7 +63,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         while not client.service_is_ready():
             await session.sleep(POLL_SECONDS)
     session.executor.add_node(node)
-    ticks = session.every(1.0 / args.rate) if args.rate else None
+    pace = Pace(session, 1.0 / args.rate) if args.rate else None
     while True:
         session.print(f"requester: making request: {request!r}\n")
         future = client.call_async(request)
@@ -71,9 +72,10 @@ async def main(session: Session, args: Namespace) -> str | None:
         if response is None:
             raise RuntimeError(f"Exception while calling service: {future.exception()!r}")
         session.print(f"response:\n{response!r}\n")
-        if ticks is None:
+        if pace is None:
             return None
-        await ticks.__anext__()
+        await session.stdout.drain()
+        await pace.turn()
 
 
 def _service_class(type_name: str) -> tuple[str, Any]:

@@ -81,7 +81,10 @@ _COMPARE: dict[type, Callable[[Any, Any], Any]] = {
 }
 
 LONGEST = 1_000_000
-"""Bits of a number, items of a sequence, steps of one evaluation: a filter runs in the desktop and must not eat it up."""
+"""Bits of a number, items of a sequence: a filter runs in the desktop and must not eat its memory."""
+
+STEPS = 200_000
+"""Parts of the expression evaluated for one message (half a second): nor its time."""
 
 
 class FilterError(RuntimeError):
@@ -104,7 +107,7 @@ class _Evaluation:
         self.steps: Iterator[int] = count() if steps is None else steps
 
     def of(self, node: ast.AST) -> Any:
-        if next(self.steps) > LONGEST:
+        if next(self.steps) > STEPS:
             raise FilterError("a filter cannot take so long")
         handler = getattr(self, f"_{type(node).__name__.lower()}", None)
         if handler is None:

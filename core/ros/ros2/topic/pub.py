@@ -14,6 +14,7 @@ from day6_tui.core.ros.ros2.cli.options import (
     nonnegative_int,
     positive_float,
 )
+from day6_tui.core.ros.ros2.cli.pace import Pace
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -117,12 +118,12 @@ async def main(session: Session, args: Namespace) -> str | None:
     publication.publish()
     if times != 1:
         session.executor.add_node(node)
-        async for _ in session.every(1.0 / args.rate):
+        pace = Pace(session, 1.0 / args.rate)
+        while publication.count != times:
+            await session.stdout.drain()
+            await pace.turn()
             session.spin_some()
             publication.publish()
-            await session.stdout.drain()
-            if publication.count == times:
-                break
     await session.sleep(args.keep_alive)
     return None
 

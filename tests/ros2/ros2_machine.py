@@ -1,0 +1,128 @@
+"""A small stepped machine that runs `ros2`: no wall clock, no link, no process."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros import ros2
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import Captured, TextInput
+
+
+class Result(NamedTuple):
+    stdout: str
+    stderr: str
+    status: int | None
+
+
+class Command:
+    """A `ros2` command that runs; `step` lets world time pass."""
+
+    def __init__(self, machine: Machine, session: Session, program: Program) -> None:
+        self.machine = machine
+        self.session = session
+        self.program = program
+
+    @property
+    def stdout(self) -> str:
+        return self.session.stdout.text
+
+    @property
+    def stderr(self) -> str:
+        return self.session.stderr.text
+
+    @property
+    def status(self) -> int | None:
+        return self.program.status
+
+    def step(self, seconds: float = 0.0) -> None:
+        self.machine.step(seconds)
+
+    def interrupt(self) -> None:
+        self.session.interrupt()
+        self.machine.step()
+
+
+class Machine:
+    """One graph and one stepped clock. `daemon`: whether commands find a daemon, as in the desktop."""
+
+    def __init__(self, cwd: Path) -> None:
+        self.graph = Graph()
+        self.clock = WorldClock(wall=None)
+        self.scheduler = Scheduler(self.clock)
+        self.cwd = cwd
+        self.daemon = False
+        self.env = {"COLUMNS": "80"}
+        self._pids = itertools.count(100)
+
+    def step(self, seconds: float = 0.0) -> None:
+        self.scheduler.advance(seconds)
+
+    def session(self, argv: list[str], stdin: str = "") -> Session:
+        session = Session(
+            self.scheduler,
+            self.graph,
+            argv,
+            env=dict(self.env),
+            cwd=self.cwd,
+            pid=next(self._pids),
+            stdin=TextInput(stdin),
+            stdout=Captured(),
+            stderr=Captured(),
+        )
+        session.shell = object() if self.daemon else None
+        return session
+
+    def start(self, *words: str, stdin: str = "") -> Command:
+        """Start `ros2 WORDS…` and let it do what it can at this moment."""
+        session = self.session(["ros2", *words], stdin)
+        command = Command(self, session, Program(session, ros2.main))
+        self.step()
+        return command
+
+    def ros2(self, *words: str, stdin: str = "", seconds: float = 30.0) -> Result:
+        """Run `ros2 WORDS…` to its end, for at most so many world seconds."""
+        command = self.start(*words, stdin=stdin)
+        passed = 0.0
+        while command.status is None and passed < seconds:
+            self.step(0.05)
+            passed += 0.05
+        return Result(command.stdout, command.stderr, command.status)
+
+    def complete(self, *words: str) -> list[str]:
+        """The Tab completions of a line whose last word is the last of `words`."""
+        found: list[str] = []
+
+        async def complete(session: Session) -> None:
+            found.extend(await ros2.complete(["ros2", *words], session))
+
+        self.program(complete)
+        return found
+
+    def node(self, name: str, build: Callable[[Any], object] | None = None, **keywords: Any) -> Any:
+        """Let a node run: `build(node)` gives it what it has."""
+        made = []
+
+        async def main(session: Session) -> None:
+            node = session.create_node(name, cli_args=[], **keywords)
+            made.append(node)
+            if build is not None:
+                build(node)
+            await session.spin(node)
+
+        self.program(main)
+        return made[0]
+
+    def program(self, main) -> Session:
+        """Run another program on the same machine: `main(session)`."""
+        session = self.session(["program"])
+        Program(session, main)
+        self.step()
+        return session

@@ -1,0 +1,31 @@
+"""What a listing does not need it does not load: a whole `ros2 topic list` must start quickly."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+SCRIPT = """
+import sys
+from day6_tui.core.ros.environment import activate
+activate()
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros import ros2
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Session
+scheduler = Scheduler(WorldClock(wall=None))
+program = Program(Session(scheduler, Graph(), ["ros2", "topic", "list"]), ros2.main)
+for _ in range(20):
+    scheduler.advance(0.1)
+assert program.status == 0
+heavy = {"numpy", "asyncio", "yaml", "textual", "rich", "zenoh", "xmlrpc"} & {name.partition(".")[0] for name in sys.modules}
+verbs = [name for name in sys.modules if ".ros2.topic." in name]
+print(sorted(heavy), verbs)
+"""
+
+
+def test_a_list_loads_no_heavy_library_and_no_other_verb():
+    done = subprocess.run([sys.executable, "-c", SCRIPT], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == "[] ['day6_tui.core.ros.ros2.topic.list']"
