@@ -11,7 +11,7 @@ WIDE = 100
 SINGLE_ROWS = 14
 """With fewer rows than this one pane is shown at a time."""
 
-WINDOW_ROWS = 11
+WINDOW_ROWS = 15
 """A window that gets fewer rows than this waits behind another one."""
 
 

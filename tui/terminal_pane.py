@@ -9,7 +9,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
-from day6_tui.tui.cells import clip, fit
+from day6_tui.tui.cells import cell_len, clip, fit
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.terminal_keys import encode
@@ -90,19 +90,26 @@ class TerminalPane(Pane):
     # -- frame ---------------------------------------------------------------------------------------------------------
 
     def title(self) -> list[Piece]:
-        colours, glyphs = self.look.colours, self.look.glyphs
+        colours = self.look.colours
         pieces = []
-        for index, view in enumerate(self.views):
-            name = tab_name(view.terminal.title)
-            label = clip(f"{index + 1} {name}".rstrip(), TAB_WIDTH, glyphs.ellipsis)
-            if index != self.active and view.terminal.has_news:
-                label += f" {glyphs.news}"
+        for index, label in enumerate(self._labels()):
             if index == self.active:
                 style = colours.title_focus if self.has_focus else colours.strong
             else:
                 style = colours.title
             pieces.append(Piece(f" {label} ", style, lambda index=index: self._choose(index)))
         return pieces
+
+    def _labels(self) -> list[str]:
+        """What stands on the tabs: as much of the names as fits side by side, at least the numbers."""
+        glyphs = self.look.glyphs
+        names = [f"{index + 1} {tab_name(view.terminal.title)}".rstrip() for index, view in enumerate(self.views)]
+        news = [index != self.active and view.terminal.has_news for index, view in enumerate(self.views)]
+        room = self.inner_width - 2 * len(names) - 2 * sum(news)
+        width = TAB_WIDTH
+        while width > 2 and sum(min(width, cell_len(name)) for name in names) > room:
+            width -= 1
+        return [clip(name, width, glyphs.ellipsis) + f" {glyphs.news}" * new for name, new in zip(names, news)]
 
     def _choose(self, index: int) -> None:
         self.activate(index)

@@ -114,6 +114,8 @@ class Link:
             self._end_listening()
             self.graph.transport = None
             self.graph.identify = lambda _: self.graph.new_gid()
+        if self._services is not None:
+            self._services.close()
         for session in (self._session, self._gate):
             if session is not None:
                 session.close()

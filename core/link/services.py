@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 _FOREVER = 10 * 365 * 24 * 3600.0
 """Seconds. A service may take as long as it likes (an action's result does), but Zenoh wants a limit."""
+_ASK_AGAIN = (0.05, 0.2, 0.5, 1.0)
+"""Seconds after which a request that found no server is sent again."""
 _MOST_OPEN_QUESTIONS = 5000
 """Of one server. The oldest go first: their clients never hear of them, as with a lost request."""
 
@@ -33,6 +35,7 @@ class Services:
         self._session = session
         self._zid = zid
         self._report = report
+        self._closed = False
         self._lock = threading.Lock()
         self._questions: dict[Service, dict[RequestId, zenoh.Query]] = {}
         self._clients: dict[Client, tuple[bytes, zenoh.CancellationToken]] = {}
@@ -61,23 +64,55 @@ class Services:
 
     def send_request(self, client: Client, request: Any, number: int) -> None:
         """Ask all remote servers; their responses arrive at `client`."""
+        gid, _ = self._open_client(client)
+        self._ask(client, serialize(request), pack(number, client.node.graph.now_ns(), gid), 0)
+
+    def _ask(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
         import zenoh
 
-        gid, cancellation = self._open_client(client)
+        answered = False
+
+        def receive(reply: zenoh.Reply) -> None:
+            nonlocal answered
+            answered = True
+            self._take_reply(client, reply)
+
+        def done() -> None:
+            # Between machines a server's token may arrive before the way to it is known, and a query that finds nobody
+            # ends at once: ask again while there is a server.
+            if answered or attempt == len(_ASK_AGAIN) or self._closed or not _has_remote_server(client):
+                return
+            timer = threading.Timer(_ASK_AGAIN[attempt], self._ask_again, (client, payload, attachment, attempt + 1))
+            timer.daemon = True
+            timer.start()
+
+        _, cancellation = self._open_client(client)
         self._session.get(
             data_key(client),
-            zenoh.handlers.Callback(self._answered(client), indirect=False),
+            zenoh.handlers.Callback(receive, done, indirect=False),
             target=zenoh.QueryTarget.ALL_COMPLETE,
             consolidation=zenoh.ConsolidationMode.NONE,
             congestion_control=zenoh.CongestionControl.BLOCK,
             # A queue of their own: calls, and the answers to them, do not wait behind messages.
             priority=zenoh.Priority.INTERACTIVE_HIGH,
             timeout=_FOREVER,
-            payload=serialize(request),
-            attachment=pack(number, client.node.graph.now_ns(), gid),
+            payload=payload,
+            attachment=attachment,
             allowed_destination=zenoh.Locality.REMOTE,
             cancellation_token=cancellation,
         )
+
+    def _ask_again(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
+        if self._closed or not _has_remote_server(client):
+            return
+        try:
+            self._ask(client, payload, attachment, attempt)
+        except Exception as error:
+            self._report(f"a request to {client.topic} was lost", error)
+
+    def close(self) -> None:
+        """Ask nothing again; called before the session closes."""
+        self._closed = True
 
     def withdraw(self, endpoint: Service | Client) -> None:
         """Forget a server with its open questions, or a client with its open requests."""
@@ -140,16 +175,17 @@ class Services:
             query.drop()
         return new
 
-    def _answered(self, client: Client) -> Callable[[zenoh.Reply], None]:
-        def receive(reply: zenoh.Reply) -> None:
-            try:
-                sample = reply.ok
-                if sample is None or sample.attachment is None or client.destroyed:
-                    return
-                number, _, _ = unpack(sample.attachment.to_bytes())
-                response_class = get_service(client.type_name).Response
-                client.receive(deserialize(sample.payload.to_bytes(), response_class), number)
-            except Exception as error:
-                self._report(f"a response of {client.topic} was lost", error)
+    def _take_reply(self, client: Client, reply: zenoh.Reply) -> None:
+        try:
+            sample = reply.ok
+            if sample is None or sample.attachment is None or client.destroyed:
+                return
+            number, _, _ = unpack(sample.attachment.to_bytes())
+            response_class = get_service(client.type_name).Response
+            client.receive(deserialize(sample.payload.to_bytes(), response_class), number)
+        except Exception as error:
+            self._report(f"a response of {client.topic} was lost", error)
 
-        return receive
+
+def _has_remote_server(client: Client) -> bool:
+    return not client.destroyed and any(service.origin is not None for service in client.matched)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 
 Report = Callable[[str, Exception], None]
 
+_LONGEST_WAY = 0.1
+"""Seconds."""
+
 
 class _Outlet(NamedTuple):
     """A Zenoh publisher, its GID, and the number of the last message it sent when it was opened."""
@@ -29,6 +33,21 @@ class _Outlet(NamedTuple):
 
     def put(self, message: Any, source_timestamp: int, number: int) -> None:
         self.publisher.put(serialize(message), attachment=pack(number, source_timestamp, self.gid))
+
+
+def _wait_for_route(publisher: zenoh.Publisher) -> None:
+    """Let a new Zenoh publisher find its way: over a router a subscription's token may arrive before the subscription.
+
+    In one machine the way is known at once; the first message is worth a tenth of a second elsewhere.
+    """
+    deadline = time.monotonic() + _LONGEST_WAY
+    while not _has_route(publisher) and time.monotonic() < deadline:
+        time.sleep(0.001)
+
+
+def _has_route(publisher: zenoh.Publisher) -> bool:
+    status: Any = publisher.matching_status  # a MatchingStatus, whatever its stub says
+    return bool(status.matching)
 
 
 class Topics:
@@ -50,6 +69,8 @@ class Topics:
         outlet = self._outlets.get(publisher)
         if outlet is None:
             outlet = self.open(publisher)
+            if publisher.cache is None and not self._never_wait:
+                _wait_for_route(outlet.publisher)
         if number > outlet.replayed:
             outlet.put(message, source_timestamp, number)
 

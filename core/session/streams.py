@@ -78,12 +78,14 @@ class InputStream:
         yield
 
     def fork(self) -> InputStream:
-        """On a terminal: another reader of it, which gets keys only while it has the focus. Elsewhere the stream itself."""
+        """On a terminal: the end of it for a job started here, which gets the keys while it has the focus. Else the same."""
         return self
 
-    def focus(self) -> InputStream | None:
-        """On a terminal: take the keys from now on; returns the reader that had them. Elsewhere None."""
-        return None
+    def focus(self) -> None:
+        """On a terminal: take the keys of the reader this was forked from (of a job in the background: once that has them)."""
+
+    def unfocus(self) -> None:
+        """On a terminal: give the keys back to the reader this was forked from."""
 
     def terminal_of(self, *outputs: OutputStream) -> TerminalSide | None:
         """The simulated terminal that this stream and at least one of `outputs` belong to, None if there is none."""

@@ -91,7 +91,6 @@ class Desk:
         self.programs: dict[int, Program] = {}
         """What runs, by process number."""
         self.terminals: list[Terminal] = []
-        self.booted_ns = self.clock.steady_ns()
         self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
         self._joined: set[Graph] = set()
         self._on_demand = False
@@ -215,7 +214,7 @@ class Desk:
         from day6_tui.core.shell.process import running_processes
 
         for process in running_processes():
-            process.pause(stopped)
+            process.pause(stopped, "world")
 
     # -- terminals -----------------------------------------------------------------------------------------------------
 

@@ -27,8 +27,8 @@ class Discipline:
 
     def __init__(self, terminal: Terminal) -> None:
         self.terminal = terminal
-        self.front: TtyInput | None = None
-        """The reader that has the keys."""
+        self.root = TtyInput(self)
+        """The shell's end of the terminal; the ends of its jobs are forked from it."""
         self.arrived = Signal()
         """Set when there is more to read, or the focus moved."""
         self.hung_up = False
@@ -39,12 +39,27 @@ class Discipline:
         """The unfinished line in cooked mode."""
         self._receivers: set[KeyReceiver] = set()
 
+    @property
+    def front(self) -> TtyInput:
+        """The reader that has the keys: from the shell down, the job each one waits for."""
+        reader = self.root
+        while reader.current is not None:
+            reader = reader.current
+        return reader
+
+    def front_changed(self, before: TtyInput) -> None:
+        """Adapt the queue to the mode of the reader that has the keys now."""
+        after = self.front
+        if before.is_raw != after.is_raw:
+            (self.become_raw if after.is_raw else self.become_cooked)()
+        self.arrived.set()
+
     # -- typing --------------------------------------------------------------------------------------------------------
 
     def type(self, text: str) -> None:
         """Handle what was typed, in the mode of the foreground reader."""
         front = self.front
-        if front is not None and front.receiver is not None:
+        if front.receiver is not None:
             self._to_process(front.receiver, text)
             return
         for key in split_keys(text):
@@ -65,8 +80,8 @@ class Discipline:
 
     def _key(self, key: str) -> None:
         front = self.front
-        raw = front is not None and front.is_raw
-        if front is None or front.signals:
+        raw = front.is_raw
+        if front.signals:
             if key in (INTERRUPT, QUIT):
                 self._ready = self._line = ""
                 if not raw:
@@ -176,8 +191,11 @@ class Discipline:
 class TtyInput(InputStream):
     """One job's end of the terminal: its mode, and its turn to read."""
 
-    def __init__(self, discipline: Discipline) -> None:
+    def __init__(self, discipline: Discipline, parent: TtyInput | None = None) -> None:
         self.discipline = discipline
+        self.parent = parent
+        self.current: TtyInput | None = None
+        """The fork that has this one's keys."""
         self.is_raw = False
         self.signals = True
         self.receiver: KeyReceiver | None = None
@@ -190,15 +208,19 @@ class TtyInput(InputStream):
         return True
 
     def fork(self) -> TtyInput:
-        return TtyInput(self.discipline)
+        return TtyInput(self.discipline, self)
 
-    def focus(self) -> InputStream | None:
-        discipline = self.discipline
-        before, discipline.front = discipline.front, self
-        if before is not None and before.is_raw != self.is_raw:
-            (discipline.become_raw if self.is_raw else discipline.become_cooked)()
-        discipline.arrived.set()
-        return before
+    def focus(self) -> None:
+        if self.parent is not None:
+            before = self.discipline.front
+            self.parent.current = self
+            self.discipline.front_changed(before)
+
+    def unfocus(self) -> None:
+        if self.parent is not None and self.parent.current is self:
+            before = self.discipline.front
+            self.parent.current = None
+            self.discipline.front_changed(before)
 
     def terminal_of(self, *outputs: OutputStream) -> Terminal | None:
         mine = not outputs or any(getattr(output, "terminal", None) is self.terminal for output in outputs)

@@ -50,6 +50,8 @@ class LineEditor:
         """Row of the cursor, counted from the row the prompt begins in."""
         self._tabs = 0
         self._done = False
+        self._own_version = 0
+        """Version of the terminal after our last write."""
 
     async def read(self, prompt: str) -> str | None:
         """Return the line without its newline; None after Ctrl-C. Raises EndOfLines."""
@@ -69,6 +71,7 @@ class LineEditor:
                         self._draw()
                         continue
                     key = await stdin.read_key()
+                    self._start_again_below()
                     if key == "\x03":
                         self._finish("^C")
                         return None
@@ -293,6 +296,15 @@ class LineEditor:
 
     def _write(self, text: str) -> None:
         self._terminal.write(text)
+        self._own_version = self._terminal.version
+
+    def _start_again_below(self) -> None:
+        """Others wrote into the line (a job in the background): show prompt and line once more, under what they wrote."""
+        if self._terminal.version != self._own_version:
+            if not self._terminal.at_line_start:
+                self._write("\r\n")
+            self._cursor_row = 0
+            self._draw()
 
     _drawn: tuple[str, str, int] = ("", "", 0)
 

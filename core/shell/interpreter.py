@@ -478,7 +478,7 @@ class Shell:
 
     async def _wait_front(self, job: Job) -> None:
         self._front.append(job)
-        before = job.tty.focus()
+        job.tty.focus()
         try:
             await job.wait()
         except BaseException:
@@ -487,8 +487,7 @@ class Shell:
             raise
         finally:
             self._front.remove(job)
-            if before is not None:
-                before.focus()
+            job.tty.unfocus()
 
     def _after(self, job: Job, streams: Streams) -> None:
         if job.stopped:

@@ -79,6 +79,7 @@ class Process:
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
         self._killed = False
+        self._stopped_for: set[str] = set()
 
     @property
     def pid(self) -> int:
@@ -99,10 +100,14 @@ class Process:
         self._killed = True
         self.send(9)
 
-    def pause(self, stopped: bool) -> None:
-        """SIGSTOP or SIGCONT, where the system has them."""
+    def pause(self, stopped: bool, reason: str = "job") -> None:
+        """Stop it or let it go on, where the system can; it stands as long as any reason ('job', 'world') holds."""
+        if stopped:
+            self._stopped_for.add(reason)
+        else:
+            self._stopped_for.discard(reason)
         if _POSIX:
-            self.send(_stop_signal(stopped))
+            self.send(_stop_signal(bool(self._stopped_for)))
 
     def send(self, number: int) -> None:
         """Deliver a signal to the whole group; without effect once it is gone."""

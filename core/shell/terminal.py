@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import OutputStream
-from day6_tui.core.shell.discipline import Discipline, TtyInput
+from day6_tui.core.shell.discipline import Discipline
 from day6_tui.core.shell.interpreter import Streams
 
 if TYPE_CHECKING:
@@ -63,8 +63,7 @@ class Terminal:
         self._room.set()
         self.shell = desk.shell(interactive=True, cwd=cwd)
         self.discipline = Discipline(self)
-        stdin = TtyInput(self.discipline)
-        stdin.focus()
+        stdin = self.discipline.root
         stdout = TtyOutput(self)
         self.streams = Streams(stdin, stdout, stdout)
         self.program: Program = desk.start_program(
@@ -163,8 +162,7 @@ class Terminal:
     @property
     def reading_keys(self) -> bool:
         """Whether a program in the foreground reads single keys (turtlesim's teleop), or a process all of them."""
-        front = self.discipline.front
-        return self.busy and front is not None and front.is_raw
+        return self.busy and self.discipline.front.is_raw
 
     @property
     def closed(self) -> bool:

@@ -78,7 +78,7 @@ class World:
         self._graphs: list[Any] = []
 
     def process(self, **environment: str) -> Any:
-        settings = {"DAY6_RUNTIME_DIR": str(self.runtime), "DAY6_LINK": "on", **environment}
+        settings = {"DAY6_RUNTIME_DIR": str(self.runtime), "DAY6_LINK": os.environ["DAY6_LINK"], **environment}
         peer = ProcessPeer(settings, self.stderr)
         self._processes.append(peer)
         return peer

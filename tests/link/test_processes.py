@@ -350,6 +350,34 @@ def test_nothing_listens_on_the_network(world: World) -> None:
     assert listening() == before
 
 
+@pytest.mark.parametrize("secret", [None, "wrong"])
+def test_where_sockets_are_tcp_a_password_is_asked(
+    world: World, monkeypatch: pytest.MonkeyPatch, secret: str | None
+) -> None:
+    import zenoh
+
+    from day6_tui.core.link.config import command_config
+    from day6_tui.core.link.paths import meeting_place
+
+    monkeypatch.setenv("DAY6_LINK", "tcp")
+    owner = world.here()
+    owner.node("owner")
+    place = meeting_place(0)
+    zenoh.open(command_config(place, "abc1")).close()
+    stranger = zenoh.Config()
+    stranger.insert_json5("mode", '"client"')
+    stranger.insert_json5("scouting/multicast/enabled", "false")
+    stranger.insert_json5("connect/endpoints", f'["{place.meeting_endpoint}"]')
+    if secret is not None:
+        stranger.insert_json5("transport/auth/usrpwd/user", '"day6"')
+        stranger.insert_json5("transport/auth/usrpwd/password", f'"{secret}"')
+    with pytest.raises(zenoh.ZError):
+        zenoh.open(stranger)
+    if sys.platform != "win32":
+        for name in ("secret", "users"):
+            assert stat.S_IMODE((place.folder / name).stat().st_mode) == 0o600
+
+
 def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
     world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -389,13 +417,17 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
     assert until(lambda: other.nodes() == ["/one"])
 
 
-def test_two_machines_meet_only_by_name(world: World, tmp_path: Path) -> None:
+@pytest.mark.parametrize("sockets", ["on", "tcp"])
+def test_two_machines_meet_only_by_name(
+    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, sockets: str
+) -> None:
     import json
     import socket
 
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
+    monkeypatch.setenv("DAY6_LINK", sockets)
     here, there = str(tmp_path / "m1"), str(tmp_path / "m2")
     listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})

@@ -24,7 +24,12 @@ ON_THE_PATH = ROOT / "core" / "ros" / "python"
 
 def sources() -> list[Path]:
     found = [path for top in TOPS for path in (ROOT / top).rglob("*")]
-    return [path for path in found if path.is_file() and "__pycache__" not in path.parts and path.suffix != ".pyc"]
+    return [path for path in found if path.is_file() and not any(_is_cache(part) for part in path.parts)]
+
+
+def _is_cache(part: str) -> bool:
+    """Say whether a part of a path is some tool's cache."""
+    return part == "__pycache__" or (part.startswith(".") and part.endswith("_cache"))
 
 
 def project() -> dict[str, object]:
@@ -65,7 +70,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     """A wheel built from a copy of the checkout, so that no stale build folder can leak into it."""
     folder = tmp_path_factory.mktemp("wheel")
     copy = folder / "checkout"
-    ignore = shutil.ignore_patterns("__pycache__", "*.pyc")
+    ignore = shutil.ignore_patterns("__pycache__", ".*_cache")
     for top in TOPS:
         shutil.copytree(ROOT / top, copy / top, ignore=ignore)
     for name in ("pyproject.toml", "README.md", "LICENSE"):

@@ -37,7 +37,7 @@ def test_what_is_in_the_graph_is_offered(machine):
     machine.node("robot", build)
     assert machine.complete("topic", "echo", "/ch") == ["/chatter"]
     assert machine.complete("topic", "pub", "/chatter", "") == ["std_msgs/msg/String"]
-    assert machine.complete("topic", "pub", "/chatter", "std_msgs/msg/String", "") == ["data: ''\n"]
+    assert machine.complete("topic", "pub", "/chatter", "std_msgs/msg/String", "") == ["{data: ''}"]
     assert machine.complete("node", "info", "") == ["/robot"]
     assert machine.complete("service", "call", "/sw") == ["/switch"]
     assert machine.complete("service", "call", "/switch", "") == ["std_srvs/srv/SetBool"]

@@ -338,3 +338,12 @@ def test_terminals_of_any_size_work(machine: Any, columns: int, rows: int) -> No
     seat = Seat(machine.desk, columns, rows)
     seat.line("echo ok")
     assert seat.terminal.idle
+
+
+def test_a_line_being_typed_survives_what_a_background_job_prints(seat: Any) -> None:
+    seat.line("(sleep 1; echo from behind) &")
+    seat.type("echo a")
+    seat.settle(2)
+    assert seat.look().splitlines()[-1] == f"{PROMPT} echo afrom behind"
+    assert seat.type("b").splitlines()[-1] == f"{PROMPT} echo ab"
+    assert seat.type("\r").splitlines()[-3:] == ["ab", "[1]+  Done                    (sleep 1; echo from behind)", PROMPT]

@@ -29,14 +29,14 @@ def test_a_small_terminal_shows_the_active_window_above_the_terminals() -> None:
 
 
 def test_a_wide_one_shows_terminals_left_and_windows_stacked_right() -> None:
-    found = arrange(120, 38, [1, 2, 3], 1)
+    found = arrange(120, 48, [1, 2, 3], 1)
     assert found.terminal is not None and found.terminal.x == 0
     assert [place.x for place in found.windows.values()] == [found.terminal.width] * 3
     assert list(found.windows) == [1, 2, 3]
 
 
 def test_the_active_window_is_never_the_one_without_room() -> None:
-    found = arrange(120, 24, [1, 2, 3, 4], 1)
+    found = arrange(120, 38, [1, 2, 3, 4], 1)
     assert 1 in found.windows and 4 in found.windows and 2 not in found.windows
 
 

@@ -102,7 +102,7 @@ class TopicsPane(WindowPane):
             Segment(f" {box} ", style or (colours.publisher if topic.monitored else colours.muted)),
             Segment(name, style or (colours.strong if on else colours.topic)),
             Segment(" " + tail, style or colours.text),
-            Segment(bars, style or colours.publisher),
+            Segment(bars, colours.publisher),
         ]
 
     def _details(self, topic: Any, width: int) -> list[Line]:

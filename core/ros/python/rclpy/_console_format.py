@@ -28,8 +28,6 @@ def expand(form: str, severity: int, name: str, message: str, function: str, fil
             return function
         if token == "file_name":
             return file
-        if token == "short_file_name":
-            return file.replace("\\", "/").rpartition("/")[2]
         if token == "line_number":
             return str(line)
         if token == "time":

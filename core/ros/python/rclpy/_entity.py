@@ -32,10 +32,12 @@ _numbers = count()
 class Scope:
     """One node as executors see it; all its entities share it, so that moving a node is one assignment."""
 
-    __slots__ = ("executor", "number", "stash")
+    __slots__ = ("executor", "home", "number", "stash")
 
     def __init__(self) -> None:
         self.executor: Executor | None = None
+        self.home: Executor | None = None
+        """The executor the node was in last; entities may still lie in its round."""
         self.stash: deque[Entity] = deque()
         self.number = next(_numbers)
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Coroutine
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from rclpy._entity import NOTHING, Entity
+from rclpy._entity import NOTHING, Entity, Scope
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_source import LONGEST_WAIT_S
 from rclpy._timer_heap import TimerHeap
@@ -116,9 +116,9 @@ class Executor:
         self._wake_callback: Callable[[], None] | None = None
         self._hook: Callable[[], None] | None = None
         """Called when something becomes ready: while a thread waits here it opens the gate."""
-        self._waiting_for: tuple[int, Callable[[], bool]] | None = None
-        self._work = threading.Condition()
-        self._working = 0
+        self._asked: tuple[Any, Any] | None = None
+        """Timeout and condition of the `spin_once` that the round was put together for."""
+        self._waiting = False
         self._context._executors.add(self)
         self._context.on_shutdown(self.wake)
 
@@ -167,7 +167,9 @@ class Executor:
                 node = self._new_nodes[0]
                 iter(node.subscriptions)
                 scope = node._scope
-                scope.executor = self
+                if scope.home is not None and scope.home is not self:
+                    scope.home._give_up(scope, scope.home._round)
+                scope.executor = scope.home = self
                 self._new_nodes.popleft()
                 for timer in (*node._timers, *node._hidden_timers):
                     timer._schedule()
@@ -175,15 +177,30 @@ class Executor:
                     scope.hand_over()
 
     def _detach(self, node: Node) -> None:
+        # What lies in the round stays there: a node that is added again before the next spin goes on where it was.
         scope = node._scope
         scope.executor = None
-        for queue in (self._inbox, self._round):
-            for _ in range(len(queue)):
-                item: Any = queue.popleft()
-                if getattr(item, "_scope", None) is scope:
-                    scope.stash.append(item)
-                else:
-                    queue.append(item)
+        self._give_up(scope, self._inbox)
+
+    @staticmethod
+    def _give_up(scope: Scope, queue: deque[Any]) -> None:
+        for _ in range(len(queue)):
+            try:
+                item = queue.popleft()
+            except IndexError:
+                return
+            if getattr(item, "_scope", None) is scope:
+                scope.stash.append(item)
+            else:
+                queue.append(item)
+
+    def _start_anew(self) -> None:
+        """Take a round apart that was put together for another kind of `spin_once`; real rclpy looks anew then."""
+        entities = [item for item in self._round if isinstance(item, Entity)]
+        tasks = [item for item in self._round if isinstance(item, Task)]
+        self._round.clear()
+        self._inbox.extendleft(reversed(entities))
+        self._tasks.extendleft(reversed(tasks))
 
     # what is ready
 
@@ -210,12 +227,19 @@ class Executor:
             self._round = deque(sorted(round_, key=_order_of))  # type: ignore[arg-type]
         return bool(round_)
 
-    def _next(self, timeout_ns: int, condition: Callable[[], bool]) -> Entity | Task[Any] | None:
+    def _next(
+        self, timeout_ns: int, condition: Callable[[], bool], asked: tuple[Any, Any]
+    ) -> Entity | Task[Any] | None:
         """Return what is to be run next, its callback group reserved; None when time is up or `condition` is true.
 
-        Raises ExternalShutdownException when the context was shut down by somebody else.
+        `asked` are timeout and condition as the program gave them. Raises ExternalShutdownException when the context was
+        shut down by somebody else.
         """
-        if self._waiting_for is not None and self._waiting_for == (timeout_ns, condition):
+        if asked != self._asked:
+            self._asked = asked
+            if self._round:
+                self._start_anew()
+        elif self._waiting:
             # Two threads spin one executor. Real rclpy shares one generator between them, which says:
             raise ValueError("generator already executing")
         until: int | None = None
@@ -257,12 +281,12 @@ class Executor:
                     until = now + timeout_ns
                 elif now >= until:
                     return None
-            self._wait(until, timeout_ns, condition)
+            self._wait(until)
             waited = True
 
-    def _wait(self, until: int | None, timeout_ns: int, condition: Callable[[], bool]) -> None:
+    def _wait(self, until: int | None) -> None:
         """Block until something is ready, the next timer is due or `until` (ns, steady) has come."""
-        self._waiting_for = (timeout_ns, condition)
+        self._waiting = True
         self._hook = self._open_gate
         try:
             if self._inbox or self._tasks or self._woken or self._new_nodes:
@@ -280,7 +304,7 @@ class Executor:
                 self._gate.acquire(timeout=left / S_TO_NS)
         finally:
             self._hook = self._wake_callback
-            self._waiting_for = None
+            self._waiting = False
 
     def _open_gate(self) -> None:
         self._hook = None
@@ -398,7 +422,7 @@ class Executor:
 
         Raises TimeoutException, ShutdownException, ConditionReachedException, ExternalShutdownException.
         """
-        item = self._next(nanoseconds(timeout_sec), condition)
+        item = self._next(nanoseconds(timeout_sec), condition, (timeout_sec, condition))
         if item is None:
             if self._is_shutdown:
                 raise ShutdownException
@@ -430,7 +454,7 @@ class Executor:
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until `future` is done or cancelled, or `timeout_sec` is over (None or negative: no limit)."""
-        future._watch(self.wake)
+        self._wake_when_done(future)
         end = None if timeout_sec is None or timeout_sec < 0 else self._steady_ns() + int(timeout_sec * S_TO_NS)
         left = TimeoutObject(-1.0 if timeout_sec is None else timeout_sec)
         while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
@@ -441,11 +465,16 @@ class Executor:
                     return
                 left.timeout = (end - now) / S_TO_NS
 
+    def _wake_when_done(self, future: Future[Any]) -> None:
+        future._watch(self.wake)
+        # Real rclpy wakes by a done callback, which then runs as a task and counts as one `spin_once`.
+        future.add_done_callback(_do_nothing)
+
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
     ) -> None:
         """Run one callback, unless `future` is done before that."""
-        future._watch(self.wake)
+        self._wake_when_done(future)
         self._spin_once_until_future_complete(future, timeout_sec)
 
     def _spin_once_until_future_complete(
@@ -522,6 +551,10 @@ class Executor:
         exc_tb: TracebackType | None,
     ) -> None:
         self.shutdown()
+
+
+def _do_nothing(_future: Future[Any]) -> None:
+    """Stand in for the done callback by which real rclpy wakes its executor."""
 
 
 def _order_of(entity: Entity) -> tuple[int, int, int, int]:

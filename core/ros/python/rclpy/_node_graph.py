@@ -53,14 +53,21 @@ class NodeGraph:
     ) -> NamesAndTypes:
         """Return what a node publishes. NodeNameNonExistentError if there is no such node, RCLError for bad names."""
         found = self._by_node(EndpointKind.PUBLISHER, "publisher", node_name, node_namespace)
-        return _mangled(found, "rt") if no_demangle else found
+        return self._mangled_by_node(found, "publisher", node_name, node_namespace) if no_demangle else found
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
         """Return what a node subscribes to; raises as `get_publisher_names_and_types_by_node`."""
         found = self._by_node(EndpointKind.SUBSCRIPTION, "subscriber", node_name, node_namespace)
-        return _mangled(found, "rt") if no_demangle else found
+        return self._mangled_by_node(found, "subscriber", node_name, node_namespace) if no_demangle else found
+
+    def _mangled_by_node(self, topics: NamesAndTypes, what: str, name: str, namespace: str) -> NamesAndTypes:
+        """Return topics as DDS knows them; there services are topics too, one for requests and one for replies."""
+        servers = self._by_node(EndpointKind.SERVICE, what, name, namespace)
+        clients = self._by_node(EndpointKind.CLIENT, what, name, namespace)
+        asking, answering = (clients, servers) if what == "publisher" else (servers, clients)
+        return sorted(_mangled(topics) + _mangled_parts(asking, "Request") + _mangled_parts(answering, "Reply"))
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services a node serves; raises as `get_publisher_names_and_types_by_node`."""
@@ -76,7 +83,11 @@ class NodeGraph:
         """Return all topics with their types."""
         self.handle.check_valid("failed to get topic names and types")
         found = self._graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
-        return _mangled(found, "rt") if no_demangle else found
+        if not no_demangle:
+            return found
+        services = self.get_service_names_and_types()
+        own = [("ros_discovery_info", ["rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"])]
+        return sorted(own + _mangled(found) + _mangled_parts(services, "Request") + _mangled_parts(services, "Reply"))
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """Return all services with their types."""
@@ -141,13 +152,17 @@ class NodeGraph:
         handle.check()
         topic = topic_name
         if no_mangle:
-            topic = topic_name.removeprefix("rt")
+            topic = topic_name.removeprefix("rt") if topic_name.startswith("rt/") else ""
         else:
             topic = expand_topic_name(topic_name, handle.name, handle.namespace)
             raise_for_topic(graph_names.flaw_of_full_topic_name(topic), topic)
             topic = graph_names.remap_topic(topic, handle.name, handle.namespace, handle.rules)
         handle.check_valid(f"Failed to get information by topic for {what}")
-        return [_info(endpoint) for endpoint in self._graph.endpoints(kind, topic=topic)]
+        infos = [_info(endpoint) for endpoint in self._graph.endpoints(kind, topic=topic)]
+        if no_mangle:
+            for info in infos:
+                info.topic_type = mangled_type(info.topic_type)
+        return infos
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """Return who publishes a topic: node, type, GID, QoS."""
@@ -169,12 +184,20 @@ class NodeGraph:
         return self.handle.context._wait_for_graph(lambda: name in self.get_fully_qualified_node_names(), timeout)
 
 
-def _mangled(found: NamesAndTypes, prefix: str) -> NamesAndTypes:
-    """Return topics as DDS knows them: `rt/chatter`, `std_msgs::msg::dds_::String_`."""
-    return [(prefix + name, [_mangled_type(type_name) for type_name in types]) for name, types in found]
+def _mangled(topics: NamesAndTypes) -> NamesAndTypes:
+    return [(f"rt{name}", [mangled_type(type_name) for type_name in types]) for name, types in topics]
 
 
-def _mangled_type(type_name: str) -> str:
+def _mangled_parts(services: NamesAndTypes, part: str) -> NamesAndTypes:
+    prefix, suffix = ("rq", "Request") if part == "Request" else ("rr", "Response")
+    return [
+        (f"{prefix}{name}{part}", [f"{mangled_type(type_name)}{suffix}_" for type_name in types])
+        for name, types in services
+    ]
+
+
+def mangled_type(type_name: str) -> str:
+    """Return a type's name as DDS knows it: `std_msgs::msg::dds_::String_`."""
     package, kind, name = type_name.split("/")
     return f"{package}::{kind}::dds_::{name}_"
 

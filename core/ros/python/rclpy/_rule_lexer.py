@@ -164,6 +164,7 @@ def read_parameter_rule(text: str) -> tuple[str, str, str]:
     while reader.peek().kind != SEPARATOR:
         if reader.accept(FORWARD_SLASH) is None:
             reader.expect(DOT)
+            reader.accept(FORWARD_SLASH)
         reader.matched_token((1321, 1324, 1327))
     name = text[start : reader.place]
     reader.expect(SEPARATOR)

@@ -68,7 +68,7 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
         if self._introspection is not None:
             self._introspection.response_received(response, number)
         with self._lock:
-            future = self._pending_requests.pop(number, None)
+            future = self._pending_requests.get(number)
         if future is not None:
             scope = self._scope
             future._set_executor(None if scope is None else scope.executor)
@@ -99,6 +99,7 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
         with self._lock:
             number = self._endpoint.send_request(request)
             self._pending_requests[number] = future
+        future.add_done_callback(self.remove_pending_request)
         if self._introspection is not None:
             self._introspection.request_sent(request, number)
         return future

@@ -60,6 +60,7 @@ class Context:
         self._callbacks: list[weakref.WeakMethod[MethodType] | _Callback] = []
         self._handle: _ContextHandle | None = None
         self._valid = False
+        self._ended = False
         self._nodes: list[weakref.ReferenceType[Node]] = []
         self._executors: weakref.WeakSet[Executor] = weakref.WeakSet()
         self._end_watchers: list[_Callback] = []
@@ -205,6 +206,10 @@ class Context:
             node = reference()
             if node is not None:
                 node.destroy_node()
+        if self._ended:
+            raise RuntimeError("Context already shutdown.")
+        # After a signal the context is invalid, but it can still be shut down as often as one likes.
+        self._ended = self._valid
         self._invalidate()
         self._call_on_shutdown_callbacks()
         if self._uses_link and self._graph is not None and not any(c._graph is self._graph for c in _valid_contexts()):
@@ -266,7 +271,7 @@ class Context:
             warnings.warn(
                 "init() must be called on a Context before using it in a Python context manager. "
                 "Calling init() with no arguments, this usage is deprecated",
-                stacklevel=2,
+                stacklevel=1,
             )
             self.init()
         return self
@@ -294,8 +299,7 @@ def _domain_from_environment() -> int:
         return 0
     if not text.isdigit():
         raise RCLError(
-            "Failed to get environment variable 'ROS_DOMAIN_ID': ROS_DOMAIN_ID is not an integral number, "
-            "at /project/src/rcl/domain_id.c:50"
+            "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
         )
     return int(text)
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import Entity
@@ -18,9 +19,6 @@ from rclpy._executor import TimeoutException as TimeoutException
 from rclpy._executor import TimeoutObject as TimeoutObject
 from rclpy.context import Context
 from rclpy.task import Future, Task
-
-if TYPE_CHECKING:
-    from concurrent.futures import Future as PoolFuture
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
@@ -37,9 +35,10 @@ class SingleThreadedExecutor(Executor):
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE
     ) -> None:
         timeout_ns = FOREVER if timeout_sec is None else nanoseconds(timeout_sec)
+        asked = (timeout_sec, wait_condition)
         until: int | None = None
         while True:
-            item = self._next(timeout_ns, wait_condition)
+            item = self._next(timeout_ns, wait_condition, asked)
             if item is None:
                 return
             if item.__class__ is Task:
@@ -79,38 +78,35 @@ class MultiThreadedExecutor(Executor):
         if num_threads == 1:
             warnings.warn(
                 "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.",
-                stacklevel=2,
+                stacklevel=1,
             )
-        self._futures: list[PoolFuture[None]] = []
+        self._failures: deque[BaseException] = deque()
         self._executor = ThreadPoolExecutor(num_threads)
 
     def _work_on(self, item: Entity | Task[Any]) -> None:
-        with self._work:
-            self._working += 1
         try:
             if isinstance(item, Task):
                 self._run_task(item)
             else:
                 self._execute(item)
-        finally:
-            with self._work:
-                self._working -= 1
-                self._work.notify_all()
+        except BaseException as error:
+            self._failures.append(error)
+            self.wake()
 
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE
     ) -> None:
+        def stop() -> bool:
+            return bool(self._failures) or wait_condition()
+
         try:
-            item = self._next(nanoseconds(timeout_sec), wait_condition)
+            item = self._next(nanoseconds(timeout_sec), stop, (timeout_sec, wait_condition))
         except ExternalShutdownException:
             return
-        if item is None:
-            return
-        self._futures.append(self._executor.submit(self._work_on, item))
-        for future in self._futures[:]:
-            if future.done():
-                self._futures.remove(future)
-                future.result()
+        if item is not None:
+            self._executor.submit(self._work_on, item)
+        if self._failures:
+            raise self._failures.popleft()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Hand one callback to a thread, or wait for one until `timeout_sec`; raises what earlier callbacks raised."""

@@ -13,6 +13,19 @@ if TYPE_CHECKING:
 
 PARAMETER_SEPARATOR_STRING: Final = "."
 
+__all__ = [
+    "PARAMETER_SEPARATOR_STRING",
+    "AllowableParameterValue",
+    "AllowableParameterValueT",
+    "Parameter",
+    "ParameterMsg",
+    "ParameterType",  # noqa: F822 made when asked for
+    "ParameterValue",
+    "get_parameter_value",
+    "parameter_dict_from_yaml_file",
+    "parameter_value_to_python",
+]
+
 AllowableParameterValue = Any
 AllowableParameterValueT = TypeVar("AllowableParameterValueT")
 

@@ -18,6 +18,15 @@ if TYPE_CHECKING:
 _CHOICES = (QoSPolicyKind.LIVELINESS, QoSPolicyKind.RELIABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.DURABILITY)
 _DURATIONS = (QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
 
+__all__ = [
+    "InvalidQosOverridesError",
+    "QoSOverridingOptions",
+    "QoSPolicyKind",
+    "QoSProfile",
+    "QosCallbackResult",  # noqa: F822 made when asked for
+    "QosCallbackType",
+]
+
 QosCallbackType = Callable[[QoSProfile], Any]
 
 

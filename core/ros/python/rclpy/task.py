@@ -122,7 +122,7 @@ class Future(Generic[T]):
             try:
                 callback(self)
             except Exception as error:
-                warnings.warn(f"Unhandled exception in done callback: {error}", stacklevel=2)
+                warnings.warn(f"Unhandled exception in done callback: {error}", stacklevel=1)
 
     def _set_executor(self, executor: Executor | None) -> None:
         with self._lock:

@@ -39,6 +39,14 @@ def dump(value: Any, *, flow_style: bool = False) -> str:
     return dump_with_pyyaml(value, flow_style=flow_style)
 
 
+def one_line(value: Any) -> str:
+    """Return a value as YAML on one line, as one types it on a command line: `{linear: {x: 0.0}}`."""
+    try:
+        return _flow(value)
+    except _NeedsPyYAML:
+        return dump_with_pyyaml([value], flow_style=True)[1:-2]
+
+
 def _block_mapping(mapping: dict[str, Any], indent: str, flow_style: bool) -> Iterator[str]:
     for name, value in mapping.items():
         key = _scalar(name, False)

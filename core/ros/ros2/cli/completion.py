@@ -200,15 +200,17 @@ def goal_prototype(typed: Typed) -> Iterable[str]:
 
 
 def _prototype(type_name: str, part: str | None) -> Iterable[str]:
-    from rosidl_runtime_py.convert import message_to_yaml
+    from rosidl_runtime_py.convert import message_to_ordereddict
     from rosidl_runtime_py.utilities import get_interface
+    from rosidl_runtime_py.yaml_text import one_line
 
     try:
         found = get_interface(type_name)
         message = (getattr(found, part) if part else found)()
     except (AttributeError, ImportError, ValueError):
         return []
-    return [message_to_yaml(message)]
+    # On one line, unlike the real tool's: a line break would end the command that is being typed.
+    return [one_line(message_to_ordereddict(message))]
 
 
 def _types(*kinds: str) -> list[str]:

@@ -176,15 +176,12 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             self._on_goal_response(*taken_data["goal"])
         if "cancel" in taken_data:
             response, number = taken_data["cancel"]
-            with self._lock:
-                future = self._pending_cancels.pop(number, None)
-            self._finish(future, response, "cancel")
+            self._finish(self._pending_cancels.get(number), response, "cancel")
         if "result" in taken_data:
             response, number = taken_data["result"]
             with self._lock:
-                future, goal_id = self._pending_results.pop(number, (None, b""))
+                future, _ = self._pending_results.get(number, (None, b""))
             self._finish(future, response, "result")
-            self._feedback_callbacks.pop(goal_id, None)
         if "feedback" in taken_data:
             message = taken_data["feedback"][0]
             callback = self._feedback_callbacks.get(bytes(message.goal_id.uuid))
@@ -203,12 +200,32 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             return
         scope = self._scope
         future._set_executor(None if scope is None else scope.executor)
-        self.remove_future(future)
         future.set_result(result)
+
+    def _remove_pending_goal_request(self, future: Future[Any]) -> None:
+        self._remove_pending(future, self._pending_goals, lambda pending: pending[0])
+
+    def _remove_pending_cancel_request(self, future: Future[Any]) -> None:
+        self._remove_pending(future, self._pending_cancels, lambda pending: pending)
+
+    def _remove_pending_result_request(self, future: Future[Any]) -> None:
+        pending = self._remove_pending(future, self._pending_results, lambda pending: pending[0])
+        if pending is not None:
+            self._feedback_callbacks.pop(pending[1], None)
+
+    def _remove_pending(
+        self, future: Future[Any], requests: dict[int, Any], future_of: Callable[[Any], Future[Any]]
+    ) -> Any:
+        with self._lock:
+            for number, pending in requests.items():
+                if future_of(pending) is future:
+                    self.remove_future(future)
+                    return requests.pop(number)
+        return None
 
     def _on_goal_response(self, response: Any, number: int) -> None:
         with self._lock:
-            future, goal_id = self._pending_goals.pop(number, (None, None))
+            future, goal_id = self._pending_goals.get(number, (None, None))
         if future is None or goal_id is None:
             self._finish(None, None, "goal")
             return
@@ -288,6 +305,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             self.add_future(future)
             self._pending_goals[self._goal_client.send_request(request)] = (future, goal_id)
+        future.add_done_callback(self._remove_pending_goal_request)
         return future
 
     def _check_goal_handle(self, goal_handle: Any) -> None:
@@ -306,6 +324,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             self.add_future(future)
             self._pending_cancels[self._cancel_client.send_request(request)] = future
+        future.add_done_callback(self._remove_pending_cancel_request)
         return future
 
     def _get_result(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Any:
@@ -319,6 +338,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             self.add_future(future)
             number = self._result_client.send_request(request)
             self._pending_results[number] = (future, bytes(goal_handle.goal_id.uuid))
+        future.add_done_callback(self._remove_pending_result_request)
         return future
 
     # the server

@@ -168,7 +168,7 @@ class RcutilsLogger:
 
     def __init__(self, name: str = "") -> None:
         self.name = name
-        self.contexts: dict[tuple[Any, int], _Call] = {}
+        self.contexts: dict[CallerId, _Call] = {}
         self._settings: LoggingSettings = PROCESS
         self._registered = False
 
@@ -220,21 +220,22 @@ class RcutilsLogger:
             name = self.name
         frame = _find_caller(sys._getframe(1))
         filters = get_filters_from_kwargs(**kwargs) if kwargs else []
-        place = (frame.f_code, frame.f_lasti)
-        call = self.contexts.get(place)
+        caller = CallerId.of(frame)
+        call = self.contexts.get(caller)
         if call is None:
-            self.contexts[place] = call = _Call(severity, name, filters, kwargs)
+            self.contexts[caller] = call = _Call(severity, name, filters, kwargs)
         elif severity != call.severity or name != call.name or filters or call.filters:
             call.check(severity, name, filters, kwargs)
         for each in call.filters:
             if not supported_filters[each].should_log(call.context):
                 return False
-        caller = CallerId.of(frame)
         if message is None:
             message = "(null)"
+        elif isinstance(message, bytes):
+            message = message.decode("utf-8", "replace")
         elif not isinstance(message, str):
             raise TypeError(_wrong_message(severity, name, message, caller))
-        settings.emit(severity, name, message, caller.function_name, caller.file_path, caller.line_number)
+        settings.emit(int(severity), name, message, caller.function_name, caller.file_path, caller.line_number)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:

@@ -1,0 +1,205 @@
+"""`day6-tui exec` and the other commands, as processes of their own, in a real terminal where that matters."""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+MAIN = [sys.executable, "-m", "day6_tui.tui.main"]
+posix = pytest.mark.skipif(os.name != "posix", reason="needs signals and ptys")
+
+
+def day6(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedProcess[str]:
+    return subprocess.run([*MAIN, *arguments], cwd=cwd, input=stdin, capture_output=True, text=True, timeout=60, check=False)
+
+
+@pytest.fixture(autouse=True)
+def own_home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+
+
+def test_exec_prints_what_the_terminal_would_and_exits_with_the_last_status(tmp_path: Path) -> None:
+    result = day6("exec", "-c", "echo out; echo err >&2; cd nowhere; (exit 7)", cwd=tmp_path)
+    assert result.stdout == "out\n"
+    assert result.stderr == "err\nbash: cd: nowhere: No such file or directory\n"
+    assert result.returncode == 7
+
+
+def test_exec_begins_where_it_was_called_and_has_a_home_of_its_own(tmp_path: Path) -> None:
+    result = day6("exec", "-c", "pwd; cd; pwd; ls", cwd=tmp_path)
+    assert result.stdout.splitlines() == [str(tmp_path), str(tmp_path / "data" / "day6-tui" / "home"), "ros2_ws"]
+    elsewhere = day6("exec", "--home", "h", "-c", "cd; pwd", cwd=tmp_path)
+    assert elsewhere.stdout == f"{tmp_path / 'h'}\n"
+
+
+def test_exec_runs_a_file_with_arguments_or_standard_input(tmp_path: Path) -> None:
+    (tmp_path / "lesson.sh").write_text("echo $1-$2\n")
+    assert day6("exec", "lesson.sh", "a", "b", cwd=tmp_path).stdout == "a-b\n"
+    assert day6("exec", cwd=tmp_path, stdin="echo from\necho input\n").stdout == "from\ninput\n"
+    assert day6("exec", "-c", "cat; read x", cwd=tmp_path, stdin="typed\n").stdout == "typed\n"
+
+
+def test_exec_without_its_file_says_so(tmp_path: Path) -> None:
+    result = day6("exec", "nowhere.sh", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (127, "day6-tui exec: nowhere.sh: No such file or directory\n")
+
+
+def test_exec_with_a_home_that_cannot_be_says_so(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    result = day6("exec", "--home", "file", "-c", "true", cwd=tmp_path)
+    assert result.returncode == 1
+    assert result.stderr.startswith("day6-tui exec: the home folder cannot be used: ")
+    assert "Traceback" not in result.stderr
+
+
+def test_exec_ends_after_its_timeout_with_status_124(tmp_path: Path) -> None:
+    start = time.monotonic()
+    assert day6("exec", "--timeout", "0.2", "-c", "sleep 100", cwd=tmp_path).returncode == 124
+    assert time.monotonic() - start < 20
+
+
+def test_jobs_timeout_and_kill_work_in_exec(tmp_path: Path) -> None:
+    lines = "sleep 100 & jobs; kill %1; wait %1; echo $?; timeout 0.1 sleep 5; echo $?; sleep 50 &"
+    result = day6("exec", "-c", lines, cwd=tmp_path)
+    assert result.stdout.splitlines() == ["[1]+  Running                 sleep 100 &", "143", "124"]
+    assert result.returncode == 0
+
+
+def test_sleep_is_paced_by_the_wall(tmp_path: Path) -> None:
+    start = time.monotonic()
+    day6("exec", "-c", "sleep 0.5", cwd=tmp_path)
+    assert time.monotonic() - start >= 0.5
+
+
+def test_a_reader_that_goes_away_ends_exec_without_a_word(tmp_path: Path) -> None:
+    exec_ = subprocess.Popen([*MAIN, "exec", "-c", "seq 1000000"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert exec_.stdout is not None and exec_.stderr is not None
+    assert exec_.stdout.readline() == b"1\n"
+    exec_.stdout.close()
+    assert exec_.wait(30) == 141
+    assert exec_.stderr.read() == b""
+    exec_.stderr.close()
+
+
+@posix
+def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text("import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(1000)\n")
+    exec_ = subprocess.Popen([*MAIN, "exec", "-c", "python3 a.py & sleep 1000; echo never"], cwd=tmp_path, stdout=subprocess.PIPE, text=True)
+    assert exec_.stdout is not None
+    pid = int(exec_.stdout.readline())
+    exec_.send_signal(signal.SIGINT)
+    assert exec_.wait(30) == 130
+    assert exec_.stdout.read() == ""
+    exec_.stdout.close()
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+def test_python_becomes_python3_with_our_packages(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text("import sys, rclpy\nprint(sys.argv, rclpy.__name__)\nsys.exit(5)\n")
+    result = day6("python", "a.py", "--flag", "x", cwd=tmp_path)
+    assert (result.returncode, result.stdout) == (5, "['a.py', '--flag', 'x'] rclpy\n")
+    missing = day6("python", "nowhere.py", cwd=tmp_path)
+    assert missing.returncode == 2
+    assert "can't open file" in missing.stderr
+
+
+def test_an_unknown_command_is_told_in_one_line(tmp_path: Path) -> None:
+    result = day6("turtle", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (
+        2,
+        "day6-tui: there is no command 'turtle'; day6-tui --help lists them\n",
+    )
+
+
+def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
+    script = f'eval "$({sys.executable} -m day6_tui.tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
+    if os.name != "posix":
+        pytest.skip("needs a POSIX shell")
+    env = {**os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    result = subprocess.run(["sh", "-c", script], cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+    assert result.stdout.rstrip().endswith(os.path.join("ros", "python", "rclpy", "__init__.py"))
+
+
+@posix
+def test_the_sub_shell_has_ros2_and_our_python(tmp_path: Path) -> None:
+    env = {**os.environ, "SHELL": "/bin/sh"}
+    commands = "command -v ros2; python3 -c 'import rclpy; print(rclpy.__name__)'; exit 3\n"
+    result = subprocess.run([*MAIN, "shell"], cwd=tmp_path, env=env, input=commands, capture_output=True, text=True, check=False)
+    assert result.returncode == 3
+    assert result.stdout.splitlines()[0].endswith("/ros2")
+    assert result.stdout.splitlines()[1] == "rclpy"
+
+
+class RealTerminal:
+    """A pty with one of our commands on it."""
+
+    def __init__(self, *arguments: str, cwd: Path) -> None:
+        import pty
+
+        self.master, slave = pty.openpty()
+        self.process = subprocess.Popen([*MAIN, *arguments], cwd=cwd, stdin=slave, stdout=slave, stderr=slave, start_new_session=True)
+        os.close(slave)
+        self.seen = ""
+
+    def wait(self, text: str, seconds: float = 30) -> str:
+        end = time.monotonic() + seconds
+        while text not in self.seen:
+            left = end - time.monotonic()
+            assert left > 0, f"no {text!r} in:\n{self.seen}"
+            if select.select([self.master], [], [], left)[0]:
+                try:
+                    self.seen += os.read(self.master, 65536).decode("utf-8", "replace")
+                except OSError:
+                    assert text in self.seen, f"it ended; no {text!r} in:\n{self.seen}"
+        return self.seen
+
+    def type(self, text: str) -> None:
+        os.write(self.master, text.encode())
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.wait()
+        os.close(self.master)
+
+
+@pytest.fixture
+def teleop(tmp_path: Path) -> Iterator[RealTerminal]:
+    lines = "ros2 run turtlesim turtlesim_node & sleep 0.5; ros2 run turtlesim turtle_teleop_key; sleep 1.1; ros2 topic echo --once /turtle1/pose"
+    terminal = RealTerminal("exec", "-c", lines, cwd=tmp_path)
+    yield terminal
+    terminal.close()
+
+
+@posix
+def test_one_key_press_in_a_real_terminal_moves_the_turtle_for_63_ticks(teleop: RealTerminal) -> None:
+    import termios
+
+    teleop.wait("'q' to quit.")
+    assert not termios.tcgetattr(teleop.master)[3] & termios.ECHO
+    teleop.type("\x1b[A")
+    teleop.type("q")
+    teleop.wait("x: 7.560444355010986")
+    assert teleop.process.wait(30) == 0
+    assert termios.tcgetattr(teleop.master)[3] & termios.ECHO
+
+
+@posix
+def test_the_headless_example_prints_the_real_answers(tmp_path: Path) -> None:
+    lines = (
+        "ros2 run turtlesim turtlesim_node & sleep 1; "
+        'ros2 topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "{linear: {x: 2.0}, angular: {z: 1.8}}"; '
+        "sleep 2; ros2 topic echo --once /turtle1/pose; ros2 node list"
+    )
+    result = day6("exec", "-c", lines, cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert "x: 6.602816581726074\ny: 6.938989639282227\ntheta: 1.8143999576568604\n" in result.stdout
+    assert result.stdout.endswith("---\n/turtlesim\n")
