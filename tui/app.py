@@ -15,7 +15,6 @@ from typing import Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
-_NO_COLOUR = bool(os.environ.get("NO_COLOR"))  # Textual takes it out of the environment
 
 from textual import events  # noqa: E402
 from textual.app import App, ComposeResult  # noqa: E402
@@ -27,7 +26,7 @@ from day6_tui.tui.bars import Bar, KeyHint, key_pieces  # noqa: E402
 from day6_tui.tui.colours import colours  # noqa: E402
 from day6_tui.tui.desktop import Desktop  # noqa: E402
 from day6_tui.tui.frames import Frames  # noqa: E402
-from day6_tui.tui.glyphs import choose  # noqa: E402
+from day6_tui.tui.glyphs import choose, terminal_environ  # noqa: E402
 from day6_tui.tui.locale import Texts, detect  # noqa: E402
 from day6_tui.tui.look import Look  # noqa: E402
 from day6_tui.tui.machine import Machine  # noqa: E402
@@ -47,13 +46,13 @@ WAITING_OUTPUT = 3
 
 def make_look(options: Any, environ: Any = None) -> Look:
     """Glyphs, colours and language for the options and the terminal. Raises KeyError for unknown glyphs, ValueError for a language."""
-    environ = os.environ if environ is None else environ
+    environ = terminal_environ() if environ is None else environ
     glyphs = choose(getattr(options, "glyphs", None), environ)
-    language = getattr(options, "lang", None) or detect(environ, wide_glyphs=glyphs.canvas not in ("cell", "ascii"))
+    language = getattr(options, "lang", None) or detect(environ, wide_glyphs=glyphs.chinese)
     if not glyphs.unicode:
         language = "en"  # Chinese cannot be written there at all
     sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
-    look = Look(glyphs, colours(sixteen=sixteen, colourless=_NO_COLOUR or bool(environ.get("NO_COLOR"))), Texts(language))
+    look = Look(glyphs, colours(sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))), Texts(language))
     look.reduced_motion = bool(getattr(options, "reduced_motion", False))
     return look
 
@@ -233,7 +232,7 @@ class Day6App(AppActions, App[None]):
         time_style = colours.hint if machine.paused else colours.bar
         speed = texts("bar.paused") if machine.paused else f"{machine.speed:g}×" if glyphs.unicode else f"{machine.speed:g}x"
         right = [
-            Piece(f" {texts('bar.language')} ", colours.bar_muted, self.do_language),
+            Piece(f" {texts('bar.language')} " if glyphs.chinese else "", colours.bar_muted, self.do_language),
             Piece(f" {mark} {speed} ", time_style, self.do_pause),
             Piece(f" {texts('bar.help')} ", colours.bar, self.do_help),
         ]

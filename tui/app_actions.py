@@ -171,7 +171,7 @@ class AppActions:
     # -- looks ---------------------------------------------------------------------------------------------------------
 
     def do_language(self) -> None:
-        if self.look.glyphs.unicode:
+        if self.look.glyphs.chinese:
             self.look.texts.switch()
             self._redraw()
 

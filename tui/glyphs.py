@@ -6,11 +6,11 @@ have neither, but they have the line drawing and the shapes of the old IBM code 
 
 from __future__ import annotations
 
-import locale
 import os
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 CANVASES = ("half", "braille", "cell", "ascii")
 
@@ -57,6 +57,11 @@ class GlyphSet:
     """From nothing to full, for a sparkline."""
     unicode: bool
 
+    @property
+    def chinese(self) -> bool:
+        """Whether such terminals have Chinese characters: the console's fonts have none, ever."""
+        return self.canvas in ("half", "braille")
+
 
 _SYMBOLS = {
     "news": "●", "chevron": "▸", "running": "►", "paused": "‖", "warning": "▲", "dot": "·", "ellipsis": "…",
@@ -76,6 +81,19 @@ GLYPH_SETS: dict[str, GlyphSet] = {
 }
 
 
+def terminal_environ() -> Mapping[str, str]:
+    """The environment as the terminal gave it.
+
+    Python itself sets LC_CTYPE=C.UTF-8 when it finds the C locale (PEP 538), and Textual takes NO_COLOR away.
+    """
+    try:
+        raw = Path("/proc/self/environ").read_bytes()
+    except OSError:
+        return os.environ
+    pairs = (entry.partition(b"=") for entry in raw.split(b"\0") if b"=" in entry)
+    return {os.fsdecode(name): os.fsdecode(value) for name, _, value in pairs}
+
+
 def speaks_utf8(environ: Mapping[str, str], platform: str = sys.platform) -> bool:
     """Whether the terminal's locale is UTF-8. Windows terminals are, whatever the code page says."""
     if platform == "win32":
@@ -83,13 +101,12 @@ def speaks_utf8(environ: Mapping[str, str], platform: str = sys.platform) -> boo
     for name in ("LC_ALL", "LC_CTYPE", "LANG"):
         if value := environ.get(name):
             return "utf8" in value.lower().replace("-", "")
-    # Nothing is set: Python's UTF-8 mode coerces the C locale (PEP 538), but the terminal was not told anything.
-    return platform == "darwin" or "utf" in locale.getpreferredencoding(False).lower()
+    return platform == "darwin"
 
 
 def detect(environ: Mapping[str, str] | None = None, platform: str = sys.platform) -> str:
     """The name of the glyph set for this terminal, by what it says about itself."""
-    environ = os.environ if environ is None else environ
+    environ = terminal_environ() if environ is None else environ
     if not speaks_utf8(environ, platform):
         return "ascii"
     if environ.get("TERM", "") in ("linux", "dumb", "vt100", "vt220"):

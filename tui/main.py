@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from functools import partial
 from pathlib import Path
 
 _DESCRIPTION = "ROS 2 for people who have no ROS 2. Without a command, opens the desktop."
@@ -13,6 +14,8 @@ commands:
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
   python FILE [ARG ...]       run a Python file unmodified as a ROS program
   ros2 ...                    the ros2 command, on the graph of this machine
+  check_urdf FILE             check a robot description
+  urdf_to_graphviz FILE       draw a robot description
   shell                       a real sub-shell in which ros2 and python3 are these
   env                         print the variables that do the same for this shell or an IDE
 
@@ -96,6 +99,13 @@ def _ros2(words: list[str]) -> int:
     return run_local(importlib.import_module("day6_tui.core.ros.ros2").main, ["ros2", *words], one_shot=not lasting)
 
 
+def _urdf_tool(name: str, words: list[str]) -> int:
+    from day6_tui.core.ros.programs import load
+    from day6_tui.core.session.local import run_local
+
+    return run_local(load("urdfdom", name), [name, *words], one_shot=True)
+
+
 def _shell(words: list[str]) -> int:
     from day6_tui.core.shell.subshell import main as subshell
 
@@ -108,7 +118,15 @@ def _env(words: list[str]) -> int:
     return print_environment(words)
 
 
-_TABLE = {"exec": _exec, "python": _python, "ros2": _ros2, "shell": _shell, "env": _env}
+_TABLE = {
+    "exec": _exec,
+    "python": _python,
+    "ros2": _ros2,
+    "check_urdf": partial(_urdf_tool, "check_urdf"),
+    "urdf_to_graphviz": partial(_urdf_tool, "urdf_to_graphviz"),
+    "shell": _shell,
+    "env": _env,
+}
 
 if __name__ == "__main__":
     sys.exit(main())

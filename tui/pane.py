@@ -45,6 +45,7 @@ class Pane(Widget, can_focus=True):
         super().__init__(id=id)
         self.look = look
         self._strips: dict[int, Strip] = {}
+        self._strips_size = (0, 0)
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
@@ -144,6 +145,11 @@ class Pane(Widget, can_focus=True):
 
     def render_lines(self, crop: Region) -> list[Strip]:
         # Not through Textual's styles cache: these lines are finished, with frame and colours, and cached here.
+        size = self.size
+        if size != self._strips_size:
+            # The first picture after a resize comes before the Resize event is handled.
+            self._strips_size = size
+            self._strips.clear()
         left, right = crop.x, crop.right
         whole = left == 0 and right == self.size.width
         lines = [self._strip(y) for y in range(crop.y, crop.bottom)]

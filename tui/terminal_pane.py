@@ -15,7 +15,7 @@ from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.terminal_keys import encode
 from day6_tui.tui.terminal_view import TerminalView, tab_name
 
-TAB_WIDTH = 18
+TAB_WIDTH = 20
 """Cells the name of a tab may take."""
 
 WHEEL_LINES = 3

@@ -154,8 +154,8 @@ class Screen(pyte.Screen):
         end = len(lines) - self.lines
         for line in lines[1:end][-SCROLLBACK:]:
             line = line.rstrip("\r").rpartition("\r")[2].expandtabs(8)
-            for start in range(0, max(len(line), 1), self.columns):
-                self._remember(line[start : start + self.columns].rstrip())
+            for row in _wrapped(line, self.columns):
+                self._remember(row.rstrip(" "))
         self.buffer.clear()
         self.cursor.x = self.cursor.y = 0
         self.dirty.update(range(self.lines))
@@ -167,6 +167,7 @@ class Screen(pyte.Screen):
             cells = self._cells_for(cursor.attrs)
             line = self.buffer[cursor.y]
             x = cursor.x
+            self._clear_halves(line, x, len(data))
             for char in data:
                 line[x] = cells[char] if char in cells else self._new_cell(cells, char)
                 x += 1
@@ -293,6 +294,10 @@ class Screen(pyte.Screen):
             numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
         super().reset_mode(*numbers, **keywords)
 
+    def reset(self) -> None:
+        self._main = None
+        super().reset()
+
     def bell(self, *args: Any) -> None:
         self.bells += 1
 
@@ -307,9 +312,11 @@ class Screen(pyte.Screen):
         columns = columns or self.columns
         if (lines, columns) == (self.lines, self.columns):
             return
+        self.tabstops = set(range(8, columns, 8))
         if self.alternate:
             super().resize(lines, columns)
-            self.cursor.y = min(self.cursor.y, lines - 1)
+            self.cursor.x, self.cursor.y = min(self.cursor.x, columns), min(self.cursor.y, lines - 1)
+            self.dirty.intersection_update(range(lines))
             return
         used = max([self.cursor.y, *(y for y in self.buffer if self.buffer[y])], default=0) + 1
         shift = max(used - lines, 0)
@@ -335,6 +342,7 @@ class Screen(pyte.Screen):
         self.margins = None
         self.cursor.y = min(max(self.cursor.y, 0), lines - 1)
         self.cursor.x = min(self.cursor.x, columns)
+        self.dirty.clear()
         self.dirty.update(range(lines))
 
     def _bring_back(self, count: int) -> None:
@@ -373,6 +381,21 @@ class CellRow:
 
 
 _BLANK = Char(" ")
+
+
+def _wrapped(line: str, columns: int) -> list[str]:
+    """A line of plain text as the rows it takes on a screen that many cells wide."""
+    if line.isascii():
+        return [line[start : start + columns] for start in range(0, max(len(line), 1), columns)]
+    rows: list[str] = []
+    start = used = 0
+    for index, char in enumerate(line):
+        width = char_width(char)
+        if used + width > columns:
+            rows.append(line[start:index])
+            start, used = index, 0
+        used += width
+    return [*rows, line[start:]]
 
 
 def _cells_of(row: Row) -> list[Char]:

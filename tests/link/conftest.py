@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -16,8 +17,15 @@ from link_harness import World
 
 
 @pytest.fixture
-def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[World]:
-    runtime = tmp_path / "r"
+def short_folder() -> Iterator[Path]:
+    """A folder whose name leaves room for a socket's (pytest's own are too long)."""
+    with tempfile.TemporaryDirectory(prefix="d6-") as name:
+        yield Path(name)
+
+
+@pytest.fixture
+def world(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[World]:
+    runtime = short_folder / "r"
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(runtime))
     monkeypatch.setenv("DAY6_LINK", "on")
     made = World(tmp_path, runtime)

@@ -379,12 +379,12 @@ def test_where_sockets_are_tcp_a_password_is_asked(
 
 
 def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
-    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     from day6_tui.core.graph import Graph
     from day6_tui.core.link import join, leave
 
-    blocked = tmp_path / "file"
+    blocked = short_folder / "file"
     blocked.touch()
     monkeypatch.setenv("DAY6_RUNTIME_DIR", str(blocked))
     graph = Graph()
@@ -397,13 +397,13 @@ def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
 
 
 def test_a_symbolic_link_in_place_of_the_folder_is_refused(
-    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from day6_tui.core.link.paths import LinkError, meeting_place
 
-    (tmp_path / "elsewhere").mkdir()
-    (tmp_path / "trap").symlink_to(tmp_path / "elsewhere")
-    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "trap"))
+    (short_folder / "elsewhere").mkdir()
+    (short_folder / "trap").symlink_to(short_folder / "elsewhere")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(short_folder / "trap"))
     with pytest.raises(LinkError, match="not a folder"):
         meeting_place(0)
 
@@ -419,7 +419,7 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
 
 @pytest.mark.parametrize("sockets", ["on", "tcp"])
 def test_two_machines_meet_only_by_name(
-    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, sockets: str
+    world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch, sockets: str
 ) -> None:
     import json
     import socket
@@ -428,12 +428,12 @@ def test_two_machines_meet_only_by_name(
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     monkeypatch.setenv("DAY6_LINK", sockets)
-    here, there = str(tmp_path / "m1"), str(tmp_path / "m2")
+    here, there = str(short_folder / "m1"), str(short_folder / "m2")
     listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})
     teacher = world.process(DAY6_RUNTIME_DIR=here, TEST_ADDRESSES=listen)
     beside = world.process(DAY6_RUNTIME_DIR=here)
-    stranger = world.process(DAY6_RUNTIME_DIR=str(tmp_path / "m3"))
+    stranger = world.process(DAY6_RUNTIME_DIR=str(short_folder / "m3"))
     stranger.node("stranger")
     student = world.process(DAY6_RUNTIME_DIR=there, TEST_ADDRESSES=connect)
     students_program = world.process(DAY6_RUNTIME_DIR=there)

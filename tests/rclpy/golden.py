@@ -17,6 +17,7 @@ from pathlib import Path
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
 
 ROOT = Path(__file__).resolve().parents[2]
+RECORDED = Path(__file__).with_name("recorded.jsonl")
 REFERENCE = ROOT.parent / "shared" / "reference" / "golden" / "rclpy_behaviour.jsonl"
 SITE = "<PREFIX>/lib/python3.11/site-packages"
 TIMEOUT_S = 30
@@ -30,6 +31,7 @@ _REPLACEMENTS = (
 _FRAME = re.compile(r'  File "([^"]+)", line \d+, in ')
 _INSIDE = re.compile(rf"({re.escape(SITE)}/rclpy/|<frozen)")
 _WARNING = re.compile(rf"^{re.escape(SITE)}/rclpy/[\w/]+\.py:\d+: ")
+_SOURCE_LINES = ("  warnings.warn(", "  self.__node = _rclpy.", "  _rclpy.")
 _POINTERS = re.compile(r"\s*[\^~]+\s*")
 
 
@@ -51,11 +53,11 @@ class Case:
     expected: Outcome
 
 
-def cases() -> list[Case]:
-    """Return the recorded cases; none where the reference folder is absent."""
-    if not REFERENCE.is_file():
+def cases(source: Path) -> list[Case]:
+    """Return the cases of a file; none where it is absent."""
+    if not source.is_file():
         return []
-    entries = [json.loads(line) for line in REFERENCE.read_text(encoding="utf-8").splitlines()]
+    entries = [json.loads(line) for line in source.read_text(encoding="utf-8").splitlines()]
     return [
         Case(entry["name"], entry["code"], comparable(Outcome(entry["stdout"], entry["stderr"], entry["exit_code"])))
         for entry in entries
@@ -110,7 +112,7 @@ def _without_insides(text: str) -> str:
             inside = bool(_INSIDE.match(frame[1]))
         elif not line.startswith("    "):
             inside = False
-        if inside or _POINTERS.fullmatch(line) or line.startswith("  warnings.warn("):
+        if inside or _POINTERS.fullmatch(line) or line.startswith(_SOURCE_LINES):
             continue
         line = _WARNING.sub("<rclpy>: ", line)
         kept.append(line)
@@ -118,10 +120,12 @@ def _without_insides(text: str) -> str:
 
 
 def _without_ignored(lines: list[str]) -> list[str]:
-    """Drop what real rclpy's `Executor.__del__` prints when its own constructor failed (a slip, not behaviour)."""
+    """Drop what real rclpy prints when its own clean-up fails (slips, not behaviour)."""
     kept: list[str] = []
     dropping = False
     for line in lines:
+        if "RuntimeWarning: Failed to fini " in line:
+            continue
         if line.startswith("Exception ignored in: <function Executor.__del__"):
             dropping = True
         elif dropping and (line.startswith((" ", "Traceback")) or "_sigint_gc" in line):

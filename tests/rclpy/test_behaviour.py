@@ -10,10 +10,11 @@ import pytest
 
 sys.path.insert(0, os.path.dirname(__file__))
 
-from golden import REFERENCE, Case, cases, play
+from golden import RECORDED, REFERENCE, Case, cases, play
 from known_differences import KNOWN, TIMING, UNCHECKED_FIELDS
 
-_CASES = cases()
+_CASES = cases(REFERENCE)
+_OWN = cases(RECORDED)
 
 
 def test_the_recorded_cases_are_there() -> None:
@@ -42,3 +43,13 @@ def test_a_recorded_program_does_the_same(case: Case, tmp_path: Path) -> None:
     late = TIMING.get(case.name)
     lines = [line for line in outcome.stderr.splitlines() if late is None or not line.endswith(late)]
     assert "\n".join(lines) == case.expected.stderr
+
+
+@recorded_here
+@pytest.mark.parametrize("case", _OWN, ids=lambda case: case.name)
+def test_a_program_of_ours_does_what_it_did_with_real_rclpy(case: Case, tmp_path: Path) -> None:
+    """The programs of recorded.jsonl; `record.py` records them anew where a real rclpy is."""
+    outcome = play(case.code, tmp_path)
+    assert outcome.exit_code == case.expected.exit_code, outcome.stderr
+    assert outcome.stdout == case.expected.stdout
+    assert outcome.stderr == case.expected.stderr

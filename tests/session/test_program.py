@@ -80,7 +80,8 @@ def test_sys_exit_means_what_it_means_in_python(machine: Machine, code: object, 
 
 
 @pytest.mark.parametrize(
-    ("number", "status", "killed_by"), [(2, 130, 2), (15, 143, 15), (9, 137, 9), (1, 129, 1), (10, 138, 10), (28, None, 0)]
+    ("number", "status", "killed_by"),
+    [(2, 130, 2), (15, 143, 15), (9, 137, 9), (1, 129, 1), (10, 138, 10), (28, None, 0)],
 )
 def test_a_signal_ends_a_program_as_a_shell_counts_it(
     machine: Machine, number: int, status: int | None, killed_by: int

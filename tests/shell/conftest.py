@@ -40,7 +40,9 @@ class Machine:
     """Runs command lines as `day6-tui exec` does."""
 
     def __init__(self, home: Path) -> None:
-        self.desk = Desk(home, domain_id=0, join_link=False, clock=WorldClock(wall=None, epoch_ns=1_700_000_000_000_000_000))
+        self.desk = Desk(
+            home, domain_id=0, join_link=False, clock=WorldClock(wall=None, epoch_ns=1_700_000_000_000_000_000)
+        )
         self.shell: Shell = self.desk.shell()
         self.out, self.err = Captured(), Captured()
 
@@ -61,9 +63,7 @@ class Machine:
             except (LoopControl, ReturnFromSource):
                 return shell.status
 
-        program = self.desk.start_program(
-            ["bash"], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell
-        )
+        program = self.desk.start_program(["bash"], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)
         self.desk.scheduler.advance()
         return program
 

@@ -18,7 +18,9 @@ posix = pytest.mark.skipif(os.name != "posix", reason="needs signals and ptys")
 
 
 def day6(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*MAIN, *arguments], cwd=cwd, input=stdin, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(
+        [*MAIN, *arguments], cwd=cwd, input=stdin, capture_output=True, text=True, timeout=60, check=False
+    )
 
 
 @pytest.fixture(autouse=True)
@@ -80,7 +82,9 @@ def test_sleep_is_paced_by_the_wall(tmp_path: Path) -> None:
 
 
 def test_a_reader_that_goes_away_ends_exec_without_a_word(tmp_path: Path) -> None:
-    exec_ = subprocess.Popen([*MAIN, "exec", "-c", "seq 1000000"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    exec_ = subprocess.Popen(
+        [*MAIN, "exec", "-c", "seq 1000000"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
     assert exec_.stdout is not None and exec_.stderr is not None
     assert exec_.stdout.readline() == b"1\n"
     exec_.stdout.close()
@@ -92,7 +96,9 @@ def test_a_reader_that_goes_away_ends_exec_without_a_word(tmp_path: Path) -> Non
 @posix
 def test_ctrl_c_ends_the_line_and_what_runs_in_the_background(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(1000)\n")
-    exec_ = subprocess.Popen([*MAIN, "exec", "-c", "python3 a.py & sleep 1000; echo never"], cwd=tmp_path, stdout=subprocess.PIPE, text=True)
+    exec_ = subprocess.Popen(
+        [*MAIN, "exec", "-c", "python3 a.py & sleep 1000; echo never"], cwd=tmp_path, stdout=subprocess.PIPE, text=True
+    )
     assert exec_.stdout is not None
     pid = int(exec_.stdout.readline())
     exec_.send_signal(signal.SIGINT)
@@ -133,7 +139,9 @@ def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
 def test_the_sub_shell_has_ros2_and_our_python(tmp_path: Path) -> None:
     env = {**os.environ, "SHELL": "/bin/sh"}
     commands = "command -v ros2; python3 -c 'import rclpy; print(rclpy.__name__)'; exit 3\n"
-    result = subprocess.run([*MAIN, "shell"], cwd=tmp_path, env=env, input=commands, capture_output=True, text=True, check=False)
+    result = subprocess.run(
+        [*MAIN, "shell"], cwd=tmp_path, env=env, input=commands, capture_output=True, text=True, check=False
+    )
     assert result.returncode == 3
     assert result.stdout.splitlines()[0].endswith("/ros2")
     assert result.stdout.splitlines()[1] == "rclpy"
@@ -146,7 +154,9 @@ class RealTerminal:
         import pty
 
         self.master, slave = pty.openpty()
-        self.process = subprocess.Popen([*MAIN, *arguments], cwd=cwd, stdin=slave, stdout=slave, stderr=slave, start_new_session=True)
+        self.process = subprocess.Popen(
+            [*MAIN, *arguments], cwd=cwd, stdin=slave, stdout=slave, stderr=slave, start_new_session=True
+        )
         os.close(slave)
         self.seen = ""
 
@@ -173,7 +183,10 @@ class RealTerminal:
 
 @pytest.fixture
 def teleop(tmp_path: Path) -> Iterator[RealTerminal]:
-    lines = "ros2 run turtlesim turtlesim_node & sleep 0.5; ros2 run turtlesim turtle_teleop_key; sleep 1.1; ros2 topic echo --once /turtle1/pose"
+    lines = (
+        "ros2 run turtlesim turtlesim_node & sleep 0.5; ros2 run turtlesim turtle_teleop_key; sleep 1.1; "
+        "ros2 topic echo --once /turtle1/pose"
+    )
     terminal = RealTerminal("exec", "-c", lines, cwd=tmp_path)
     yield terminal
     terminal.close()
@@ -203,3 +216,23 @@ def test_the_headless_example_prints_the_real_answers(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert "x: 6.602816581726074\ny: 6.938989639282227\ntheta: 1.8143999576568604\n" in result.stdout
     assert result.stdout.endswith("---\n/turtlesim\n")
+
+
+@posix
+def test_ctrl_c_in_a_real_terminal_ends_a_ros2_command(tmp_path: Path) -> None:
+    terminal = RealTerminal("exec", "-c", "ros2 topic pub -r 20 /a std_msgs/msg/String; echo ended $?", cwd=tmp_path)
+    try:
+        terminal.wait("publishing #2")
+        terminal.process.send_signal(signal.SIGINT)
+        terminal.wait("ended 2")
+        assert terminal.process.wait(30) == 0
+        assert "Traceback" not in terminal.seen
+    finally:
+        terminal.close()
+
+
+def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
+    result = day6("ros2", "topic", "list", cwd=tmp_path)
+    assert (result.returncode, result.stdout) == (0, "/parameter_events\n/rosout\n")
+    wrong = day6("ros2", "run", "nowhere", "nothing", cwd=tmp_path)
+    assert (wrong.returncode, wrong.stderr) == (1, "Package 'nowhere' not found\n")

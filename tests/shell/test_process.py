@@ -66,7 +66,11 @@ def test_the_traceback_is_pythons_own(machine: Any) -> None:
 
 
 def test_our_packages_are_on_its_path_and_the_environment_is_the_terminals(machine: Any) -> None:
-    write(machine.desk.home, "a.py", "import os, rclpy\nprint(os.environ['COLOUR'], os.environ['ROS_DISTRO'], os.getcwd())\n")
+    write(
+        machine.desk.home,
+        "a.py",
+        "import os, rclpy\nprint(os.environ['COLOUR'], os.environ['ROS_DISTRO'], os.getcwd())\n",
+    )
     result = machine.run("export COLOUR=red; python3 a.py")
     assert result.out == f"red jazzy {machine.desk.home}\n", result.err
 
@@ -89,7 +93,8 @@ def test_a_reader_that_stops_early_ends_the_writer(machine: Any) -> None:
 
 @posix
 @pytest.mark.parametrize(
-    ("number", "status", "word"), [(11, 139, "Segmentation fault"), (15, 143, "Terminated"), (9, 137, "Killed"), (6, 134, "Aborted")]
+    ("number", "status", "word"),
+    [(11, 139, "Segmentation fault"), (15, 143, "Terminated"), (9, 137, "Killed"), (6, 134, "Aborted")],
 )
 def test_death_by_a_signal_is_told_as_bash_does(machine: Any, number: int, status: int, word: str) -> None:
     result = machine.run(f"python3 -c 'import os; os.kill(os.getpid(), {number})'; echo $?")
@@ -215,7 +220,12 @@ def test_what_a_program_started_ends_with_it(machine: Any) -> None:
 @posix
 @pytest.mark.parametrize("terminal", [True, False])
 def test_no_process_outlives_a_day6_that_was_killed(tmp_path: Path, terminal: bool) -> None:
-    write(tmp_path, "a.py", "import os, signal, time\nsignal.signal(signal.SIGHUP, signal.SIG_IGN)\nopen('pid', 'w').write(str(os.getpid()))\nwhile True: time.sleep(1)\n")  # fmt: skip
+    write(
+        tmp_path,
+        "a.py",
+        "import os, signal, time\nsignal.signal(signal.SIGHUP, signal.SIG_IGN)\n"
+        "open('pid', 'w').write(str(os.getpid()))\nwhile True: time.sleep(1)\n",
+    )
     script = tmp_path / "desk.py"
     write(
         tmp_path,

@@ -266,7 +266,7 @@ def test_raw_keys_go_to_the_program_and_the_mode_ends_with_it(machine: Any, seat
 def test_two_terminals_have_their_own_environment_and_directory(machine: Any, seat: Any) -> None:
     other = type(seat)(machine.desk)
     seat.line("export COLOUR=red; cd ros2_ws")
-    assert other.line("echo \"[$COLOUR]\"").splitlines()[-2:] == ["[]", PROMPT]
+    assert other.line('echo "[$COLOUR]"').splitlines()[-2:] == ["[]", PROMPT]
 
 
 def test_bashrc_is_read_by_every_new_terminal(machine: Any, seat: Any) -> None:
@@ -346,4 +346,8 @@ def test_a_line_being_typed_survives_what_a_background_job_prints(seat: Any) -> 
     seat.settle(2)
     assert seat.look().splitlines()[-1] == f"{PROMPT} echo afrom behind"
     assert seat.type("b").splitlines()[-1] == f"{PROMPT} echo ab"
-    assert seat.type("\r").splitlines()[-3:] == ["ab", "[1]+  Done                    (sleep 1; echo from behind)", PROMPT]
+    assert seat.type("\r").splitlines()[-3:] == [
+        "ab",
+        "[1]+  Done                    (sleep 1; echo from behind)",
+        PROMPT,
+    ]

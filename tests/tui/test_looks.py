@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import string
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from conftest import make_look
@@ -14,6 +18,7 @@ from day6_tui.tui.cells import clip, fit, wrap
 from day6_tui.tui.colours import colours
 from day6_tui.tui.windows import KINDS
 
+ROOT = Path(__file__).resolve().parents[2]
 EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
 
 
@@ -31,6 +36,16 @@ EN, ZH = locale.catalogue("en"), locale.catalogue("zh")
 )
 def test_glyphs_follow_the_terminal(environ, name) -> None:
     assert glyphs.detect(environ, "linux") == name
+
+
+def test_what_python_adds_to_the_environment_is_not_taken_for_the_terminals_word() -> None:
+    """In the C locale Python sets LC_CTYPE=C.UTF-8 for itself (PEP 538)."""
+    code = "import os; from day6_tui.tui.glyphs import detect; print(os.environ.get('LC_CTYPE'), detect())"
+    keep = {name: os.environ[name] for name in ("PATH", "PYTHONPATH", "HOME") if name in os.environ}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={**keep, "LANG": "C", "TERM": "xterm"}, capture_output=True, text=True, cwd=ROOT
+    )
+    assert done.stdout.split()[-1] == "ascii", done.stderr
 
 
 def test_windows_terminals_get_half_blocks_whatever_the_code_page() -> None:

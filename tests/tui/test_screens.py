@@ -77,6 +77,24 @@ async def test_every_size_of_terminal_shows_something_and_every_line_fits(desk, 
         assert all(cell_len(line) <= size[0] for line in lines)
 
 
+async def test_the_first_picture_after_a_resize_is_drawn_before_anybody_was_told(monkeypatch) -> None:
+    """Textual renders a pane at its new size before the pane hears of it."""
+    from day6_tui.tui.pane import Pane
+    from day6_tui.tui.windows.turtlesim import TurtleSimPane
+
+    desk = FakeDesk()
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 120, 40, lang="en") as (app, pilot):
+        await step(app, pilot)
+        pane = app.desktop.panes[window.number]
+        for kind in (Pane, TurtleSimPane):
+            monkeypatch.setattr(kind, "on_resize", lambda self, event: None)
+        for size in ((80, 24), (200, 60), (100, 20)):
+            await pilot.resize_terminal(*size)
+            strips = pane.render_lines(pane.size.region)
+            assert [strip.cell_length for strip in strips] == [pane.size.width] * pane.size.height
+
+
 async def test_resizing_while_the_turtle_moves_keeps_the_picture_whole() -> None:
     desk, simulation = FakeDesk(), FakeSimulation()
     desk.display.open("turtlesim", "TurtleSim", simulation)

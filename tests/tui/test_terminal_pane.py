@@ -161,7 +161,7 @@ async def test_a_tab_tells_what_runs_and_that_there_is_news(desk) -> None:
         desk.terminals[0].write("x: 1.0\n")
         await step(app, pilot)
         title = screen_lines(app)[1]
-        assert " 1 echo /turtle1/p… ● " in title
+        assert " 1 echo /turtle1/pose ● " in title
         assert " 2 ~ " in title
         await pilot.press("f3", "f3")
         await step(app, pilot)

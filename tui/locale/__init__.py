@@ -6,7 +6,6 @@ along and may change while the desktop runs, so a text is looked up where it is 
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from importlib import import_module
 
@@ -40,9 +39,8 @@ class Texts:
         self.language = LANGUAGES[(LANGUAGES.index(self.language) + 1) % len(LANGUAGES)]
 
 
-def detect(environ: Mapping[str, str] | None = None, *, wide_glyphs: bool = True) -> str:
+def detect(environ: Mapping[str, str], *, wide_glyphs: bool = True) -> str:
     """The language of the locale; English where the terminal has no Chinese characters (`wide_glyphs` False)."""
-    environ = os.environ if environ is None else environ
     if wide_glyphs:
         for name in ("LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
             if value := environ.get(name):

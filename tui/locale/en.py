@@ -66,7 +66,7 @@ TEXTS = {
     "bar.playing": "typing for you … Esc stops it",
     "bar.external": "student processes run at normal speed",
     # terminal
-    "terminal.hint": "The arrow keys drive only in here: click, or press {key}",
+    "terminal.hint": "Arrow keys work only in here: click or {key}",
     "terminal.scrolled": "{count} lines further down · any key goes there",
     "terminal.copied": "Copied",
     "terminal.ended": "The shell has ended",

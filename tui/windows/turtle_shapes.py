@@ -38,6 +38,10 @@ COATS = (
 """One after the other for the turtles of a window; they differ in lightness as well as in hue."""
 
 
+FLAGS = (0x008000, 0x800000, 0x800080, 0x808000, 0x008080, 0x808080, 0x000080, 0x000000)
+"""For each coat one of the sixteen colours every terminal has."""
+
+
 def heading_step(theta: float) -> int:
     """The drawn direction (0 = along +x, counter-clockwise) for an angle in radians."""
     if not math.isfinite(theta):

@@ -20,7 +20,7 @@ from day6_tui.tui.colours import pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.turtle_shapes import COATS, REAL_SIZE, Coat, characters, heading_step, pixels
+from day6_tui.tui.windows.turtle_shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels
 
 IMAGE = 500
 """Pixels of turtlesim's path image along one side."""
@@ -82,7 +82,7 @@ class TurtleSimPane(WindowPane):
     def pull(self, now: float) -> bool:
         if not self.inner_width or not self.inner_height:
             return False
-        if self._canvas is None:
+        if not self._fits():
             self._take_over()
             self.touch()
             return False
@@ -96,8 +96,15 @@ class TurtleSimPane(WindowPane):
         self.touch_spans(span for span in spans if span[0] not in compared)
         return False
 
+    def _fits(self) -> bool:
+        """Whether there is a canvas, of the size of the window."""
+        canvas = self._canvas
+        return canvas is not None and (canvas.columns, canvas.rows) == self._world_place()[2:]
+
     def _take_over(self) -> Canvas:
         """Bring the canvas to what the model shows now."""
+        if not self._fits():
+            self._canvas = None
         scene, fresh = self.model.scene, self._canvas is None
         canvas = self._up_to_date(scene, self.model.trail)
         if scene is not self._scene or fresh:
@@ -163,7 +170,7 @@ class TurtleSimPane(WindowPane):
             else:
                 body = "@" if len(scene.turtles) == 1 else str(number % 10)
                 for dx, dy, char in characters(step, body):
-                    marks[x + dx, y + dy] = Mark(char, 0xFFFFFF, coat.pattern if canvas.mode == "cell" else None)
+                    marks[x + dx, y + dy] = Mark(char, 0xFFFFFF, self._flag(coat) if canvas.mode == "cell" else None)
                 above = y - 2
             if labelled:
                 _put_label(canvas, marks, turtle.name, x // canvas.across, above)
@@ -184,10 +191,16 @@ class TurtleSimPane(WindowPane):
         self.touch_lines(lines)
         return lines
 
+    def _flag(self, coat: Coat) -> int:
+        """The colour that stands for a turtle behind white characters."""
+        return FLAGS[COATS.index(coat)] if self.look.glyphs.canvas in ("cell", "ascii") else coat.pattern
+
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        canvas = self._canvas or self._take_over()
+        canvas = self._canvas
+        if canvas is None or not self._fits():
+            canvas = self._take_over()
         left, top, columns, rows = self._world_place()
         segments: list[Segment] = []
         if top <= y < top + rows:
@@ -210,7 +223,7 @@ class TurtleSimPane(WindowPane):
         turtle = turtles[line]
         coat = self._coats[turtle.name]
         colours = self.look.colours
-        swatch = Segment(f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, coat.pattern))
+        swatch = Segment(f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, self._flag(coat)))
         text = f" {turtle.name}"
         numbers = f"  {turtle.x:5.2f} {turtle.y:5.2f} {_arrow(turtle.theta, self.look.glyphs.unicode)}"
         if width >= 4 + cell_len(text) + len(numbers):

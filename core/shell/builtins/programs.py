@@ -27,10 +27,15 @@ async def ros2(session: Session) -> int:
     return (await main(session)) or 0
 
 
-async def rqt_graph(session: Session) -> int:
-    from day6_tui.core.ros.programs import load
+def _program(package: str, executable: str) -> Main:
+    """A command that is an executable of one of our packages."""
 
-    return await session.execute(load("rqt_graph", "rqt_graph"), session.argv)
+    async def main(session: Session) -> int:
+        from day6_tui.core.ros.programs import load
+
+        return await session.execute(load(package, executable), session.argv)
+
+    return main
 
 
 async def sudo(session: Session) -> int:
@@ -116,7 +121,9 @@ COMMANDS: dict[str, Main] = {
     "python3": python3,
     "python": python3,
     "ros2": ros2,
-    "rqt_graph": rqt_graph,
+    "rqt_graph": _program("rqt_graph", "rqt_graph"),
+    "check_urdf": _program("urdfdom", "check_urdf"),
+    "urdf_to_graphviz": _program("urdfdom", "urdf_to_graphviz"),
     "sudo": sudo,
     "apt": apt,
     "apt-get": apt,

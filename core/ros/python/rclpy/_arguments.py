@@ -52,6 +52,9 @@ class RosArguments:
         try:
             self.rules.append(read_remap_rule(text))
         except RuleError as error:
+            namespace = text.rpartition("__ns:=")[2]
+            if namespace != text and not namespace.startswith("/"):
+                _log(30, f"Namespace not remapped to a fully qualified name (found: {namespace})")
             raise _refused("remap rule", flag, text, error, 380) from None
 
     def _add_parameter(self, flag: str, text: str) -> None:
@@ -125,6 +128,12 @@ def _refused(what: str, flag: str, text: str, reason: object, line: int) -> RCLE
     )
 
 
+def _log(severity: int, message: str) -> None:
+    from rclpy._logging_settings import PROCESS
+
+    PROCESS.emit(severity, "rcl", message, "", "", 0)
+
+
 def _check_texts(args: Sequence[str]) -> None:
     if not all(isinstance(arg, str) for arg in args):
         raise TypeError("bad argument type for built-in operation")
@@ -177,10 +186,8 @@ def _take_old_rule(found: RosArguments, word: str) -> None:
     except RuleError:
         # Then it is an argument of the program's own.
         return
-    from rclpy._logging_settings import PROCESS
-
     hint = f"This syntax is deprecated. Use '--ros-args --remap {word}' instead."
-    PROCESS.emit(30, "rcl", f"Found remap rule '{word}'. {hint}", "", "", 0)
+    _log(30, f"Found remap rule '{word}'. {hint}")
 
 
 def parse_global_arguments(args: Sequence[str]) -> RosArguments:
@@ -189,9 +196,7 @@ def parse_global_arguments(args: Sequence[str]) -> RosArguments:
         return parse_arguments(args)
     except RCLError as error:
         if "Couldn't parse" in str(error):
-            from rclpy._logging_settings import PROCESS
-
-            PROCESS.emit(40, "rcl", "Failed to parse global arguments", "", "", 0)
+            _log(40, "Failed to parse global arguments")
         raise
 
 

@@ -52,13 +52,14 @@ class Future(Generic[T]):
         if self._exception is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
-    def __await__(self) -> Generator[None, None, T | None]:
+    def __await__(self) -> Generator[Future[T] | None, None, T | None]:
         while self._state is _PENDING:
-            # The yield itself is bare, as in real rclpy, so that a future can be awaited under asyncio too.
             task = getattr(_running, "task", None)
             if task is not None:
                 task._awaited = self
-            yield
+            # Whoever drives the coroutine learns what it waits for. asyncio knows nothing of our futures; a bare yield, as
+            # in real rclpy, makes it come back soon.
+            yield None if task is not None or _under_asyncio() else self
         return self.result()
 
     def _pending(self) -> bool:
@@ -244,6 +245,12 @@ class Task(Future[T]):
         if self._state is _PENDING and self._coroutine is not None:
             self._coroutine.close()
         super().cancel()
+
+
+def _under_asyncio() -> bool:
+    """Say whether an event loop of asyncio runs on this thread, without importing asyncio."""
+    events = sys.modules.get("asyncio.events")
+    return events is not None and events._get_running_loop() is not None
 
 
 def _no_function() -> None:

@@ -297,8 +297,8 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._check_goal(goal)
         self._handle.check()
         goal_id = self._generate_random_uuid() if goal_uuid is None else goal_uuid
-        key = bytes(goal_id.uuid)
         request = self._handle.implementation.SendGoalService.Request(goal_id=goal_id, goal=goal)
+        key = bytes(goal_id.uuid)
         if feedback_callback is not None:
             self._feedback_callbacks[key] = feedback_callback
         future: Future[Any] = Future()

@@ -108,8 +108,13 @@ class StateMachine:
     def _make(self, transition: Transition | None, wanted: int | str, publish_update: bool) -> None:
         if transition is None:
             text = f"No transition matching {wanted} found for current state {STATES[self._state]}"
-            self._settings.emit(30, "rcl_lifecycle", text, "", "", 0)
-            raise RCLError("Failed to trigger lifecycle state machine transition: Transition is not registered.")
+            # Looked for by label, rcl_lifecycle says it twice.
+            for _ in range(2 if isinstance(wanted, str) else 1):
+                self._settings.emit(30, "rcl_lifecycle", text, "", "", 0)
+            raise RCLError(
+                "Failed to trigger lifecycle state machine transition: Transition is not registered., "
+                "at /project/src/rcl_lifecycle.c:355"
+            )
         self._state = transition.goal
         if publish_update:
             self._on_transition(transition.start, transition.goal)

@@ -1,0 +1,49 @@
+"""The recorded cases of check_urdf and urdf_to_graphviz (urdfdom 4.0.1), played on our commands."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros.programs import load
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import Captured
+
+GOLDEN = Path(__file__).resolve().parents[3] / "shared" / "reference" / "golden" / "check_urdf.jsonl"
+NO_DOT = "dot is not installed here, so there is no "
+
+
+def cases() -> list[dict[str, Any]]:
+    if not GOLDEN.exists():
+        return []
+    return [json.loads(line) for line in GOLDEN.read_text(encoding="utf-8").splitlines()]
+
+
+@pytest.mark.skipif(not GOLDEN.exists(), reason="the recorded cases lie in ../shared beside the repository")
+@pytest.mark.parametrize("case", cases(), ids=lambda case: case["name"])
+def test_the_tools_answer_as_recorded(case: dict[str, Any], tmp_path: Path) -> None:
+    if case["urdf"] is not None:
+        (tmp_path / "robot.urdf").write_text(case["urdf"], encoding="utf-8")
+    stdout, stderr = Captured(), Captured()
+    scheduler = Scheduler(WorldClock())
+    session = Session(scheduler, Graph(), case["argv"], cwd=tmp_path, stdout=stdout, stderr=stderr)
+    program = Program(session, load("urdfdom", case["argv"][0]))
+    assert scheduler.run(lambda: program.status is not None, timeout=10.0)
+    assert program.status == case["exit_code"]
+    recorded = case["stdout"]
+    errors = [line for line in stderr.text.splitlines() if not line.startswith(NO_DOT)]
+    if shutil.which("dot") is None:
+        recorded = "".join(line for line in recorded.splitlines(True) if not line.endswith(".pdf\n"))
+    assert stdout.text == recorded
+    assert errors == (case["stderr"].splitlines() if shutil.which("dot") or "dot:" not in case["stderr"] else errors)
+    for name, text in case["files_created"].items():
+        if name.endswith(".gv"):
+            assert (tmp_path / name).read_text(encoding="utf-8") == text
