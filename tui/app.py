@@ -19,6 +19,7 @@ os.environ.setdefault("TEXTUAL_FPS", "30")
 from textual import events  # noqa: E402
 from textual.app import App, ComposeResult  # noqa: E402
 from textual.binding import Binding  # noqa: E402
+from textual.screen import Screen  # noqa: E402
 
 from day6_tui.tui import actions, chops  # noqa: E402
 from day6_tui.tui.app_actions import AppActions  # noqa: E402
@@ -40,6 +41,9 @@ chops.install()
 _log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 30.0
+LINK_SECONDS = 0.4
+"""After the first frame: the prompt comes before the link, whose library takes 50 ms of a core and 11 MB."""
+
 WAITING_OUTPUT = 3
 """Writes the terminal has not taken yet from which the next frame is put off."""
 
@@ -55,6 +59,12 @@ def make_look(options: Any, environ: Any = None) -> Look:
     look = Look(glyphs, colours(sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))), Texts(language))
     look.reduced_motion = bool(getattr(options, "reduced_motion", False))
     return look
+
+
+class DeskScreen(Screen[None]):
+    """Textual's screen, whose own background is never seen."""
+
+    BLANK = True
 
 
 class Day6App(AppActions, App[None]):
@@ -86,6 +96,9 @@ class Day6App(AppActions, App[None]):
         self.notice = ""
         self._notice_until = 0.0
 
+    def get_default_screen(self) -> Screen[Any]:
+        return DeskScreen(id="_default")
+
     def compose(self) -> ComposeResult:
         yield self.top
         yield self.desktop
@@ -110,6 +123,7 @@ class Day6App(AppActions, App[None]):
             self.exit(return_code=1, message=self.look.texts("error.home", path=path, reason=error.strerror or error))
             return
         self.new_terminal()
+        self.set_timer(LINK_SECONDS, self.machine.open_link)
         scene = getattr(self.options, "scene", None)
         if scene is not None:
             self.start_scene(scene)
@@ -156,6 +170,7 @@ class Day6App(AppActions, App[None]):
             for pane in (self.terminals, *self.desktop.panes.values()):
                 if pane is self.terminals or pane in shown:
                     try:
+                        pane.measure()
                         again = pane.pull(now) or again
                     except Exception as error:
                         self.window_failed(pane, error)
@@ -248,7 +263,7 @@ class Day6App(AppActions, App[None]):
         for action in actions.bar_actions():
             name = "action.resume" if action.id == "pause" and self.machine.paused else f"action.{action.id}"
             keys.append(KeyHint(action.label, texts(name), getattr(self, action.handler), action.weight))
-        return key_pieces(look, keys, self.size.width), []
+        return key_pieces(look, keys, self.bottom.extent.width), []
 
     # -- scenes --------------------------------------------------------------------------------------------------------
 
@@ -289,8 +304,17 @@ class Day6App(AppActions, App[None]):
         return True
 
 
+def keep_log_off_the_screen(environ: Any = None) -> None:
+    """Send the log of our own parts to the file $DAY6_LOG, or nowhere: Python's default, stderr, is the screen."""
+    file = (os.environ if environ is None else environ).get("DAY6_LOG")
+    handler = logging.FileHandler(file, encoding="utf-8") if file else logging.NullHandler()
+    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    logging.getLogger().addHandler(handler)
+
+
 def run(options: Any) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    keep_log_off_the_screen()
     try:
         app = Day6App(options)
     except (KeyError, ValueError) as error:

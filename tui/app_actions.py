@@ -226,7 +226,7 @@ class AppActions:
     def use_terminal(self, which: str) -> None:
         if which == "idle":
             for index, view in enumerate(self.terminals.views):
-                if view.at_prompt:
+                if not view.terminal.busy:  # its shell may still be starting: `ready` waits for the prompt
                     self.terminals.activate(index)
                     return
         self.new_terminal()

@@ -9,7 +9,7 @@ from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.widget import Widget
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.arrangement import Arrangement, arrange
+from day6_tui.tui.arrangement import Arrangement, Place, arrange
 from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import Overlay
 from day6_tui.tui.pane import Pane, Piece
@@ -31,7 +31,7 @@ class _DesktopLayout(Layout):
         placements = []
         for child in children:
             if isinstance(child, Overlay):
-                place = child.place(size.width, size.height)
+                place = child.place(_column_for_overlays(found, size))
                 placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
                 continue
             place = found.terminal if child is parent.terminals else found.windows.get(getattr(child, "number", -1))
@@ -40,10 +40,23 @@ class _DesktopLayout(Layout):
         return placements
 
 
+def _column_for_overlays(found: Arrangement, size: Size) -> Place:
+    """The part of the desktop over which something may lie: one column of panes.
+
+    Textual cuts every line at the edges of all widgets on it, also of those below, and a Chinese character that is cut is lost.
+    """
+    places = list(found.windows.values())
+    if found.terminal is None or not places or found.terminal.x == places[0].x:
+        return Place(0, 0, size.width, size.height)
+    return Place(places[0].x, 0, places[0].width, size.height)
+
+
 class Desktop(Container):
     """Owns the panes. It knows which window was used last and what is enlarged; the windows themselves belong to the display."""
 
     DEFAULT_CSS = "Desktop { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
+
+    BLANK = True  # the panes cover it
 
     def __init__(self, look: Look, terminals: TerminalPane, welcome: Pane) -> None:
         super().__init__(terminals, welcome, id="desktop")

@@ -26,12 +26,21 @@ class Machine:
             from day6_tui.core.shell.desk import Desk
 
             home = getattr(options, "home", None)
-            desk = Desk(Path(home) if home else None)
+            desk = Desk(
+                Path(home) if home else None,
+                listen=getattr(options, "listen", None),
+                connect=getattr(options, "connect", None),
+            )
         desk.scheduler.on_activity = self._wake
         self._forget = desk.graph.add_listener(self._graph_changed)
         self.desk = desk
         if self._given is None:
-            desk.start()
+            desk.start(link=False)
+
+    def open_link(self) -> None:
+        """Meet the other processes of this user."""
+        if self._given is None and self.desk is not None:
+            self.desk.open_link()
 
     def robot_words(self, options: Any) -> dict[str, str]:
         """What the car scene types: `robot`, the URDF file, and `fetch`, which first copies the shipped one ('' if not needed).

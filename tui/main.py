@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -118,7 +119,7 @@ def _env(words: list[str]) -> int:
     return print_environment(words)
 
 
-_TABLE = {
+_TABLE: dict[str, Callable[[list[str]], int]] = {
     "exec": _exec,
     "python": _python,
     "ros2": _ros2,

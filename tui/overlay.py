@@ -28,11 +28,11 @@ class Overlay(Pane):
         """Lines of the inside it would like to have at this inner width."""
         return 10
 
-    def place(self, width: int, height: int) -> Place:
-        """The rectangle on a desktop of this size."""
-        columns = min(self.wanted_width, width)
-        rows = min(self.wanted_height(columns - 2) + 2, height)
-        return Place((width - columns) // 2, max(0, (height - rows) // 3), columns, rows)
+    def place(self, area: Place) -> Place:
+        """The rectangle it takes inside `area`."""
+        columns = min(self.wanted_width, area.width)
+        rows = min(self.wanted_height(columns - 2) + 2, area.height)
+        return Place(area.x + (area.width - columns) // 2, area.y + max(0, (area.height - rows) // 3), columns, rows)
 
     def _border(self) -> tuple:  # type: ignore[type-arg]
         return self.look.glyphs.strong_border, self.look.colours.overlay_frame

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
-from textual.geometry import Region
+from textual.geometry import Region, Size
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -45,7 +45,8 @@ class Pane(Widget, can_focus=True):
         super().__init__(id=id)
         self.look = look
         self._strips: dict[int, Strip] = {}
-        self._strips_size = (0, 0)
+        self.extent = Size(0, 0)
+        """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
@@ -86,17 +87,27 @@ class Pane(Widget, can_focus=True):
 
     @property
     def inner_width(self) -> int:
-        return max(0, self.size.width - 2) if self.framed else self.size.width
+        return max(0, self.extent.width - 2) if self.framed else self.extent.width
 
     @property
     def inner_height(self) -> int:
-        return max(0, self.size.height - 2) if self.framed else self.size.height
+        return max(0, self.extent.height - 2) if self.framed else self.extent.height
 
     @property
     def inner_offset(self) -> int:
         return 1 if self.framed else 0
 
     # -- touching ------------------------------------------------------------------------------------------------------
+
+    def measure(self) -> bool:
+        """Learn the present size; True if it is another one, for which everything has to be drawn again."""
+        size = self.size
+        if size == self.extent:
+            return False
+        self.extent = size
+        self._strips.clear()
+        self._hits.clear()
+        return True
 
     def touch(self) -> None:
         """Everything has to be drawn again."""
@@ -126,12 +137,12 @@ class Pane(Widget, can_focus=True):
 
     def touch_frame(self) -> None:
         """Title and status may look different now."""
-        if self.framed and self.size.height > 1:
-            self._compare((0, self.size.height - 1))
+        if self.framed and self.extent.height > 1:
+            self._compare((0, self.extent.height - 1))
 
     def _compare(self, rows: Iterable[int]) -> None:
         """Draw rows of the pane anew and refresh what differs from the strips shown."""
-        width = self.size.width
+        width = self.extent.width
         regions = []
         for y in rows:
             old = self._strips.get(y)
@@ -145,13 +156,10 @@ class Pane(Widget, can_focus=True):
 
     def render_lines(self, crop: Region) -> list[Strip]:
         # Not through Textual's styles cache: these lines are finished, with frame and colours, and cached here.
-        size = self.size
-        if size != self._strips_size:
-            # The first picture after a resize comes before the Resize event is handled.
-            self._strips_size = size
-            self._strips.clear()
+        # The first picture after a resize comes before the Resize event is handled.
+        self.measure()
         left, right = crop.x, crop.right
-        whole = left == 0 and right == self.size.width
+        whole = left == 0 and right == self.extent.width
         lines = [self._strip(y) for y in range(crop.y, crop.bottom)]
         return lines if whole else [line.crop(left, right) for line in lines]
 
@@ -162,7 +170,7 @@ class Pane(Widget, can_focus=True):
         return strip
 
     def _make_strip(self, y: int) -> Strip:
-        width, height = self.size
+        width, height = self.extent
         if not self.framed:
             segments = list(self.content_line(y, width))
             strip = Strip(segments).adjust_cell_length(width, self.background)
@@ -188,7 +196,7 @@ class Pane(Widget, can_focus=True):
     def _edge(self, y: int, left: Sequence[Piece], right: Sequence[Piece]) -> Strip:
         """The upper or lower edge of the frame with pieces set into it; the right ones go first when room is short."""
         border, style = self._border()
-        width = self.size.width
+        width = self.extent.width
         start, end = (border.top_left, border.top_right) if y == 0 else (border.bottom_left, border.bottom_right)
         room = width - 2
         left_width = sum(cell_len(piece.text) for piece in left)
@@ -239,6 +247,7 @@ class Pane(Widget, can_focus=True):
             action()
 
     def on_resize(self, event: events.Resize) -> None:
+        self.measure()
         self._strips.clear()
         self._hits.clear()
         self.look.wake()
@@ -275,7 +284,7 @@ def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
     """The cells of a strip; a wide character is followed by an empty one."""
     cells: list[tuple[str, Style | None]] = []
     for text, style, _ in strip:
-        if text.isascii():
+        if text.isascii() or cell_len(text) == len(text):
             cells += [(char, style) for char in text]
         else:
             for char in text:

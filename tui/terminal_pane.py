@@ -71,7 +71,7 @@ class TerminalPane(Pane):
 
     def terminal_size(self) -> tuple[int, int]:
         """Columns and rows a terminal has here; a usable one before the first layout."""
-        if not self.size.width:
+        if not self.extent.width:
             return 80, 24
         return max(2, self.inner_width), max(1, self.inner_height)
 
@@ -138,7 +138,7 @@ class TerminalPane(Pane):
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
-        if self.size.width and self._size_told != self.terminal_size():
+        if self.extent.width and self._size_told != self.terminal_size():
             self._size_told = self.terminal_size()
             self._tell_size()
         view = self.view

@@ -118,6 +118,8 @@ class WelcomePane(Pane):
             lines.append([])
         if height >= 8:
             lines.append(_centred(texts("welcome.heading"), width, colours.strong))
+            if 9 <= height < 12:
+                lines.append([])
         if height >= 12:
             lines += [[], _centred(texts("welcome.question"), width, colours.text), []]
         block = min(width - 2, 44)
@@ -155,7 +157,7 @@ class WelcomePane(Pane):
         canvas = Canvas(LOGO_SIZE, LOGO_SIZE // 2, "half", background_of(colours.text), colourless=colours.colourless)
         middle = LOGO_SIZE // 2
         sprites = {}
-        for dx, dy, part in pixels(LOGO_SIZE - 2, 3):
+        for dx, dy, part in pixels(LOGO_SIZE - 2, 0):
             if (index := canvas.index(middle + dx, middle + dy)) is not None:
                 sprites[index] = COATS[0][part]
         canvas.set_sprites(sprites)

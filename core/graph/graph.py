@@ -183,7 +183,8 @@ class Graph:
             elif isinstance(endpoint, (Subscription, Service, Client)):
                 endpoint.matched = ()
             if not peers:
-                del self._by_name[key]
+                # Gone already when a garbage collection in the middle of this removed the last other endpoint.
+                self._by_name.pop(key, None)
             self._announce(Change.ENDPOINT_REMOVED, endpoint)
 
     @staticmethod

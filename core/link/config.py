@@ -64,7 +64,6 @@ def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> 
     """Return the configuration of the router that joins the meeting point to other machines."""
     return _config(
         place,
-        asks_password=False,
         mode='"router"',
         listen__endpoints=json.dumps(list(listen)),
         connect__endpoints=json.dumps([place.meeting_endpoint, *connect]),
@@ -73,7 +72,7 @@ def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> 
     )
 
 
-def _config(place: Place, *, asks_password: bool = True, **settings: str) -> zenoh.Config:
+def _config(place: Place, **settings: str) -> zenoh.Config:
     import zenoh
 
     config: zenoh.Config = zenoh.Config()
@@ -84,6 +83,5 @@ def _config(place: Place, *, asks_password: bool = True, **settings: str) -> zen
     if place.tcp:
         config.insert_json5("transport/auth/usrpwd/user", '"day6"')
         config.insert_json5("transport/auth/usrpwd/password", json.dumps(password(place)))
-        if asks_password:
-            config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(place.folder / "users")))
+        config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(place.folder / "users")))
     return config

@@ -7,11 +7,12 @@ import threading
 import time
 from collections import defaultdict, deque
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, Node, Publisher, RequestId, Service, Subscription
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.link.config import command_config, gate_config, process_config
+from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, node_token, sign, signs
 from day6_tui.core.link.meeting import MeetingPoint
@@ -36,6 +37,10 @@ _LOOK_AGAIN = 1.0
 _SEARCH_AGAIN = 0.05
 """The same while no meeting point is known: a killed keeper's token may end before its lock does."""
 _MOST_PROBLEMS = 50
+
+
+_Entry: TypeAlias = "tuple[bool, str] | threading.Event | Node | Endpoint"
+"""What waits for the link's thread: a token (there or gone), a mark to set, a local thing to declare or withdraw."""
 
 
 class Link:
@@ -71,7 +76,7 @@ class Link:
         self._declared: dict[Node | Endpoint, list[Any]] = {}
         self._listeners: list[Any] = []
         self._end_listening: Any = None
-        self._inbox: deque[tuple[bool, str] | threading.Event] = deque()
+        self._inbox: deque[_Entry] = deque()
         self._changed = threading.Condition()
         self._signs: defaultdict[str, set[str]] = defaultdict(set)
         self._closed = False
@@ -95,7 +100,10 @@ class Link:
                 self._meeting.try_to_keep()
                 self._attach(zenoh.open(process_config(place, self.zid)))
                 if self._listen or self._connect:
-                    self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
+                    self._open_gate(place)
+        except LinkError:
+            self.close()
+            raise
         except (zenoh.ZError, OSError) as error:
             self.close()
             raise LinkError(f"{place.folder}: {error}") from error
@@ -114,16 +122,33 @@ class Link:
             self._end_listening()
             self.graph.transport = None
             self.graph.identify = lambda _: self.graph.new_gid()
-        if self._services is not None:
-            self._services.close()
-        for session in (self._session, self._gate):
-            if session is not None:
-                session.close()
-        if self._meeting is not None:
-            self._meeting.close()
+        self._close_sessions()
         if self._place is not None and self._place.tcp:
             self._place.own_socket(self.zid).unlink(missing_ok=True)
         self._remote.clear()
+
+    def _close_sessions(self) -> None:
+        """Close them and let go of every object of Zenoh's, here and now.
+
+        Their destructors wait for Zenoh's threads; a garbage collection may run on one of those.
+        """
+        if self._session is None and self._gate is None and self._meeting is None:
+            return
+        import zenoh
+
+        sessions = [session for session in (self._session, self._gate) if session is not None]
+        for closing in (*(session.close for session in sessions), *((self._meeting.close,) if self._meeting else ())):
+            try:
+                closing()
+            except zenoh.ZError as error:
+                self._report("not closed in an orderly way", error)
+        with self._lock:
+            self._declared.clear()
+        self._listeners.clear()
+        for carrier in (self._topics, self._services):
+            if carrier is not None:
+                carrier.close()
+        self._session = self._gate = None
 
     @property
     def closed(self) -> bool:
@@ -197,7 +222,7 @@ class Link:
 
         read, taken = threading.Event(), threading.Event()
         assert self._session is not None
-        handler = zenoh.handlers.Callback(self._on_reply, read.set, indirect=False)
+        handler = zenoh.handlers.Callback(callback(self._on_reply), read.set, indirect=False)
         self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
@@ -205,6 +230,15 @@ class Link:
         return taken.wait(max(0.05, deadline - time.monotonic()))
 
     # the session
+
+    def _open_gate(self, place: Place) -> None:
+        """Join the meeting point to other machines."""
+        if place.tcp:
+            # A Zenoh session shows one password to all it meets: this machine's is none of theirs.
+            raise LinkError("listen and connect need Unix sockets, which there are none of here")
+        import zenoh
+
+        self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
 
     def _try_as_client(self) -> None:
         import zenoh
@@ -229,7 +263,7 @@ class Link:
         self._session = session
         liveliness = session.liveliness()
         for key in (signs(domain_id), all_tokens(domain_id)):
-            handler = zenoh.handlers.Callback(self._on_token, indirect=False)
+            handler = zenoh.handlers.Callback(callback(self._on_token), indirect=False)
             self._listeners.append(liveliness.declare_subscriber(key, handler, history=True))
         self.graph.identify = self._identify
         self.graph.transport = self
@@ -250,7 +284,11 @@ class Link:
     # from the local graph to the others
 
     def _on_graph_event(self, event: GraphEvent) -> None:
-        if event.subject.origin is None and not self._closed:
+        if event.subject.origin is not None or self._closed:
+            return
+        if inside_callback():
+            self._put_in_inbox(event.subject)
+        else:
             self._follow(event.subject)
 
     def _follow(self, subject: Node | Endpoint) -> None:
@@ -303,7 +341,7 @@ class Link:
         if reply.ok is not None:
             self._put_in_inbox((True, str(reply.ok.key_expr)))
 
-    def _put_in_inbox(self, entry: tuple[bool, str] | threading.Event) -> None:
+    def _put_in_inbox(self, entry: _Entry) -> None:
         # All that Zenoh's threads ever do with the graph's structure: they may hold locks of theirs.
         with self._changed:
             self._inbox.append(entry)
@@ -327,9 +365,12 @@ class Link:
                 # A listener of the graph failed, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
 
-    def _take(self, entry: tuple[bool, str] | threading.Event) -> None:
+    def _take(self, entry: _Entry) -> None:
         if isinstance(entry, threading.Event):
             entry.set()
+            return
+        if isinstance(entry, (Node, Endpoint)):
+            self._follow(entry)
             return
         present, key = entry
         if not key.startswith(SIGN_PREFIX):

@@ -20,7 +20,7 @@ from typing import NamedTuple
 from zlib import crc32
 
 LONGEST_SOCKET_PATH = 100
-"""Systems allow 104 to 108 bytes."""
+"""Bytes. Systems allow 104 (macOS) to 108, the NUL at the end included."""
 _SOCKET_NAME_LENGTH = len("p-0123456789abcdef-4194304.lock")
 _YOUNG = 10.0
 """Seconds in which a socket that refuses connections may still be about to listen."""
@@ -44,7 +44,7 @@ class Place(NamedTuple):
     @property
     def meeting_port(self) -> int:
         """The port of the meeting point where there are no Unix sockets: the same for one folder, seldom for two."""
-        return 21000 + crc32(str(self.folder).encode()) % 10000
+        return 21000 + crc32(os.fsencode(self.folder)) % 10000
 
     @property
     def meeting_lock(self) -> Path:
@@ -72,8 +72,12 @@ def meeting_place(domain_id: int) -> Place:
     """Return the place for a domain, its folder made and verified; raises LinkError when it is not safe to use."""
     tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
     base = _base_folder()
-    if not tcp and len(str(base)) + len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH > LONGEST_SOCKET_PATH:
-        base = Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(str(base).encode()):08x}"
+    if (
+        sys.platform != "win32"
+        and not tcp
+        and len(os.fsencode(base)) + len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH > LONGEST_SOCKET_PATH
+    ):
+        base = Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(base)):08x}"
         _private_folder(base.parent)
     folder = base / str(domain_id)
     for each in (base, folder):
@@ -142,18 +146,18 @@ def password(place: Place) -> str:
     except FileExistsError:
         pass
     else:
-        with os.fdopen(descriptor, "w") as file:
-            file.write(os.urandom(16).hex())
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(os.urandom(16).hex().encode())
     deadline = time.monotonic() + 1.0
-    while len(secret := path.read_text()) != 32:
+    while len(secret := path.read_text(encoding="ascii", errors="replace")) != 32:
         if time.monotonic() > deadline:
             raise LinkError(f"{path} holds no password; remove it")
         time.sleep(0.01)
     users = place.folder / "users"
     if not users.exists():
         new = users.with_name(f"users-{os.getpid()}")
-        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w") as file:
-            file.write(f"day6:{secret}\n")
+        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
+            file.write(f"day6:{secret}\n".encode())
         os.replace(new, users)
     return secret
 
@@ -221,6 +225,8 @@ def _windows_process_exists(pid: int) -> bool:
 
 def _refuses(path: Path) -> bool:
     """Say whether nobody listens on a Unix socket (a process of another container may, whose id means nothing here)."""
+    if sys.platform == "win32":
+        return False
     import socket
 
     with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:

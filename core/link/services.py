@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph.endpoints import Client, RequestId, Service
 from day6_tui.core.interfaces import deserialize, get_service, serialize
 from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.paths import LinkError
 from day6_tui.core.link.topics import Report
 
 if TYPE_CHECKING:
@@ -32,11 +34,11 @@ class Services:
     """Carries requests to remote servers and to local ones, and the responses back."""
 
     def __init__(self, session: zenoh.Session, zid: str, report: Report) -> None:
-        self._session = session
+        self._session: zenoh.Session | None = session
         self._zid = zid
         self._report = report
-        self._closed = False
-        self._lock = threading.Lock()
+        # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
+        self._lock = threading.RLock()
         self._questions: dict[Service, dict[RequestId, zenoh.Query]] = {}
         self._clients: dict[Client, tuple[bytes, zenoh.CancellationToken]] = {}
 
@@ -45,9 +47,9 @@ class Services:
         import zenoh
 
         self._questions[service] = {}
-        return self._session.declare_queryable(
+        return self._open_session().declare_queryable(
             data_key(service),
-            zenoh.handlers.Callback(self._asked(service), indirect=False),
+            zenoh.handlers.Callback(callback(self._asked(service)), indirect=False),
             complete=True,
             allowed_origin=zenoh.Locality.REMOTE,
         )
@@ -80,16 +82,16 @@ class Services:
         def done() -> None:
             # Between machines a server's token may arrive before the way to it is known, and a query that finds nobody
             # ends at once: ask again while there is a server.
-            if answered or attempt == len(_ASK_AGAIN) or self._closed or not _has_remote_server(client):
+            if answered or attempt == len(_ASK_AGAIN) or self._session is None or not _has_remote_server(client):
                 return
             timer = threading.Timer(_ASK_AGAIN[attempt], self._ask_again, (client, payload, attachment, attempt + 1))
             timer.daemon = True
             timer.start()
 
         _, cancellation = self._open_client(client)
-        self._session.get(
+        self._open_session().get(
             data_key(client),
-            zenoh.handlers.Callback(receive, done, indirect=False),
+            zenoh.handlers.Callback(callback(receive), callback(done), indirect=False),
             target=zenoh.QueryTarget.ALL_COMPLETE,
             consolidation=zenoh.ConsolidationMode.NONE,
             congestion_control=zenoh.CongestionControl.BLOCK,
@@ -103,7 +105,7 @@ class Services:
         )
 
     def _ask_again(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
-        if self._closed or not _has_remote_server(client):
+        if self._session is None or not _has_remote_server(client):
             return
         try:
             self._ask(client, payload, attachment, attempt)
@@ -111,8 +113,19 @@ class Services:
             self._report(f"a request to {client.topic} was lost", error)
 
     def close(self) -> None:
-        """Ask nothing again; called before the session closes."""
-        self._closed = True
+        """Let go of the session, of open questions and of open requests; nothing is asked again."""
+        with self._lock:
+            self._session = None
+            questions, self._questions = self._questions, {}
+            self._clients.clear()
+        for of_one_server in questions.values():
+            for query in of_one_server.values():
+                query.drop()
+
+    def _open_session(self) -> zenoh.Session:
+        if self._session is None:
+            raise LinkError("the link was closed")
+        return self._session
 
     def withdraw(self, endpoint: Service | Client) -> None:
         """Forget a server with its open questions, or a client with its open requests."""

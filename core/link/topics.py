@@ -11,8 +11,10 @@ from day6_tui.core.graph.endpoints import Publisher, Subscription
 from day6_tui.core.graph.qos import Durability, Reliability
 from day6_tui.core.interfaces import deserialize, get_message, serialize
 from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.paths import LinkError
 from day6_tui.core.link.remote import RemoteGraph
 
 if TYPE_CHECKING:
@@ -56,12 +58,13 @@ class Topics:
     def __init__(
         self, session: zenoh.Session, zid: str, remote: RemoteGraph, report: Report, *, never_wait: bool = False
     ) -> None:
-        self._session = session
+        self._session: zenoh.Session | None = session
         self._zid = zid
         self._remote = remote
         self._report = report
         self._never_wait = never_wait
-        self._lock = threading.Lock()
+        # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
+        self._lock = threading.RLock()
         self._outlets: dict[Publisher, _Outlet] = {}
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
@@ -95,15 +98,15 @@ class Topics:
         """
         import zenoh
 
-        handler = zenoh.handlers.Callback(self._receiver(subscription), indirect=False)
+        handler = zenoh.handlers.Callback(callback(self._receiver(subscription)), indirect=False)
         if subscription.qos.durability != Durability.TRANSIENT_LOCAL:
-            return self._session.declare_subscriber(
+            return self._open_session().declare_subscriber(
                 data_key(subscription), handler, allowed_origin=zenoh.Locality.REMOTE
             )
         from zenoh.ext import HistoryConfig, declare_advanced_subscriber
 
         return declare_advanced_subscriber(
-            self._session,
+            self._open_session(),
             data_key(subscription),
             handler,
             allowed_origin=zenoh.Locality.REMOTE,
@@ -117,6 +120,17 @@ class Topics:
         if outlet is not None:
             outlet.publisher.undeclare()
 
+    def close(self) -> None:
+        """Let go of the session and of every publisher in it."""
+        with self._lock:
+            self._session = None
+            self._outlets.clear()
+
+    def _open_session(self) -> zenoh.Session:
+        if self._session is None:
+            raise LinkError("the link was closed")
+        return self._session
+
     def _declare(self, publisher: Publisher) -> Any:
         import zenoh
 
@@ -124,13 +138,13 @@ class Topics:
         control = zenoh.CongestionControl.BLOCK if waits else zenoh.CongestionControl.DROP
         remote = zenoh.Locality.REMOTE
         if publisher.cache is None:
-            return self._session.declare_publisher(
+            return self._open_session().declare_publisher(
                 data_key(publisher), congestion_control=control, allowed_destination=remote
             )
         from zenoh.ext import CacheConfig, declare_advanced_publisher
 
         return declare_advanced_publisher(
-            self._session,
+            self._open_session(),
             data_key(publisher),
             congestion_control=control,
             allowed_destination=remote,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import codecs
 import contextlib
 import os
@@ -133,7 +134,7 @@ class RealInput(InputStream):
         return True
 
     def _read(self) -> None:
-        if os.name == "nt" and self.isatty():
+        if sys.platform == "win32" and self.isatty():
             self._read_windows()
             return
         decoder = codecs.getincrementaldecoder("utf-8")("replace")
@@ -151,20 +152,24 @@ class RealInput(InputStream):
                 return
 
     def _read_windows(self) -> None:
+        if sys.platform != "win32":
+            raise NotImplementedError("only there")
         import msvcrt
 
         arrows = {"H": "\x1b[A", "P": "\x1b[B", "M": "\x1b[C", "K": "\x1b[D"}
         while True:
-            char: str = msvcrt.getwch()  # type: ignore[attr-defined]
+            char = msvcrt.getwch()
             if char in ("\x00", "\xe0"):
-                char = arrows.get(msvcrt.getwch(), "")  # type: ignore[attr-defined]
-            if char:
+                char = arrows.get(msvcrt.getwch(), "")
+            if char == "\x03" and self._raw_signals:
+                _thread.interrupt_main()  # while this reads, Ctrl-C is a key there
+            elif char:
                 self._waiting.append(char)
                 self._arrived.set()
 
     @contextlib.contextmanager
     def raw(self, *, signals: bool = True) -> Iterator[None]:
-        if os.name != "posix" or not self.isatty():
+        if sys.platform == "win32" or not self.isatty():
             yield
             return
         import termios
@@ -185,6 +190,8 @@ class RealInput(InputStream):
                 signal.signal(signal.SIGCONT, continued)
 
     def _set_raw(self) -> None:
+        if sys.platform == "win32":
+            raise NotImplementedError("no termios there")
         import termios
 
         fd = sys.stdin.fileno()
@@ -196,7 +203,7 @@ class RealInput(InputStream):
 
     def restore(self) -> None:
         """Give the terminal back as it was found. May be called at any time."""
-        if self._saved is not None:
+        if sys.platform != "win32" and self._saved is not None:
             import termios
 
             termios.tcsetattr(sys.stdin.fileno(), termios.TCSADRAIN, self._saved)  # type: ignore[arg-type]

@@ -123,5 +123,5 @@ _SIGNALS = {
 }
 """By Linux signal number: INT KILL TERM CONT STOP TSTP; what `kill -NUMBER` means on the simulated machine."""
 
-_ENDING = frozenset({1, 3, 4, 6, 8, 10, 11, 12, 13, 14})
+_ENDING = frozenset({1, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14})
 """Signals that end a program which does not handle them."""

@@ -12,6 +12,8 @@ from __future__ import annotations
 import heapq
 import itertools
 import logging
+import math
+import os
 import threading
 import time
 from collections import deque
@@ -26,6 +28,9 @@ MAX_LAG_NS = nanoseconds(0.25)
 
 STEPS_PER_DEADLINE = 10_000
 """Programs that keep waking each other at one moment get so many steps before time moves on."""
+
+LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
+"""Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
 
 BUSY_ANNOUNCEMENT = 0.03
 """Wall seconds after which a scheduler that never comes to rest says that something happened."""
@@ -188,8 +193,8 @@ class Scheduler:
         previous, self._thread_id = self._thread_id, threading.get_ident()
         try:
             while not until():
-                left = None if give_up is None else give_up - time.monotonic()
-                if left is not None and left <= 0:
+                left = LONGEST_WAIT if give_up is None else min(give_up - time.monotonic(), LONGEST_WAIT)
+                if left <= 0:
                     return False
                 self._turn(wait=True, longest=left)
             return True
@@ -200,11 +205,11 @@ class Scheduler:
         """For tests and a stepped world: move the target on and run everything due until then, on the caller's thread."""
         previous, self._thread_id = self._thread_id, threading.get_ident()
         try:
-            while self._turn(wait=False, longest=None):
+            while self._turn(wait=False, longest=math.inf):
                 pass  # what came before this moment runs before time moves
             if seconds:
                 self.clock.step(seconds)
-                while self._turn(wait=False, longest=None):
+                while self._turn(wait=False, longest=math.inf):
                     pass
         finally:
             self._thread_id = previous
@@ -212,10 +217,10 @@ class Scheduler:
     def _thread_main(self) -> None:
         self._thread_id = threading.get_ident()
         while not self._stopping:
-            self._turn(wait=True, longest=None)
+            self._turn(wait=True, longest=math.inf)
         self._thread_id = None
 
-    def _turn(self, *, wait: bool, longest: float | None) -> bool:
+    def _turn(self, *, wait: bool, longest: float) -> bool:
         """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
         if (self._drain() or self._ready) and self._settle():
             return True
@@ -238,7 +243,7 @@ class Scheduler:
             self.clock.release(target)
             return False
         timeout = None if deadline is None else self.clock.wall_seconds_until(deadline)
-        if longest is not None:
+        if longest < math.inf:
             timeout = longest if timeout is None else min(timeout, longest)
         self.clock.release(deadline)
         if self._worked:

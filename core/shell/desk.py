@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import logging
 import os
+import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -18,7 +19,8 @@ from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.interpreter import Shell, Streams
+from day6_tui.core.shell.interpreter import Shell
+from day6_tui.core.shell.redirection import Streams
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
@@ -42,19 +44,28 @@ _PASSED_ON = (
     "TMPDIR",
     "TEMP",
     "TMP",
-    "SYSTEMROOT",
     "PATH",
-    "PATHEXT",
     "PYTHONPATH",
+    # Where the link's folder is found from: a student's process must come to the same one as we do.
+    "XDG_RUNTIME_DIR",
+    "LOCALAPPDATA",
+    "USERPROFILE",
+    # Without these Windows starts programs badly or not at all.
+    "APPDATA",
+    "COMSPEC",
+    "PATHEXT",
+    "SYSTEMDRIVE",
+    "SYSTEMROOT",
+    "WINDIR",
 )
 """Variables of the real environment that the simulated machine keeps, with everything that begins with ROS_, RCUTILS_, DAY6_."""
 
 
 def default_home() -> Path:
     """The folder that is `~` on the simulated machine unless `--home` says otherwise."""
-    if os.name == "nt":
+    if sys.platform == "win32":
         base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    elif os.uname().sysname == "Darwin":
+    elif sys.platform == "darwin":
         base = Path.home() / "Library" / "Application Support"
     else:
         base = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share")
@@ -65,7 +76,8 @@ class Desk:
     """One simulated machine. `start()` runs it in a thread of its own; tests and `exec` drive `scheduler` themselves.
 
     `home` is created with a `ros2_ws/src` in it; OSError if it cannot be. `join_link` lets its graph meet the other processes of
-    this user; that happens in the background, when `start` or `open_link` is called.
+    this user; that happens in the background, when `start` or `open_link` is called. `listen` and `connect` are Zenoh endpoints
+    (`tcp/0.0.0.0:7447`), the only way to leave this machine.
     """
 
     def __init__(
@@ -76,8 +88,11 @@ class Desk:
         join_link: bool = True,
         clock: WorldClock | None = None,
         display: bool = True,
+        listen: str | None = None,
+        connect: str | None = None,
     ) -> None:
         activate()
+        self._doors = {"listen": listen, "connect": connect}
         self.home = (default_home() if home is None else home).expanduser().resolve()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = domain_of(os.environ, 0) if domain_id is None else domain_id
@@ -228,11 +243,12 @@ class Desk:
 
     # -- life ----------------------------------------------------------------------------------------------------------
 
-    def start(self) -> None:
-        """Run the programs in a thread of its own and join the link in the background. Returns at once."""
+    def start(self, *, link: bool = True) -> None:
+        """Run the programs in a thread of its own and (`link`) join the link in the background. Returns at once."""
         self._started = True
         self.scheduler.start()
-        self.open_link()
+        if link:
+            self.open_link()
 
     def open_link(self) -> None:
         """Let the graphs meet the other processes of this user, in the background."""
@@ -256,7 +272,7 @@ class Desk:
 
         self._joined.add(graph)
         try:
-            join(graph, never_wait=True)
+            join(graph, never_wait=True, listen=self._doors["listen"], connect=self._doors["connect"])
         except Exception:
             # Without the link the desk still works for itself; who asks for other processes sees none.
             _log.warning("the link could not be opened", exc_info=True)

@@ -13,7 +13,8 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import InputStream
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Streams
+from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.redirection import Streams
 
 TIMED_OUT = 124
 
@@ -111,6 +112,6 @@ def _handle_signals(desk: Desk, program: Program) -> dict[int, signal._HANDLER]:
         desk.scheduler.call_soon_threadsafe(program.terminate)
 
     wanted = {signal.SIGINT: interrupt, signal.SIGTERM: terminate}
-    if os.name == "posix":
+    if sys.platform != "win32":
         wanted[signal.SIGHUP] = terminate
     return {number: signal.signal(number, handler) for number, handler in wanted.items()}

@@ -12,7 +12,8 @@ from day6_tui.core.shell.arithmetic import evaluate
 from day6_tui.core.shell.lexer import Part, Substitution, SyntaxProblem, Text, Variable, Word
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell, Streams
+    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.redirection import Streams
 
 _PATTERN = frozenset("*?[")
 

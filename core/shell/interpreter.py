@@ -16,24 +16,18 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import Captured, FileInput, FileOutput, InputStream, OutputStream, Pipe, TextInput
+from day6_tui.core.session.streams import Captured, InputStream, Pipe
 from day6_tui.core.shell import syntax
 from day6_tui.core.shell.expansion import expand, expand_text
 from day6_tui.core.shell.jobs import Job, JobTable
 from day6_tui.core.shell.lexer import SyntaxProblem
+from day6_tui.core.shell.redirection import Streams, redirect
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
 
 MAX_DEPTH = 100
 """How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""
-
-
-@dataclass(frozen=True)
-class Streams:
-    stdin: InputStream
-    stdout: OutputStream
-    stderr: OutputStream
 
 
 class ExitShell(Exception):
@@ -329,7 +323,7 @@ class Shell:
             streams.stderr.write("+ " + " ".join(shown) + "\n")
         opened = ExitStack()
         try:
-            redirected = await self._redirect(command.redirections, streams, opened)
+            redirected = await redirect(command.redirections, self, streams, opened)
         except OSError as error:
             opened.close()
             streams.stderr.write(f"{self.name}: {error.filename}: {error.strerror}\n")
@@ -343,42 +337,6 @@ class Shell:
         main = find_command(argv[0], self) if argv else _nothing
         return _Prepared(argv, main, redirected, env, opened)
 
-    async def _redirect(self, redirections: list[syntax.Redirection], streams: Streams, opened: ExitStack) -> Streams:
-        table: dict[int, InputStream | OutputStream] = {0: streams.stdin, 1: streams.stdout, 2: streams.stderr}
-        for redirection in redirections:
-            operator = redirection.operator
-            target = await expand_text(redirection.target, self, streams)
-            fd = redirection.fd if redirection.fd is not None else (0 if operator.startswith("<") else 1)
-            stream: InputStream | OutputStream
-            if operator in ("<<", "<<-"):
-                stream = TextInput(target)
-            elif operator == "<<<":
-                stream = TextInput(target + "\n")
-            elif operator in (">&", "<&") and (target.isdigit() or target == "-"):
-                if target == "-":
-                    stream = InputStream() if fd == 0 else OutputStream()
-                elif int(target) in table:
-                    stream = table[int(target)]
-                else:
-                    raise OSError(9, "Bad file descriptor", target)
-            elif operator == "<":
-                stream = _open_input(self.cwd / target, target)
-                opened.callback(stream.close)
-            else:
-                stream = _open_output(self.cwd / target, target, append=operator in (">>", "&>>"))
-                opened.callback(stream.close)
-            table[fd] = stream
-            if operator in ("&>", "&>>") or (operator == ">&" and redirection.fd is None and not target.isdigit()):
-                table[2] = stream
-        stdin, stdout, stderr = table[0], table[1], table[2]
-        if (
-            not isinstance(stdin, InputStream)
-            or not isinstance(stdout, OutputStream)
-            or not isinstance(stderr, OutputStream)
-        ):
-            raise OSError(9, "Bad file descriptor", str(fd))
-        return Streams(stdin, stdout, stderr)
-
     # -- compound commands ---------------------------------------------------------------------------------------------
 
     async def _compound_status(self, command: syntax.Command, streams: Streams) -> int:
@@ -389,7 +347,7 @@ class Shell:
         assert not isinstance(command, syntax.Simple)
         with ExitStack() as opened:
             try:
-                streams = await self._redirect(command.redirections, streams, opened)
+                streams = await redirect(command.redirections, self, streams, opened)
             except OSError as error:
                 streams.stderr.write(f"{self.name}: {error.filename}: {error.strerror}\n")
                 self.status = 1
@@ -553,23 +511,3 @@ def _subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
                 job.send(15)
 
     return main
-
-
-def _open_input(path: Path, name: str) -> InputStream:
-    if name == "/dev/null":
-        return InputStream()
-    if path.is_dir():
-        raise IsADirectoryError(21, "Is a directory", name)
-    try:
-        return FileInput(path)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, name) from None
-
-
-def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
-    if name == "/dev/null":
-        return OutputStream()
-    try:
-        return FileOutput(path, append=append)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, name) from None

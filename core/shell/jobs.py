@@ -5,20 +5,7 @@ from __future__ import annotations
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Signal, wait_for
 from day6_tui.core.session.streams import InputStream
-
-SIGNAL_TEXTS = {
-    1: "Hangup",
-    2: "Interrupt",
-    3: "Quit",
-    4: "Illegal instruction",
-    6: "Aborted",
-    8: "Floating point exception",
-    9: "Killed",
-    11: "Segmentation fault",
-    13: "Broken pipe",
-    14: "Alarm clock",
-    15: "Terminated",
-}
+from day6_tui.core.shell.signals import TEXTS
 
 
 class Job:
@@ -62,7 +49,7 @@ class Job:
         if not self.finished:
             return "Running"
         if self.killed_by:
-            return SIGNAL_TEXTS.get(self.killed_by, f"Unknown signal {self.killed_by}")
+            return TEXTS.get(self.killed_by, f"Unknown signal {self.killed_by}")
         return f"Exit {self.status}" if self.status else "Done"
 
     async def wait(self) -> None:

@@ -10,6 +10,8 @@ import sys
 
 
 def main() -> None:
+    if sys.platform == "win32":
+        raise NotImplementedError("processes are started without this there")
     mode, nice, *argv = sys.argv[1:]
     if mode == "tty":
         import fcntl
@@ -22,4 +24,5 @@ def main() -> None:
     os.execv(argv[0], argv)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -8,7 +8,9 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 from __future__ import annotations
 
 import codecs
+import io
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -20,11 +22,13 @@ from day6_tui.core.session.scheduler import Signal, TaskCancelled, wait_for
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_tui.core.shell.guardian import guard, release
+from day6_tui.core.shell.signals import NUMBERS, from_system, to_system
 
 LAUNCHER = Path(__file__).with_name("launch_process.py")
 NICE = 10
 READ_SIZE = 65536
-_POSIX = os.name == "posix"
+_ENDED_BY_CTRL_C = 0xC000013A
+"""The exit status of a program on Windows that Ctrl-C or Ctrl-Break ended (STATUS_CONTROL_C_EXIT)."""
 
 _running: set[Process] = set()
 _running_lock = threading.Lock()
@@ -58,10 +62,10 @@ async def run_python(session: Session, args: list[str]) -> int:
     if process.problem is not None:
         raise process.problem
     code = process.returncode
-    if code == -2:
+    if code == -2 or code == _ENDED_BY_CTRL_C:
         raise KeyboardInterrupt
     if code < 0:
-        raise KilledBySignal(-code)
+        raise KilledBySignal(from_system(-code))
     return code
 
 
@@ -106,22 +110,22 @@ class Process:
             self._stopped_for.add(reason)
         else:
             self._stopped_for.discard(reason)
-        if _POSIX:
-            self.send(_stop_signal(bool(self._stopped_for)))
+        if sys.platform != "win32":
+            self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
 
     def send(self, number: int) -> None:
-        """Deliver a signal to the whole group; without effect once it is gone."""
+        """Deliver a signal to the whole group; without effect once it is gone. On Windows all but Ctrl-C just end it."""
         popen = self._popen
         if popen is None or self.ended.is_set():
             return
-        if _POSIX:
+        if sys.platform != "win32":
             try:
-                os.killpg(popen.pid, number)
+                os.killpg(popen.pid, to_system(number))
             except (ProcessLookupError, PermissionError):
                 return  # gone already (macOS says "not permitted" for a group of zombies)
         elif number == 2:
-            popen.send_signal(getattr(__import__("signal"), "CTRL_BREAK_EVENT", 2))
-        elif number in (9, 15):
+            popen.send_signal(signal.CTRL_BREAK_EVENT)
+        else:
             popen.kill()
 
     # -- the terminal's side -------------------------------------------------------------------------------------------
@@ -142,7 +146,7 @@ class Process:
 
     def wants_signal_keys(self) -> bool:
         """Whether Ctrl-Z means "stop" to it now, rather than being a key it reads itself."""
-        if not _POSIX:
+        if sys.platform == "win32":
             return False
         import termios
 
@@ -181,8 +185,7 @@ class Process:
             with _running_lock:
                 _running.discard(self)
             release(popen.pid)
-            if _POSIX:
-                _end_group(popen.pid)
+            _end_group(popen.pid)
             self._close_master()
             self.ended.set()
 
@@ -191,7 +194,7 @@ class Process:
         terminal = session.stdin.terminal_of(session.stdout, session.stderr)
         env = dict(session.env)
         argv = [sys.executable, *self.args]
-        if not _POSIX:
+        if sys.platform == "win32":
             self._launch_with_pipes(argv, env)
         elif terminal is not None:
             self._launch_on_pty(argv, env, terminal)
@@ -199,6 +202,8 @@ class Process:
             self._launch_with_pipes([*_launcher("no-tty"), *argv], env)
 
     def _launch_on_pty(self, argv: list[str], env: dict[str, str], terminal: TerminalSide) -> None:
+        if sys.platform == "win32":
+            raise NotImplementedError("no ptys there")
         import pty
 
         session = self.session
@@ -228,10 +233,9 @@ class Process:
         # Nobody sees the end of a block-buffered output that is cut off by Ctrl-C.
         env.setdefault("PYTHONUNBUFFERED", "1")
         flags = 0
-        if not _POSIX:
-            flags = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0) | getattr(
-                subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0
-            )
+        if sys.platform == "win32":
+            flags = subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.BELOW_NORMAL_PRIORITY_CLASS
+            env.setdefault("PYTHONIOENCODING", "utf-8")  # a pipe has the old code page there
         stdin = session.stdin.fileno()
         feeds = stdin is None and type(session.stdin) is not InputStream
         session.stdout.flush()
@@ -243,7 +247,7 @@ class Process:
             stderr=self._child_end(session.stderr),
             cwd=session.cwd,
             env=env,
-            start_new_session=_POSIX,
+            start_new_session=sys.platform != "win32",
             creationflags=flags,
         )
         self._read_pipes()
@@ -281,7 +285,10 @@ def _launcher(mode: str) -> list[str]:
 
 def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     """Copy a process's output to a stream as it comes, until its end; waits while the stream is full."""
+    decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
     decoder = codecs.getincrementaldecoder("utf-8")("replace")
+    if sys.platform == "win32":
+        decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
     fd = source if isinstance(source, int) else source.fileno()
     try:
         while True:
@@ -325,6 +332,8 @@ def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> No
 
 
 def _set_window_size(fd: int, columns: int, rows: int) -> None:
+    if sys.platform == "win32":
+        raise NotImplementedError("no ptys there")
     import fcntl
     import struct
     import termios
@@ -332,14 +341,10 @@ def _set_window_size(fd: int, columns: int, rows: int) -> None:
     fcntl.ioctl(fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
 
 
-def _stop_signal(stopped: bool) -> int:
-    import signal
-
-    return int(signal.SIGSTOP if stopped else signal.SIGCONT)
-
-
 def _end_group(group: int) -> None:
-    """What the process left running in its own group ends with it."""
+    """What the process left running in its own group ends with it, where there are groups."""
+    if sys.platform == "win32":
+        return
     for number in (15, 9):
         try:
             os.killpg(group, number)

@@ -8,43 +8,26 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import deque
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import pyte
 from pyte import modes
 from pyte.screens import Char, Cursor
 
+from day6_tui.core.shell.rows import Row, as_row, cells_of, fit, row_text, wrapped
 from day6_tui.core.shell.width import char_width
 
 SCROLLBACK = 5000
 """Lines kept above the screen."""
+
+MOST_MARKS = 8
+"""Combining marks kept on one character."""
 
 ALTERNATE_MODES = frozenset({47, 1047, 1049})
 BRACKETED_PASTE = 2004 << 5
 APPLICATION_CURSOR_KEYS = 1 << 5
 
 _PLAIN = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]*")
-
-
-class Style(NamedTuple):
-    """How a run of text looks. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
-
-    fg: str = "default"
-    bg: str = "default"
-    bold: bool = False
-    italics: bool = False
-    underscore: bool = False
-    strikethrough: bool = False
-    reverse: bool = False
-    blink: bool = False
-
-
-Run = tuple[str, Style]
-Row = str | tuple[Run, ...]
-"""A line: plain text in the default style, or runs. Without the blanks at its end."""
-
-PLAIN_STYLE = Style()
 
 
 def is_plain(text: str) -> bool:
@@ -63,7 +46,7 @@ class Stream(pyte.Stream):
     def _send_to_parser(self, data: str) -> bool | None:
         try:
             return super()._send_to_parser(data)
-        except (TypeError, ValueError, IndexError, KeyError):
+        except (TypeError, ValueError, LookupError, NameError, AttributeError, ArithmeticError):
             return True  # the parser was reset: what follows is text again
 
 
@@ -86,7 +69,7 @@ class Screen(pyte.Screen):
 
     def row(self, y: int) -> Row:
         """Line `y` of the screen, 0 at the top."""
-        return _as_row(self.buffer.get(y, {}))
+        return as_row(self.buffer.get(y, {}))
 
     def history_row(self, index: int) -> Row:
         """Line `index` of the scrollback, 0 the oldest."""
@@ -150,11 +133,11 @@ class Screen(pyte.Screen):
         """Put what would scroll through straight into the scrollback; return the lines still to be drawn."""
         self.draw(lines[0].rstrip("\r").expandtabs(8))
         for y in range(self.cursor.y + 1):
-            self._remember(_as_row(self.buffer[y]))
+            self._remember(as_row(self.buffer[y]))
         end = len(lines) - self.lines
         for line in lines[1:end][-SCROLLBACK:]:
             line = line.rstrip("\r").rpartition("\r")[2].expandtabs(8)
-            for row in _wrapped(line, self.columns):
+            for row in wrapped(line, self.columns):
                 self._remember(row.rstrip(" "))
         self.buffer.clear()
         self.cursor.x = self.cursor.y = 0
@@ -219,6 +202,8 @@ class Screen(pyte.Screen):
         x = self.cursor.x - 1
         if line[x].data == "" and x:
             x -= 1
+        if len(line[x].data) > MOST_MARKS:
+            return
         line[x] = line[x]._replace(data=unicodedata.normalize("NFC", line[x].data + char))
         self.dirty.add(self.cursor.y)
 
@@ -238,13 +223,31 @@ class Screen(pyte.Screen):
         cells[char] = cell
         return cell
 
+    # pyte moves and erases cells one by one, and so may leave half of a wide character.
+
+    def insert_characters(self, count: int | None = None) -> None:
+        super().insert_characters(count)
+        fit(self.buffer[self.cursor.y], self.columns)
+
+    def delete_characters(self, count: int | None = None) -> None:
+        super().delete_characters(count)
+        fit(self.buffer[self.cursor.y], self.columns)
+
+    def erase_characters(self, count: int | None = None) -> None:
+        super().erase_characters(count)
+        fit(self.buffer[self.cursor.y], self.columns)
+
+    def erase_in_line(self, how: int = 0, private: bool = False) -> None:
+        super().erase_in_line(how, private)
+        fit(self.buffer[self.cursor.y], self.columns)
+
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
     def index(self) -> None:
         if self.margins is None and self.cursor.y == self.lines - 1:
             buffer = self.buffer
             if not self.alternate:
-                self._remember(_as_row(buffer[0]) if 0 in buffer else "")
+                self._remember(as_row(buffer[0]) if 0 in buffer else "")
             for y in range(self.lines - 1):
                 if y + 1 in buffer:
                     buffer[y] = buffer[y + 1]
@@ -284,10 +287,15 @@ class Screen(pyte.Screen):
                 lines, cursor = self._main
                 self._main = None
                 self.buffer.clear()
-                for y, line in lines.items():
-                    if y < self.lines:
-                        self.buffer[y] = line
-                self.cursor.x, self.cursor.y = min(cursor.x, self.columns), min(cursor.y, self.lines - 1)
+                # The window may have become smaller meanwhile: the line with the cursor stays in sight.
+                shift = max(cursor.y - self.lines + 1, 0)
+                for y, line in sorted(lines.items()):
+                    if y < shift:
+                        self._remember(as_row(line))
+                    elif y - shift < self.lines:
+                        self.buffer[y - shift] = line
+                        fit(line, self.columns)
+                self.cursor.x, self.cursor.y = min(cursor.x, self.columns), cursor.y - shift
                 self.cursor.attrs = self.default_char
                 self.margins = None
                 self.dirty.update(range(self.lines))
@@ -315,6 +323,8 @@ class Screen(pyte.Screen):
         self.tabstops = set(range(8, columns, 8))
         if self.alternate:
             super().resize(lines, columns)
+            for line in self.buffer.values():
+                fit(line, columns)
             self.cursor.x, self.cursor.y = min(self.cursor.x, columns), min(self.cursor.y, lines - 1)
             self.dirty.intersection_update(range(lines))
             return
@@ -323,7 +333,7 @@ class Screen(pyte.Screen):
         if shift:
             rows = [self.buffer.pop(y, None) for y in range(self.lines)]
             for row in rows[:shift]:
-                self._remember(_as_row(row) if row is not None else "")
+                self._remember(as_row(row) if row is not None else "")
             for y, row in enumerate(rows[shift:used]):
                 if row is not None:
                     self.buffer[y] = row
@@ -336,8 +346,7 @@ class Screen(pyte.Screen):
             del self.buffer[y]
         if columns < self.columns:
             for line in self.buffer.values():
-                for x in [x for x in line if x >= columns]:
-                    del line[x]
+                fit(line, columns)
         self.lines, self.columns = lines, columns
         self.margins = None
         self.cursor.y = min(max(self.cursor.y, 0), lines - 1)
@@ -351,96 +360,5 @@ class Screen(pyte.Screen):
         for y in sorted((y for y in self.buffer), reverse=True):
             self.buffer[y + count] = self.buffer.pop(y)
         for y, row in enumerate(rows):
-            self.buffer[y].update(enumerate(_cells_of(row)))
+            self.buffer[y].update(enumerate(cells_of(row)))
         self.cursor.y += count
-
-
-class Scrollback(Sequence["CellRow"]):
-    """The scrollback of a screen as a sequence of rows of cells, for a view that draws cells; made on demand."""
-
-    def __init__(self, screen: Screen) -> None:
-        self._rows = screen.scrollback
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return [CellRow(row) for row in list(self._rows)[index]]
-        return CellRow(self._rows[index])
-
-
-class CellRow:
-    """A line of the scrollback, cell by cell like a line of pyte's buffer: beyond its end there are blanks."""
-
-    def __init__(self, row: Row) -> None:
-        self._cells = _cells_of(row)
-
-    def __getitem__(self, x: int) -> Char:
-        return self._cells[x] if x < len(self._cells) else _BLANK
-
-
-_BLANK = Char(" ")
-
-
-def _wrapped(line: str, columns: int) -> list[str]:
-    """A line of plain text as the rows it takes on a screen that many cells wide."""
-    if line.isascii():
-        return [line[start : start + columns] for start in range(0, max(len(line), 1), columns)]
-    rows: list[str] = []
-    start = used = 0
-    for index, char in enumerate(line):
-        width = char_width(char)
-        if used + width > columns:
-            rows.append(line[start:index])
-            start, used = index, 0
-        used += width
-    return [*rows, line[start:]]
-
-
-def _cells_of(row: Row) -> list[Char]:
-    cells: list[Char] = []
-    for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
-        for char in text:
-            width = char_width(char)
-            if width == 0 and cells:
-                cells[-1] = cells[-1]._replace(data=cells[-1].data + char)
-                continue
-            cells.append(Char(char, *style))
-            if width == 2:
-                cells.append(Char("", *style))
-    return cells
-
-
-def _as_row(line: Any) -> Row:
-    """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
-    if not line:
-        return ""
-    runs: list[Run] = []
-    text: list[str] = []
-    style: tuple[Any, ...] | None = None
-    last = max(line)
-    for x in range(last + 1):
-        cell = line.get(x, _BLANK)
-        if cell[1:] != style:
-            if text:
-                runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
-                text = []
-            style = cell[1:]
-        text.append(cell[0])
-    if text:
-        runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
-    while runs and runs[-1][1] == PLAIN_STYLE:
-        stripped = runs[-1][0].rstrip(" ")
-        if stripped:
-            runs[-1] = (stripped, PLAIN_STYLE)
-            break
-        runs.pop()
-    if len(runs) == 1 and runs[0][1] == PLAIN_STYLE:
-        return runs[0][0]
-    return tuple(runs)
-
-
-def row_text(row: Row) -> str:
-    """A line without its styles."""
-    return row if isinstance(row, str) else "".join(text for text, _ in row)

@@ -9,7 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-COMMANDS = ("ros2",)
+COMMANDS = ("ros2", "check_urdf", "urdf_to_graphviz")
 """Commands of ours that get a small script of their own."""
 
 
@@ -21,6 +21,7 @@ def environment(folder: Path) -> dict[str, str]:
     interpreter = str(Path(sys.executable).parent)
     entries = [str(folder), interpreter, *env.get("PATH", os.defpath).split(os.pathsep)]
     env["PATH"] = os.pathsep.join(dict.fromkeys(entries))
+    env["DAY6_PYTHON"] = sys.executable
     return env
 
 
@@ -30,14 +31,19 @@ def write_scripts(folder: Path) -> None:
     start = f"{shlex.quote(sys.executable)} -m day6_tui.tui.main"
     for name in COMMANDS:
         if os.name == "nt":
-            (folder / f"{name}.bat").write_text(
-                f'@"{sys.executable}" -m day6_tui.tui.main {name} %*\r\n', encoding="utf-8"
-            )
+            _write_batch(folder / f"{name}.bat", f"-m day6_tui.tui.main {name}")
         else:
             _write_executable(folder / name, f'#!/bin/sh\nexec {start} {name} "$@"\n')
-    if os.name != "nt":
-        for name in ("python3", "python"):
+    for name in ("python3", "python"):
+        if os.name == "nt":
+            _write_batch(folder / f"{name}.bat", "")
+        else:
             _write_executable(folder / name, f'#!/bin/sh\nexec {shlex.quote(sys.executable)} "$@"\n')
+
+
+def _write_batch(path: Path, arguments: str) -> None:
+    # A batch file is read in the console's old code page, so the interpreter's path comes by the environment.
+    path.write_text(f'@"%DAY6_PYTHON%" {arguments} %*\n', encoding="ascii", newline="\r\n")
 
 
 def _write_executable(path: Path, text: str) -> None:
@@ -53,7 +59,8 @@ def main(arguments: list[str]) -> int:
         prog="day6-tui shell", description="A real sub-shell in which ros2 and python3 are those of day6-tui."
     )
     parser.parse_args(arguments)
-    shell = os.environ.get("SHELL") or ("cmd.exe" if os.name == "nt" else "/bin/sh")
+    # Git's bash sets SHELL on Windows too, to a path that only it understands.
+    shell = os.environ.get("COMSPEC", "cmd.exe") if os.name == "nt" else os.environ.get("SHELL") or "/bin/sh"
     with tempfile.TemporaryDirectory(prefix="day6-shell-") as name:
         folder = Path(name)
         write_scripts(folder)

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import OutputStream
 from day6_tui.core.shell.discipline import Discipline
-from day6_tui.core.shell.interpreter import Streams
+from day6_tui.core.shell.redirection import Streams
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
-    from day6_tui.core.shell.screen import Screen, Scrollback
+    from day6_tui.core.shell.rows import Scrollback
+    from day6_tui.core.shell.screen import Screen
 
 RING = 256 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines go."""
@@ -119,9 +120,9 @@ class Terminal:
     @property
     def history(self) -> Scrollback:
         """The lines above the screen, oldest first, as rows of cells."""
-        from day6_tui.core.shell.screen import Scrollback
+        from day6_tui.core.shell.rows import Scrollback
 
-        return Scrollback(self.screen)
+        return Scrollback(self.screen.scrollback)
 
     def clear_history(self) -> None:
         self.screen.scrollback.clear()

@@ -417,17 +417,27 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
     assert until(lambda: other.nodes() == ["/one"])
 
 
-@pytest.mark.parametrize("sockets", ["on", "tcp"])
-def test_two_machines_meet_only_by_name(
-    world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch, sockets: str
+def test_without_unix_sockets_other_machines_are_refused_with_a_reason(
+    world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    from day6_tui.core.graph import Graph
+    from day6_tui.core.link import join, leave
+
+    monkeypatch.setenv("DAY6_LINK", "tcp")
+    graph = Graph()
+    assert join(graph, listen="tcp/127.0.0.1:0").problem == (
+        "listen and connect need Unix sockets, which there are none of here"
+    )
+    leave(graph)
+
+
+def test_two_machines_meet_only_by_name(world: World, short_folder: Path) -> None:
     import json
     import socket
 
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    monkeypatch.setenv("DAY6_LINK", sockets)
     here, there = str(short_folder / "m1"), str(short_folder / "m2")
     listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})

@@ -1,4 +1,4 @@
-"""Runs a terminal program on a pty and measures it: first frame, bytes, CPU time, memory, key to echo. Linux only."""
+"""Runs a terminal program on a pty and measures it: first frame, bytes, CPU time, memory, key to echo. Usage is Linux only."""
 
 from __future__ import annotations
 
@@ -37,16 +37,27 @@ class Usage:
 class Screen:
     """One program on a pty of its own; use as a context manager, which ends it."""
 
-    def __init__(self, command: list[str], columns: int, rows: int, cpus: set[int] | None = None, **env: str) -> None:
+    def __init__(
+        self,
+        command: list[str],
+        columns: int,
+        rows: int,
+        cpus: set[int] | None = None,
+        cwd: str | None = None,
+        **env: str | None,
+    ) -> None:
+        """`env` is added to this process's variables; None takes one away."""
         self._started = time.perf_counter()
         self.output = bytearray()
         self.pid, self._fd = pty.fork()
         if self.pid == 0:
             if cpus is not None:
                 os.sched_setaffinity(0, cpus)
+            if cwd is not None:
+                os.chdir(cwd)
+            set_window_size(0, columns, rows)
             variables = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8", **env}
-            os.execvpe(command[0], command, variables)
-        fcntl.ioctl(self._fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+            os.execvpe(command[0], command, {name: value for name, value in variables.items() if value is not None})
 
     def __enter__(self) -> Screen:
         return self
@@ -129,3 +140,8 @@ class Screen:
         """Resident memory of the process in MB."""
         with open(f"/proc/{self.pid}/status") as file:
             return next(int(line.split()[1]) / 1024 for line in file if line.startswith("VmRSS"))
+
+
+def set_window_size(fd: int, columns: int, rows: int) -> None:
+    """Tell the pty how large its window is; the programs on it hear of a change."""
+    fcntl.ioctl(fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))

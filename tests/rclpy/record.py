@@ -1,7 +1,7 @@
 """Records what programs do with a real rclpy: `python record.py /path/to/python-with-real-rclpy PROGRAM.py …`.
 
-Each program is run in an empty folder; its outcome is added to recorded.jsonl under its file's name, replacing an older one. Without
-programs everything that is recorded is recorded anew.
+Each program is run in an empty folder; its outcome is added to recorded.jsonl under its file's name, replacing an older one.
+Without programs everything that is recorded is recorded anew.
 """
 
 from __future__ import annotations
@@ -20,13 +20,21 @@ from golden import RECORDED, SITE
 
 def record(python: str, name: str, code: str, domain: int) -> dict[str, object]:
     """Run one program with a real rclpy; returns the entry for recorded.jsonl."""
-    env = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "RCUTILS_CONSOLE_OUTPUT_FORMAT")}
+    env = {
+        key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "RCUTILS_CONSOLE_OUTPUT_FORMAT")
+    }
     # Our messages are always checked, so the real ones are too.
     env.update(ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST", ROS_PYTHON_CHECK_FIELDS="1", ROS_DOMAIN_ID=str(domain))
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "prog.py").write_text(code, encoding="utf-8")
         done = subprocess.run(
-            [python, "prog.py"], cwd=folder, env=env, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL
+            [python, "prog.py"],
+            cwd=folder,
+            env=env,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            stdin=subprocess.DEVNULL,
         )
         site = str(Path(python).absolute().parents[1] / "lib" / "python3.11" / "site-packages")
 

@@ -236,3 +236,14 @@ def test_ros2_answers_in_a_real_terminal(tmp_path: Path) -> None:
     assert (result.returncode, result.stdout) == (0, "/parameter_events\n/rosout\n")
     wrong = day6("ros2", "run", "nowhere", "nothing", cwd=tmp_path)
     assert (wrong.returncode, wrong.stderr) == (1, "Package 'nowhere' not found\n")
+
+
+def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
+    script = (
+        "import sys\nfrom day6_tui.core.shell.execute import main\n"
+        "main(['-c', 'echo hi | grep h; python3 -c pass'])\n"
+        "heavy = {'numpy', 'asyncio', 'yaml', 'textual', 'rich', 'zenoh', 'pyte', 'rclpy'}\n"
+        "print(sorted(heavy & {name.split('.')[0] for name in sys.modules}))\n"
+    )
+    result = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.stdout == "hi\n[]\n", result.stderr

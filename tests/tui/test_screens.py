@@ -53,6 +53,16 @@ async def test_the_palette_lists_every_command(desk, golden) -> None:
         golden("palette-zh-80x30", screen_text(app))
 
 
+@pytest.mark.parametrize("width", [80, 100, 121, 150])
+async def test_no_chinese_character_of_an_overlay_is_lost_at_the_edge_of_a_pane_below(desk, width) -> None:
+    async with opened(desk, width, 40, lang="zh") as (app, pilot):
+        await pilot.press("f1")
+        await step(app, pilot)
+        shown = "".join(char for line in screen_lines(app) for char in line if char not in " │┃━─╭╮╰╯┏┓┗┛")
+        for text in (app.look.texts("help.welcome"), app.look.texts("help.desk")):
+            assert text.replace(" ", "").replace("\n", "")[:40] in shown
+
+
 @pytest.mark.parametrize("environ", [ASCII, CONSOLE], ids=["no-utf8", "linux-console"])
 async def test_a_poor_terminal_gets_characters_it_can_show(desk, golden, environ) -> None:
     desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle(x=7.56, theta=1.57), turtle("turtle2", 2.0, 3.0)))

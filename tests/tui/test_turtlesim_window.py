@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 from conftest import UTF8, make_look, opened, screen_text, step
 from fakes import FakeSimulation, turtle
+from textual.geometry import Size
 
 from day6_tui.core.session.display import Display
 from day6_tui.tui.canvas import Canvas, square
@@ -46,16 +47,8 @@ def test_an_undefined_heading_is_drawn_somehow() -> None:
 def _pane(simulation: FakeSimulation, width: int, height: int, **options: object) -> TurtleSimPane:
     window = Display().open("turtlesim", "TurtleSim", simulation)
     pane = TurtleSimPane(window, make_look(SimpleNamespace(**options), UTF8))
-    pane._size = SimpleNamespace(width=width, height=height)  # type: ignore[assignment]
-    type(pane).size = property(lambda self: self._size)  # type: ignore[method-assign, assignment]
+    pane.extent = Size(width, height)
     return pane
-
-
-@pytest.fixture(autouse=True)
-def _real_size():
-    yield
-    if "size" in TurtleSimPane.__dict__:
-        del TurtleSimPane.size
 
 
 def _touched(pane: TurtleSimPane) -> list[tuple[int, int, int]]:

@@ -18,6 +18,9 @@ from day6_tui.urdf.topview import render_top
 
 MOST_STATUS_LINES = 4
 
+FRAME_SECONDS = 0.05
+"""Twenty pictures a second: a wheel turns smoothly, and drawing it costs a millisecond each time."""
+
 _ROLES = {
     "": "text",
     "chassis": "node",
@@ -46,6 +49,7 @@ class CarPane(WindowPane):
         self._snapshot: Any = None
         self._rows: list[Row] = []
         self._said: list[tuple[str, str]] = []
+        self._drawn_at = 0.0
         self._boxes = False
         """Box lines instead of ASCII."""
 
@@ -55,6 +59,9 @@ class CarPane(WindowPane):
         snapshot = self.model.snapshot()
         if snapshot is self._snapshot and self._rows:
             return False
+        if self._rows and now - self._drawn_at < FRAME_SECONDS:
+            return True
+        self._drawn_at = now
         before, spoken = self._rows, self._said
         rate_before = self._rate()
         self._take_over(snapshot)

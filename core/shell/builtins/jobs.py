@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.interpreter import Interrupted, Shell, Streams
+from day6_tui.core.shell.interpreter import Interrupted, Shell
 from day6_tui.core.shell.jobs import Job
-
-SIGNALS = {
-    "HUP": 1, "INT": 2, "QUIT": 3, "KILL": 9, "USR1": 10, "USR2": 12, "PIPE": 13, "ALRM": 14, "TERM": 15, "CONT": 18, "STOP": 19,
-    "TSTP": 20,
-}  # fmt: skip
+from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.signals import NUMBERS
 
 
 def _complain(session: Session, text: object) -> None:
@@ -96,14 +93,14 @@ async def wait(session: Session) -> int:
 def _signal_number(text: str) -> int | None:
     if text.isdigit():
         return int(text)
-    return SIGNALS.get(text.upper().removeprefix("SIG"))
+    return NUMBERS.get(text.upper().removeprefix("SIG"))
 
 
 async def kill(session: Session) -> int:
     words = session.argv[1:]
     number: int | None = 15
     if words and words[0] in ("-l", "-L"):
-        session.print(" ".join(f"{value}) SIG{name}" for name, value in SIGNALS.items()))
+        session.print(" ".join(f"{value}) SIG{name}" for name, value in NUMBERS.items()))
         return 0
     if words and words[0] in ("-s", "-n") and len(words) > 1:
         text, words = words[1], words[2:]

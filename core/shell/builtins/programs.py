@@ -6,15 +6,8 @@ import importlib
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.interpreter import (
-    MAX_DEPTH,
-    ExitShell,
-    Interrupted,
-    LoopControl,
-    ReturnFromSource,
-    Shell,
-    Streams,
-)
+from day6_tui.core.shell.interpreter import MAX_DEPTH, ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell
+from day6_tui.core.shell.redirection import Streams
 
 
 async def python3(session: Session) -> int:

@@ -7,9 +7,9 @@ import time
 from day6_tui.core.session.clock import NANOSECONDS, nanoseconds
 from day6_tui.core.session.scheduler import wait_for
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.builtins.jobs import SIGNALS
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
-from day6_tui.core.shell.interpreter import Streams
+from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.signals import NUMBERS
 
 _UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
@@ -66,7 +66,7 @@ async def timeout(session: Session) -> int:
         session.print_error("timeout: missing operand\nTry 'timeout --help' for more information.")
         return 125
     name = options.get("s", "TERM")
-    number = int(name) if name.isdigit() else SIGNALS.get(name.upper().removeprefix("SIG"), 15)
+    number = int(name) if name.isdigit() else NUMBERS.get(name.upper().removeprefix("SIG"), 15)
     shell = session.shell
     streams = Streams(session.stdin, session.stdout, session.stderr)
     program = shell.desk.start_program(

@@ -8,14 +8,14 @@ from dataclasses import replace
 from day6_tui.core.ros.programs.rqt_graph._drawing import measure
 from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge, Picture, layout
 
-_ATTEMPTS = ((True, 0), (True, 26), (False, 0), (False, 26), (False, 16))
+_ATTEMPTS = ((True, 0), (True, 26), (True, 16), (False, 0), (False, 26), (False, 16), (False, 11))
 """What is tried in turn: frames around boxes or not, and the longest label (0: any)."""
 
 
 def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…") -> Picture:
     """Lay out a graph for a window of `width` x `height` cells.
 
-    Frames go first, then long labels are shortened in their middle. When nothing fits, the smallest attempt is returned
+    Long labels are shortened in their middle, then frames go. When nothing fits, the smallest attempt is returned
     and the window scrolls.
     """
     smallest: Picture | None = None
@@ -38,5 +38,9 @@ def elide(name: str, longest: int, ellipsis: str) -> str:
     for kept in range(len(parts) - 2, 0, -1):
         short = "/".join([*parts[:2], ellipsis, *parts[-kept:]])
         if kept < len(parts) - 2 and measure(short) <= longest:
+            return short
+    for kept in range(len(parts) - 1, 0, -1):
+        short = "/".join([ellipsis, *parts[-kept:]])
+        if measure(short) <= longest:
             return short
     return ellipsis + name[len(name) - longest + len(ellipsis) :]

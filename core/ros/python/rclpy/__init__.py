@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import rclpy.callback_groups
+import rclpy.exceptions
 import rclpy.impl  # noqa: F401
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter

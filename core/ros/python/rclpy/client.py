@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from rclpy._entity import CLIENT, NOTHING, Entity
 from rclpy._handles import INVALID_NODE
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy._time_source import wait_interruptibly
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.task import Future
@@ -85,7 +86,7 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
         answered = threading.Event()
         future = self.call_async(request)
         future._watch(answered.set)
-        if not answered.wait(timeout_sec):
+        if not wait_interruptibly(answered, timeout_sec):
             self.remove_pending_request(future)
             raise TimeoutError
         return future.result()

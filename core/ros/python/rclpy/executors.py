@@ -17,6 +17,7 @@ from rclpy._executor import ExternalShutdownException as ExternalShutdownExcepti
 from rclpy._executor import ShutdownException as ShutdownException
 from rclpy._executor import TimeoutException as TimeoutException
 from rclpy._executor import TimeoutObject as TimeoutObject
+from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.task import Future, Task
 
@@ -103,7 +104,10 @@ class MultiThreadedExecutor(Executor):
             item = self._next(nanoseconds(timeout_sec), stop, (timeout_sec, wait_condition))
         except ExternalShutdownException:
             return
-        if item is not None:
+        if isinstance(item, Client):
+            # Only sets a future; a thread for that would cost more than the work.
+            self._work_on(item)
+        elif item is not None:
             self._executor.submit(self._work_on, item)
         if self._failures:
             raise self._failures.popleft()

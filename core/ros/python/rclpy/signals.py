@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 _Handler = Callable[[int, FrameType | None], Any] | int | None
 
+_CTRL_BREAK = getattr(signal, "SIGBREAK", None)
+"""On Windows the Ctrl-C of a simulated terminal arrives as this: a process group of its own gets no other."""
+
 _current = SignalHandlerOptions.NO
 _previous: dict[int, _Handler] = {}
 
@@ -31,6 +34,8 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for context in _valid_contexts():
         context._invalidate()
     previous = _previous.get(number)
+    if number == _CTRL_BREAK and previous == signal.SIG_DFL:
+        previous = signal.default_int_handler
     if callable(previous) and not isinstance(previous, int):
         previous(number, frame)
 
@@ -58,7 +63,9 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
     if threading.current_thread() is not threading.main_thread():
         return
     wanted = int(options)
-    for bit, number in ((1, signal.SIGINT), (2, signal.SIGTERM)):
+    for bit, number in ((1, signal.SIGINT), (1, _CTRL_BREAK), (2, signal.SIGTERM)):
+        if number is None:
+            continue
         if wanted & bit:
             _install(number)
         else:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING, TIMER, Entity
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
+from rclpy._time_source import wait_interruptibly
 from rclpy.clock import Clock, ROSClock
 from rclpy.clock_type import ClockType
 from rclpy.exceptions import ROSInterruptException
@@ -308,7 +309,7 @@ class Rate:
         with self._lock:
             self._num_sleepers += 1
         try:
-            self._event.wait()
+            wait_interruptibly(self._event, None)
         finally:
             with self._lock:
                 self._num_sleepers -= 1

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from rclpy._entity import NOTHING
 from rclpy._handles import INVALID_NODE
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy._time_source import wait_interruptibly
 from rclpy.action._protocol import ABORTED, CANCELED, SUCCEEDED, UNKNOWN, ActionEndpoints
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -377,5 +378,5 @@ def _wait_for(future: Future[Any]) -> Any:
     """Block until a future is done; returns its result or raises its exception."""
     done = threading.Event()
     future._watch(done.set)
-    done.wait()
+    wait_interruptibly(done, None)
     return future.result()

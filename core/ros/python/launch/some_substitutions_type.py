@@ -1,0 +1,12 @@
+"""What may stand where a text is expected: a string, a substitution, or several of them in a row."""
+
+from __future__ import annotations
+
+import collections.abc
+from collections.abc import Iterable
+from typing import Union
+
+from launch.substitution import Substitution
+
+SomeSubstitutionsType = Union[str, Substitution, Iterable[Union[str, Substitution]]]
+SomeSubstitutionsType_types_tuple = (str, Substitution, collections.abc.Iterable)

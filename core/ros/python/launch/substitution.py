@@ -1,0 +1,20 @@
+"""Substitutions: texts that are known only while launching."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class Substitution:
+    """Base of all substitutions."""
+
+    def describe(self) -> str:
+        """Return what `ros2 launch --print` shows."""
+        return self.__repr__()
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the text as it is now."""
+        raise NotImplementedError(f"{type(self).__name__} has no perform()")

@@ -1,0 +1,15 @@
+"""The text of several substitutions in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from launch.substitution import Substitution
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
+    return "".join([context.perform_substitution(each) for each in subs])

@@ -1,0 +1,23 @@
+"""The visit of an entity and of all that it leads to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from launch._loop import Future
+    from launch.launch_context import LaunchContext
+
+
+def visit_all_entities_and_collect_futures(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> list[tuple[LaunchDescriptionEntity, Future]]:
+    """Visit depth first; return those entities that are not done with their visit, with their futures."""
+    following = entity.visit(context)
+    future = entity.get_asyncio_future()
+    pairs = [] if future is None else [(entity, future)]
+    for each in following or ():
+        pairs += visit_all_entities_and_collect_futures(each, context)
+    return pairs

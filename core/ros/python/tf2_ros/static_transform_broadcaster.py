@@ -1,0 +1,37 @@
+"""Says where fixed frames are, once and for everybody who comes later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from geometry_msgs.msg import TransformStamped
+from tf2_msgs.msg import TFMessage
+
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tf2_ros.transform_broadcaster import as_list
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+
+class StaticTransformBroadcaster:
+    """Publishes transforms on /tf_static. Every message repeats all frames before it, since late joiners get only the last.
+
+    As in real ROS 2 the first transform of a frame stays: sending another one for the same frame changes nothing.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        if qos is None:
+            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+        self.pub_tf = node.create_publisher(TFMessage, "/tf_static", qos)
+        self.net_message = TFMessage()
+        self._child_frame_ids: set[str] = set()
+
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802 (its real name)
+        """Publish a transform or several, with all sent before."""
+        for each in as_list(transform):
+            if each.child_frame_id not in self._child_frame_ids:
+                self._child_frame_ids.add(each.child_frame_id)
+                self.net_message.transforms.append(each)
+        self.pub_tf.publish(self.net_message)

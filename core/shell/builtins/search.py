@@ -1,0 +1,199 @@
+"""grep."""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.builtins.options import UsageError, complain, parse
+from day6_tui.core.shell.builtins.text import lines_of
+
+_GREP_LONG = {
+    "--ignore-case": "i",
+    "--invert-match": "v",
+    "--line-number": "n",
+    "--count": "c",
+    "--extended-regexp": "E",
+    "--fixed-strings": "F",
+    "--word-regexp": "w",
+    "--only-matching": "o",
+    "--quiet": "q",
+    "--silent": "q",
+    "--files-with-matches": "l",
+    "--recursive": "r",
+    "--max-count": "m",
+    "--regexp": "e",
+    "--after-context": "A",
+    "--before-context": "B",
+    "--context": "C",
+    "--color": "K",
+    "--colour": "K",
+    "--line-buffered": "U",
+    "--no-filename": "h",
+    "--with-filename": "H",
+    "--text": "a",
+}
+
+
+async def grep(session: Session) -> int:
+    try:
+        options, names = parse(session.argv, "ivncEFGPwxoqlrRhHaUs", "meABCK", {**_GREP_LONG})
+    except UsageError as error:
+        if "--color" in str(error) or "--colour" in str(error):
+            session.argv = [word for word in session.argv if word not in ("--color", "--colour")]
+            return await grep(session)
+        complain(session, error)
+        return 2
+    pattern = options.get("e")
+    if pattern is None:
+        if not names:
+            session.print_error("Usage: grep [OPTION]... PATTERNS [FILE]...\nTry 'grep --help' for more information.")
+            return 2
+        pattern = names.pop(0)
+    try:
+        expression = _grep_expression(pattern, options)
+        context = int(options.get("C", "0"))
+        before, after = int(options.get("B", context)), int(options.get("A", context))
+        most = int(options.get("m", "-1"))
+    except re.error as error:
+        complain(session, str(error).capitalize())
+        return 2
+    except ValueError:
+        complain(session, "context length argument is not a number")
+        return 2
+    if "r" in options or "R" in options:
+        names = _all_files(session, names or ["."])
+    show_name = ("H" in options or len(names) > 1) and "h" not in options
+    search = _Grep(session, expression, options, show_name, before, after, most)
+    problems: list[str] = []
+    async for name, line in lines_of(session, names, problems):
+        if not search.line(name, line):
+            break
+    return search.finish(bool(problems))
+
+
+def _grep_expression(pattern: str, options: dict[str, str]) -> re.Pattern[str]:
+    if "F" in options:
+        pattern = "|".join(re.escape(piece) for piece in pattern.split("\n"))
+    elif "E" not in options and "P" not in options:
+        # Basic expressions: \| \( \{ \+ \? are the operators, the plain characters mean themselves.
+        pattern = re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], pattern)
+    pattern = re.sub(r"\[\[:(\w+):\]\]", lambda m: _CLASSES.get(m[1], m[0]), pattern)
+    if "w" in options:
+        pattern = rf"\b(?:{pattern})\b"
+    if "x" in options:
+        pattern = rf"\A(?:{pattern})\Z"
+    return re.compile(pattern, re.IGNORECASE if "i" in options else 0)
+
+
+_CLASSES = {
+    "digit": r"\d",
+    "space": r"\s",
+    "alpha": "[A-Za-z]",
+    "alnum": "[A-Za-z0-9]",
+    "upper": "[A-Z]",
+    "lower": "[a-z]",
+}
+
+
+def _all_files(session: Session, names: list[str]) -> list[str]:
+    found: list[str] = []
+    for name in names:
+        path = session.cwd / name
+        if path.is_dir():
+            inside = sorted(file for file in path.rglob("*") if file.is_file())
+            found.extend(f"{name.rstrip('/')}/{file.relative_to(path)}" for file in inside)
+        else:
+            found.append(name)
+    return found
+
+
+class _Grep:
+    """What one run of grep has found so far."""
+
+    def __init__(
+        self,
+        session: Session,
+        expression: re.Pattern[str],
+        options: dict[str, str],
+        show_name: bool,
+        before: int,
+        after: int,
+        most: int,
+    ) -> None:
+        self.session, self.expression, self.options, self.show_name = session, expression, options, show_name
+        self.earlier: deque[tuple[int, str]] = deque(maxlen=before)
+        self.after, self.most = after, most
+        self.number, self.name, self.count, self.total, self.left = 0, "", 0, 0, 0
+        self.shown = 0
+        self.colour = session.stdout.isatty() or "always" in options.get("K", "")
+
+    def line(self, name: str, line: str) -> bool:
+        """Handle one line; False when nothing more needs to be read."""
+        if name != self.name:
+            self._file_done()
+            self.name, self.number, self.count, self.left = name, 0, 0, 0
+            self.earlier.clear()
+        self.number += 1
+        text = line.rstrip("\n")
+        match = self.expression.search(text)
+        if (match is None) == ("v" not in self.options):
+            if self.left:
+                self.left -= 1
+                self._show(self.number, text, "-")
+            else:
+                self.earlier.append((self.number, text))
+            return True
+        self.count += 1
+        self.total += 1
+        if "q" in self.options:
+            return False
+        if not ({"c", "l"} & self.options.keys()):
+            if (self.after or self.earlier.maxlen) and self.shown and self.number - len(self.earlier) > self.shown + 1:
+                self.session.print("--")
+            for number, earlier in self.earlier:
+                self._show(number, earlier, "-")
+            self.earlier.clear()
+            self.left = self.after
+            self._show(self.number, text, ":")
+        return self.most < 0 or self.count < self.most
+
+    def _show(self, number: int, text: str, mark: str) -> None:
+        self.shown = number
+        prefix = (
+            (self.name.replace("-", "(standard input)", 1) if self.name == "-" else self.name) + mark
+            if self.show_name
+            else ""
+        )
+        prefix += f"{number}{mark}" if "n" in self.options else ""
+        if "o" in self.options and mark == ":":
+            for match in self.expression.finditer(text):
+                self.session.print(prefix + self._painted(match[0]))
+            return
+        if self.colour and mark == ":" and "v" not in self.options:
+            text = self.expression.sub(lambda match: self._painted(match[0]), text)
+        self.session.print(prefix + text)
+
+    def _painted(self, text: str) -> str:
+        return f"\x1b[01;31m{text}\x1b[0m" if self.colour and text else text
+
+    def _file_done(self) -> None:
+        if not self.name or "q" in self.options:
+            return
+        if "l" in self.options:
+            if self.count:
+                self.session.print(self.name)
+        elif "c" in self.options:
+            self.session.print(f"{self.name}:{self.count}" if self.show_name else self.count)
+
+    def finish(self, problems: bool) -> int:
+        if not self.name and "c" in self.options:
+            self.session.print(0)
+        self._file_done()
+        if problems and not ("q" in self.options and self.total):
+            return 2
+        return 0 if self.total else 1
+
+
+COMMANDS: dict[str, Main] = {"grep": grep}

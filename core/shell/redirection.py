@@ -1,0 +1,82 @@
+"""Where a command reads and writes: `<` `>` `>>` `2>&1` `&>` here-documents."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.streams import FileInput, FileOutput, InputStream, OutputStream, TextInput
+from day6_tui.core.shell import syntax
+from day6_tui.core.shell.expansion import expand_text
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.interpreter import Shell
+
+
+@dataclass(frozen=True)
+class Streams:
+    stdin: InputStream
+    stdout: OutputStream
+    stderr: OutputStream
+
+
+async def redirect(
+    redirections: list[syntax.Redirection], shell: Shell, streams: Streams, opened: ExitStack
+) -> Streams:
+    """Return `streams` with the redirections applied; files are closed with `opened`. Raises OSError with the name in it."""
+    table: dict[int, InputStream | OutputStream] = {0: streams.stdin, 1: streams.stdout, 2: streams.stderr}
+    for redirection in redirections:
+        operator = redirection.operator
+        target = await expand_text(redirection.target, shell, streams)
+        fd = redirection.fd if redirection.fd is not None else (0 if operator.startswith("<") else 1)
+        stream: InputStream | OutputStream
+        if operator in ("<<", "<<-"):
+            stream = TextInput(target)
+        elif operator == "<<<":
+            stream = TextInput(target + "\n")
+        elif operator in (">&", "<&") and (target.isdigit() or target == "-"):
+            if target == "-":
+                stream = InputStream() if fd == 0 else OutputStream()
+            elif int(target) in table:
+                stream = table[int(target)]
+            else:
+                raise OSError(9, "Bad file descriptor", target)
+        elif operator == "<":
+            stream = _open_input(shell.cwd / target, target)
+            opened.callback(stream.close)
+        else:
+            stream = _open_output(shell.cwd / target, target, append=operator in (">>", "&>>"))
+            opened.callback(stream.close)
+        table[fd] = stream
+        if operator in ("&>", "&>>") or (operator == ">&" and redirection.fd is None and not target.isdigit()):
+            table[2] = stream
+    stdin, stdout, stderr = table[0], table[1], table[2]
+    if (
+        not isinstance(stdin, InputStream)
+        or not isinstance(stdout, OutputStream)
+        or not isinstance(stderr, OutputStream)
+    ):
+        raise OSError(9, "Bad file descriptor", str(fd))
+    return Streams(stdin, stdout, stderr)
+
+
+def _open_input(path: Path, name: str) -> InputStream:
+    if name == "/dev/null":
+        return InputStream()
+    if path.is_dir():
+        raise IsADirectoryError(21, "Is a directory", name)
+    try:
+        return FileInput(path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, name) from None
+
+
+def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
+    if name == "/dev/null":
+        return OutputStream()
+    try:
+        return FileOutput(path, append=append)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, name) from None

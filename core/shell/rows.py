@@ -1,0 +1,144 @@
+"""Lines of a terminal as rows of styled text or of cells, and the care wide characters need.
+
+A wide character takes two cells; the second holds an empty string, as in pyte.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from pyte.screens import Char
+
+from day6_tui.core.shell.width import char_width
+
+
+class Style(NamedTuple):
+    """How a run of text looks. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
+
+    fg: str = "default"
+    bg: str = "default"
+    bold: bool = False
+    italics: bool = False
+    underscore: bool = False
+    strikethrough: bool = False
+    reverse: bool = False
+    blink: bool = False
+
+
+Run = tuple[str, Style]
+Row = str | tuple[Run, ...]
+"""A line: plain text in the default style, or runs. Without the blanks at its end."""
+
+PLAIN_STYLE = Style()
+
+BLANK = Char(" ")
+
+
+class Scrollback(Sequence["CellRow"]):
+    """The scrollback of a screen as a sequence of rows of cells, for a view that draws cells; made on demand."""
+
+    def __init__(self, rows: Sequence[Row]) -> None:
+        self._rows = rows
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [CellRow(row) for row in list(self._rows)[index]]
+        return CellRow(self._rows[index])
+
+
+class CellRow:
+    """A line of the scrollback, cell by cell like a line of pyte's buffer: beyond its end there are blanks."""
+
+    def __init__(self, row: Row) -> None:
+        self._cells = cells_of(row)
+
+    def __getitem__(self, x: int) -> Char:
+        return self._cells[x] if x < len(self._cells) else BLANK
+
+
+def _mend(line: Any, columns: int) -> None:
+    """Blank every half of a wide character that lost its other half."""
+    for x in [x for x, cell in line.items() if cell.data == "" and not _is_wide(line.get(x - 1))]:
+        line[x] = BLANK
+    for x in [
+        x for x, cell in line.items() if _is_wide(cell) and (x + 1 >= columns or line.get(x + 1, BLANK).data != "")
+    ]:
+        line[x] = BLANK
+
+
+def fit(line: Any, columns: int) -> None:
+    """Cut a line off at the right edge."""
+    for x in [x for x in line if x >= columns]:
+        del line[x]
+    _mend(line, columns)
+
+
+def _is_wide(cell: Char | None) -> bool:
+    return cell is not None and cell.data != "" and cell.data[0] > "\u02ff" and char_width(cell.data[0]) == 2
+
+
+def wrapped(line: str, columns: int) -> list[str]:
+    """A line of plain text as the rows it takes on a screen that many cells wide."""
+    if line.isascii():
+        return [line[start : start + columns] for start in range(0, max(len(line), 1), columns)]
+    rows: list[str] = []
+    start = used = 0
+    for index, char in enumerate(line):
+        width = char_width(char)
+        if used + width > columns:
+            rows.append(line[start:index])
+            start, used = index, 0
+        used += width
+    return [*rows, line[start:]]
+
+
+def cells_of(row: Row) -> list[Char]:
+    cells: list[Char] = []
+    for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
+        for char in text:
+            width = char_width(char)
+            if width == 0 and cells:
+                cells[-1] = cells[-1]._replace(data=cells[-1].data + char)
+                continue
+            cells.append(Char(char, *style))
+            if width == 2:
+                cells.append(Char("", *style))
+    return cells
+
+
+def as_row(line: Any) -> Row:
+    """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
+    if not line:
+        return ""
+    runs: list[Run] = []
+    text: list[str] = []
+    style: tuple[Any, ...] | None = None
+    last = max(line)
+    for x in range(last + 1):
+        cell = line.get(x, BLANK)
+        if cell[1:] != style:
+            if text:
+                runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
+                text = []
+            style = cell[1:]
+        text.append(cell[0])
+    if text:
+        runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
+    while runs and runs[-1][1] == PLAIN_STYLE:
+        stripped = runs[-1][0].rstrip(" ")
+        if stripped:
+            runs[-1] = (stripped, PLAIN_STYLE)
+            break
+        runs.pop()
+    if len(runs) == 1 and runs[0][1] == PLAIN_STYLE:
+        return runs[0][0]
+    return tuple(runs)
+
+
+def row_text(row: Row) -> str:
+    """A line without its styles."""
+    return row if isinstance(row, str) else "".join(text for text, _ in row)

@@ -1,0 +1,155 @@
+"""Where a user works in a test: home, working folder and link folder of one's own, and what can be started there."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from terminal import Terminal
+
+PATIENCE = 30.0
+"""Seconds something may take on a machine that has a lot else to do; nothing waits that long unless it is broken."""
+
+_SCRIPT = shutil.which("day6-tui", path=os.path.dirname(sys.executable))
+DAY6 = [_SCRIPT] if _SCRIPT else [sys.executable, "-m", "day6_tui.tui.main"]
+
+_TAKEN_AWAY = (
+    "DAY6_LINK",
+    "PYTHONDONTWRITEBYTECODE",
+    "NO_COLOR",
+    "LC_ALL",
+    "LC_CTYPE",
+    "LANGUAGE",
+    "COLUMNS",
+    "LINES",
+    "ROS_DOMAIN_ID",
+)
+
+
+class Place:
+    """Where one user works: `work` is the current folder, `home` the simulated one."""
+
+    def __init__(self, work: Path) -> None:
+        self.work = work / "work"
+        self.home = work / "home"
+        self.work.mkdir()
+        # Short, because it holds Unix sockets.
+        self.runtime = Path(tempfile.mkdtemp(prefix="d6e2e-"))
+
+    def environment(self, **more: str | None) -> dict[str, str | None]:
+        """What differs from this process's variables; None stands for "not set"."""
+        taken: dict[str, str | None] = dict.fromkeys(_TAKEN_AWAY)
+        return {**taken, "LANG": "C.UTF-8", "DAY6_RUNTIME_DIR": str(self.runtime), **more}
+
+    def _variables(self, **more: str | None) -> dict[str, str]:
+        merged = {**os.environ, **self.environment(**more)}
+        return {name: value for name, value in merged.items() if value is not None}
+
+    # -- without a screen ----------------------------------------------------------------------------------------------
+
+    def run(self, *words: str, stdin: str | None = "", **env: str | None) -> subprocess.CompletedProcess[str]:
+        """Run `day6-tui WORDS…` to its end."""
+        return subprocess.run(
+            [*DAY6, *words],
+            cwd=self.work,
+            env=self._variables(**env),
+            input=stdin,
+            capture_output=True,
+            text=True,
+            timeout=2 * PATIENCE,
+        )
+
+    def execute(self, commands: str, *more: str, **env: str | None) -> subprocess.CompletedProcess[str]:
+        """Run lines of the simulated terminal by `day6-tui exec`."""
+        return self.run("exec", "--home", str(self.home), "-c", commands, *more, **env)
+
+    def start(self, *words: str, **env: str | None) -> subprocess.Popen[str]:
+        """Start `day6-tui WORDS…`; it is killed at the end of the test if it still runs."""
+        return subprocess.Popen(
+            [*DAY6, *words],
+            cwd=self.work,
+            env=self._variables(**env),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def nodes(self) -> list[str]:
+        """What `ros2 node list` says in a real terminal now."""
+        return self.run("ros2", "node", "list").stdout.split()
+
+    def wait_nodes(self, *names: str, limit: float = PATIENCE) -> None:
+        """Ask `ros2 node list` until it names exactly these."""
+        until(lambda: self.nodes() == sorted(names), limit)
+
+    # -- with a screen -------------------------------------------------------------------------------------------------
+
+    def terminal(self, *words: str, columns: int = 80, rows: int = 24, **env: str | None) -> Terminal:
+        """`day6-tui WORDS…` in a real terminal; skips the test where there are none."""
+        if os.name != "posix":
+            pytest.skip("this system has no pseudo-terminals to try the screen in")
+        from terminal import Terminal
+
+        return Terminal([*DAY6, *words], columns, rows, cwd=self.work, env=self.environment(**env))
+
+    def desktop(
+        self, *options: str, columns: int = 80, rows: int = 24, lang: str = "en", **env: str | None
+    ) -> Terminal:
+        """The desktop in a real terminal."""
+        language = ["--lang", lang] if lang else []
+        home = [] if "--home" in options else ["--home", str(self.home)]
+        return self.terminal(*home, *language, *options, columns=columns, rows=rows, **env)
+
+    # -- what is there -------------------------------------------------------------------------------------------------
+
+    def file(self, name: str, text: str) -> Path:
+        """Write a file into the working folder (where `exec` and real terminals are)."""
+        path = self.work / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def home_file(self, name: str, text: str) -> Path:
+        """Write a file into the home folder of the simulated terminals."""
+        self.home.mkdir(exist_ok=True)
+        path = self.home / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def processes(self) -> dict[int, str]:
+        """Every process that was started here and runs, with its command line; {} where the system does not tell."""
+        mark = f"DAY6_RUNTIME_DIR={self.runtime}".encode()
+        found = {}
+        for entry in Path("/proc").glob("[0-9]*") if sys.platform == "linux" else ():
+            with contextlib.suppress(OSError):
+                if mark in (entry / "environ").read_bytes().split(b"\0"):
+                    found[int(entry.name)] = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode().strip()
+        return found
+
+    def close(self) -> None:
+        for pid in self.processes():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        shutil.rmtree(self.runtime, ignore_errors=True)
+
+
+def until(condition: Callable[[], Any], limit: float = PATIENCE, every: float = 0.05) -> Any:
+    """Ask until the answer is true and return it; AssertionError when it never is."""
+    end = time.monotonic() + limit
+    while not (answer := condition()):
+        if time.monotonic() > end:
+            raise AssertionError(f"after {limit} s the answer is still {answer!r}")
+        time.sleep(every)
+    return answer

@@ -1,0 +1,168 @@
+"""A person at a real terminal: types keys, looks at the screen, waits for what should come. Linux and macOS."""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import signal
+import sys
+import termios
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import pyte
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "perf"))
+
+from place import PATIENCE
+from screen import Screen, set_window_size
+
+KEYS = {
+    "Enter": "\r",
+    "Tab": "\t",
+    "Esc": "\x1b",
+    "Up": "\x1b[A",
+    "Down": "\x1b[B",
+    "Right": "\x1b[C",
+    "Left": "\x1b[D",
+    "F1": "\x1bOP",
+    "F2": "\x1bOQ",
+    "F3": "\x1bOR",
+    "Shift-F3": "\x1b[1;2R",
+    "F4": "\x1bOS",
+    "F8": "\x1b[19~",
+    "F9": "\x1b[20~",
+    "Ctrl-C": "\x03",
+    "Ctrl-D": "\x04",
+    "Ctrl-P": "\x10",
+    "Ctrl-Q": "\x11",
+}
+
+_FRAME = re.compile("[┃│╻║|#]")
+
+
+class Terminal(Screen):
+    """One program in a terminal window of its own. Waiting raises AssertionError with the screen as it was.
+
+    `status` is the program's exit status once it has ended, minus the signal that ended it.
+    """
+
+    def __init__(self, command: list[str], columns: int, rows: int, *, cwd: Path, env: dict[str, str | None]) -> None:
+        super().__init__(command, columns, rows, cwd=str(cwd), **env)
+        self.status: int | None = None
+        self._picture: Any = pyte.Screen(columns, rows)
+        self._stream: Any = pyte.ByteStream(self._picture)
+        self._fed = 0
+
+    def __exit__(self, *exception: object) -> None:
+        if self.status is None:
+            super().__exit__(*exception)
+        else:
+            os.close(self._fd)
+
+    # -- typing --------------------------------------------------------------------------------------------------------
+
+    def press(self, *keys: str) -> None:
+        """Press keys, by their names in KEYS or as themselves."""
+        for key in keys:
+            self.send(KEYS.get(key, key))
+
+    def line(self, text: str) -> None:
+        """Type a command and Enter."""
+        self.send(text + "\r")
+
+    def resize(self, columns: int, rows: int) -> None:
+        """Drag the window to another size."""
+        self._picture.resize(rows, columns)
+        set_window_size(self._fd, columns, rows)
+
+    # -- looking -------------------------------------------------------------------------------------------------------
+
+    def look(self, seconds: float = 0.0) -> str:
+        """The screen as text, after reading what comes within `seconds`, without blanks at the ends of lines."""
+        self._take(seconds)
+        return "\n".join(line.rstrip() for line in self._picture.display)
+
+    def pieces(self) -> list[str]:
+        """What stands between the frames of the panes, line by line, without the blanks around it."""
+        return [piece.strip() for line in self.look().split("\n") for piece in _FRAME.split(line)]
+
+    def wait(self, *wanted: str | Callable[[str], Any], limit: float = PATIENCE) -> str:
+        """Look until every wanted text is on the screen (or every function of the screen is true); returns the screen."""
+        end = time.monotonic() + limit
+        while True:
+            seen = self.look(0.03)
+            missing = [one for one in wanted if not (one in seen if isinstance(one, str) else one(seen))]
+            if not missing:
+                return seen
+            if time.monotonic() > end or (self.status is not None and not self._more(0)):
+                raise AssertionError(f"waited for {missing}, but the screen shows\n{seen}")
+            self._reap()
+
+    def wait_lines(self, *wanted: str, limit: float = PATIENCE) -> str:
+        """Look until each of the wanted texts fills a line of some pane."""
+        return self.wait(lambda seen: set(wanted) <= set(self.pieces()), limit=limit)
+
+    def wait_gone(self, *unwanted: str, limit: float = PATIENCE) -> str:
+        """Look until none of the texts is on the screen."""
+        return self.wait(lambda seen: not any(text in seen for text in unwanted), limit=limit)
+
+    # -- ending --------------------------------------------------------------------------------------------------------
+
+    def wait_end(self, limit: float = PATIENCE) -> int:
+        """Wait until the program has ended by itself; returns its exit status, or minus the signal."""
+        end = time.monotonic() + limit
+        while self.status is None:
+            self.look(0.02)
+            self._reap()
+            if time.monotonic() > end:
+                raise AssertionError(f"still running, and shows\n{self.look()}")
+        self.look(0.1)
+        return self.status
+
+    def kill(self, number: int = signal.SIGKILL) -> None:
+        """Send a signal to the program alone."""
+        os.kill(self.pid, number)
+
+    def attributes(self) -> list[Any]:
+        """How the system treats keys and output of this terminal now (echo, line editing, signals)."""
+        return termios.tcgetattr(self._fd)
+
+    # -- reading -------------------------------------------------------------------------------------------------------
+
+    def _more(self, seconds: float) -> bool:
+        return bool(select.select([self._fd], [], [], seconds)[0])
+
+    def _take(self, seconds: float) -> None:
+        end = time.monotonic() + seconds
+        while self._more(max(0.0, end - time.monotonic())):
+            try:
+                data = os.read(self._fd, 65536)
+            except OSError:
+                data = b""  # Linux: nobody is on the terminal any more
+            if not data:
+                time.sleep(max(0.0, min(0.02, end - time.monotonic())))
+                break
+            self.output += data
+            if time.monotonic() > end:
+                break
+        fresh, self._fed = bytes(self.output[self._fed :]), len(self.output)
+        self._stream.feed(_without_foreign(fresh))
+
+    def _reap(self) -> None:
+        if self.status is None:
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                self.status = os.waitstatus_to_exitcode(status)
+
+
+# Modes of newer terminals that pyte would show as text; an unfinished one at the end of a read does not matter.
+_FOREIGN = re.compile(rb"\x1b\[[<>=?][0-9;]*(?:\$p|[uqcmn])")
+
+
+def _without_foreign(data: bytes) -> bytes:
+    return _FOREIGN.sub(b"", data)
+

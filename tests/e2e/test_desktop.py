@@ -1,0 +1,189 @@
+"""The desktop in a real terminal: what one sees, types and gets, from the welcome to the end."""
+
+from __future__ import annotations
+
+import re
+import termios
+from typing import TYPE_CHECKING
+
+import pytest
+from place import until
+
+if TYPE_CHECKING:
+    from place import Place
+    from terminal import Terminal
+
+SIZES_AND_LANGUAGES = [(80, 24, "zh"), (80, 24, "en"), (120, 40, "zh"), (120, 40, "en")]
+WELCOME = {
+    "zh": ("驾驶小海龟", "让小车的轮子转起来", "空桌面"),
+    "en": ("Drive the turtle", "Make the car's wheels turn", "An empty desk"),
+}
+QUIT_SECONDS = 10.0
+"""Far more than quitting takes; programs that have to be ended by force would take longer."""
+
+
+def leave(screen: Terminal, place: Place) -> None:
+    """Quit as the key bar says, and see that nothing stays behind: no process, no mode of the terminal."""
+    screen.press("Ctrl-Q")
+    assert screen.wait_end(QUIT_SECONDS) == 0
+    assert place.processes() == {}
+    modes = screen.attributes()[3]
+    assert modes & termios.ECHO and modes & termios.ICANON and modes & termios.ISIG
+    end = bytes(screen.output)
+    end = end[end.rindex(b"\x1b[?1049h") :]
+    for restored in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?1000l", b"\x1b[?2004l"):
+        assert restored in end, restored
+    assert b"Traceback" not in end
+
+
+@pytest.mark.parametrize(("columns", "rows", "lang"), SIZES_AND_LANGUAGES)
+def test_the_welcome_is_there_and_quitting_leaves_nothing_behind(
+    place: Place, columns: int, rows: int, lang: str
+) -> None:
+    with place.desktop(columns=columns, rows=rows, lang=lang) as screen:
+        seen = screen.wait(*WELCOME[lang], "student@day6:~$", "^Q")
+        assert all(f" {number}  {text}" in seen for number, text in enumerate(WELCOME[lang], start=1))
+        leave(screen, place)
+
+
+@pytest.mark.parametrize(("columns", "rows", "lang"), [(80, 24, "zh"), (120, 40, "en")])
+def test_key_1_drives_the_turtle_and_every_tool_tells_the_truth(
+    place: Place, columns: int, rows: int, lang: str
+) -> None:
+    with place.desktop(columns=columns, rows=rows, lang=lang) as screen:
+        screen.wait(WELCOME[lang][0], "student@day6:~$")
+        # The arrow key is typed while the commands are: it waits for the teleop it is meant for.
+        screen.press("1")
+        screen.wait("student@day6:~$ ros2")
+        screen.press("Up")
+        screen.wait("x 7.56  y 5.54  θ 0.00", "1 turtlesim_node", "2 turtle_teleop_k")
+
+        screen.press("F2")
+        screen.wait("3 ~")
+        screen.line("ros2 node list")
+        screen.wait_lines("/teleop_turtle", "/turtlesim")
+        screen.line("clear; ros2 topic list")
+        screen.wait_lines(
+            "/parameter_events", "/rosout", "/turtle1/cmd_vel", "/turtle1/color_sensor", "/turtle1/pose"
+        )
+
+        screen.line("clear; ros2 topic echo /turtle1/cmd_vel")
+        until(lambda: "Subscription count: 2" in place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout)
+        screen.press("Shift-F3")
+        screen.wait("Use arrow keys to move the turtle.")
+        screen.press("Up")
+        screen.wait("x 9.58")
+        screen.press("F3", "F8")
+        screen.wait_lines("linear:", "x: 2.0", "angular:", "---")
+        screen.press("F8")
+
+        screen.press("F2")
+        screen.wait("4 ~")
+        screen.line("rqt_graph")
+        screen.wait("rqt_graph  ", "( /teleop_turtle )", "( /turtlesim", "/turtle1/cmd_vel")
+
+        screen.press("F3", "F3", "F3")
+        screen.wait("┏ 1 turtlesim_node", "Spawning turtle")
+        screen.press("Ctrl-C")
+        screen.wait_gone("TurtleSim")
+        screen.line("clear; ros2 node list")
+        screen.wait_lines("/teleop_turtle", "student@day6:~$")
+        assert "/turtlesim" not in screen.pieces()
+        leave(screen, place)
+
+
+def test_the_scene_of_the_command_line_begins_at_once(place: Place) -> None:
+    with place.desktop("--scene", "turtle", "--reduced-motion") as screen:
+        screen.wait("x 5.54", "'q' to quit.")
+        screen.press("q")
+        screen.wait_lines("student@day6:~$")
+        screen.press("Ctrl-D")
+        screen.wait_gone("2 turtle")
+
+
+def test_another_terminal_opened_during_a_scene_gets_nothing_of_it(place: Place) -> None:
+    with place.desktop() as screen:
+        screen.wait("Drive the turtle", "student@day6:~$")
+        screen.press("1")
+        screen.wait("TurtleSim", "2 ~", "student@day6:~$ ros2")
+        screen.press("F2")
+        screen.line("echo mine")
+        screen.wait_lines("student@day6:~$ echo mine", "mine")
+        screen.wait("2 turtle_teleop_k", "^Q")
+        assert "not found" not in screen.look()
+        screen.press("Shift-F3")
+        screen.wait("'q' to quit.")
+
+
+def test_keys_mean_what_the_bar_says(place: Place) -> None:
+    with place.desktop(columns=120) as screen:
+        screen.wait("Drive the turtle", "student@day6:~$")
+        screen.press("F1")
+        screen.wait("Keys that work everywhere")
+        screen.press("Esc")
+        screen.wait_gone("Keys that work everywhere")
+        screen.press("Ctrl-P")
+        screen.wait("type to search")
+        screen.send("language")
+        screen.wait("中文 / English")
+        screen.press("Enter")
+        screen.wait("驾驶小海龟", "F2  终端")
+        screen.press("F9")
+        screen.wait("F9  继续")
+        screen.press("F9")
+        screen.wait("F9  暂停")
+
+
+def test_up_brings_back_commands_and_tab_completes(place: Place) -> None:
+    with place.desktop("--scene", "empty") as screen:
+        screen.wait("student@day6:~$")
+        screen.send("ros2 run turtlesim turtlesim_n\t")
+        screen.wait("ros2 run turtlesim turtlesim_node")
+        screen.press("Ctrl-C")
+        screen.line("echo o''ne")
+        screen.wait_lines("one")
+        screen.press("Up")
+        screen.wait(lambda seen: seen.count("echo o''ne") == 2)
+        screen.line(" two")
+        screen.wait_lines("one two")
+
+
+def test_jobs_pipes_and_signals_in_a_terminal(place: Place) -> None:
+    with place.desktop("--scene", "empty") as screen:
+        screen.wait("student@day6:~$")
+        screen.line("sleep 100 &")
+        screen.wait(lambda seen: re.search(r"\[1] \d+", seen))
+        screen.line("clear; jobs; kill %1")
+        screen.wait_lines("[1]+  Running                 sleep 100 &")
+        screen.line("")
+        screen.wait_lines("[1]+  Terminated              sleep 100")
+        screen.line("clear; timeout 0.1 sleep 5; echo status $?; ros2 pkg list | grep -c turtlesim")
+        screen.wait_lines("status 124", "1")
+        screen.line("clear; cat")
+        screen.line("typed")
+        screen.wait(lambda seen: screen.pieces().count("typed") == 2)
+        screen.press("Ctrl-C")
+        screen.line("echo status $?")
+        screen.wait_lines("^C", "status 130")
+
+
+def test_the_shell_ends_with_ctrl_d_and_another_one_is_there(place: Place) -> None:
+    with place.desktop("--scene", "empty") as screen:
+        screen.wait("student@day6:~$")
+        screen.line("echo first")
+        screen.wait_lines("first")
+        screen.press("Ctrl-D")
+        screen.wait_gone("first")
+        screen.line("echo second")
+        screen.wait_lines("second")
+
+
+def test_closing_the_terminal_window_ends_the_desktop_and_its_programs(place: Place) -> None:
+    place.home_file("idle.py", "import time\nprint('idle now', flush=True)\ntime.sleep(1000)\n")
+    screen = place.desktop("--scene", "empty")
+    with screen:
+        screen.wait("student@day6:~$")
+        screen.line("python3 idle.py")
+        screen.wait_lines("idle now")
+    # Leaving the block closes the pty, as a window manager does.
+    until(lambda: place.processes() == {})

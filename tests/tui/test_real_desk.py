@@ -1,0 +1,157 @@
+"""The desktop on the real machine: what the first ten seconds of a lesson look like."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from conftest import UTF8, make_look, screen_lines, screen_text
+
+from day6_tui.core.shell.desk import Desk
+from day6_tui.tui.app import Day6App
+
+LONGEST = 20.0
+
+
+@asynccontextmanager
+async def opened(home: Path, width: int = 120, height: int = 40, **options: Any) -> AsyncIterator[tuple[Day6App, Any]]:
+    """The desktop with its own machine, frames drawn by the test; the world runs ten times as fast as the wall."""
+    desk = Desk(home, join_link=False)
+    desk.set_speed(10.0)
+    given = SimpleNamespace(fps=0, lang="en", **options)
+    app = Day6App(given, desk=desk, look=make_look(given, UTF8))
+    desk.start()
+    try:
+        async with app.run_test(size=(width, height)) as pilot:
+            yield app, pilot
+    finally:
+        desk.close()
+
+
+async def until(app: Day6App, pilot: Any, condition: Callable[[], object]) -> None:
+    """Draw frames until `condition` holds."""
+    deadline = time.monotonic() + LONGEST
+    while not condition():
+        assert time.monotonic() < deadline, screen_text(app)
+        app.frames.step()
+        await pilot.pause(0.02)
+
+
+def _shows(app: Day6App, text: str) -> Callable[[], bool]:
+    return lambda: text in screen_text(app)
+
+
+async def test_the_turtle_drives_within_the_first_minute_of_a_lesson(tmp_path) -> None:
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        await pilot.press("1")
+        await until(app, pilot, _shows(app, "'q' to quit."))
+        await until(app, pilot, lambda: app.player is None)
+        assert "x 5.54  y 5.54  θ 0.00" in screen_text(app)
+        assert "nodes 2" in screen_lines(app)[0]
+        await pilot.press("up")
+        await until(app, pilot, _shows(app, "x 7.56  y 5.54  θ 0.00  v 0.0"))
+        await pilot.press("left")
+        await until(app, pilot, _shows(app, "θ 2.02"))
+        # Ctrl-C in the first terminal closes the window.
+        app.go_terminal(0)
+        await pilot.press("ctrl+c")
+        await until(app, pilot, lambda: app.machine.desk.display.windows == [])
+        await until(app, pilot, lambda: "θ 2.02" not in screen_text(app))
+
+
+async def test_the_arrow_keys_drive_only_in_the_teleop_terminal(tmp_path) -> None:
+    async with opened(tmp_path, scene="turtle") as (app, pilot):
+        await until(app, pilot, lambda: app.player is None and "'q' to quit." in screen_text(app))
+        app.desktop.focus_pane(next(iter(app.desktop.panes.values())))
+        await until(app, pilot, _shows(app, "Arrow keys work only in here"))
+        await pilot.press("up")
+        app.go_terminal(1)
+        await pilot.press("left")
+        await until(app, pilot, _shows(app, "θ 2.02"))
+        assert "x 5.54" in screen_text(app)
+
+
+async def test_lists_and_echo_tell_the_truth_about_the_turtle(tmp_path) -> None:
+    async with opened(tmp_path, scene="turtle") as (app, pilot):
+        await until(app, pilot, lambda: app.player is None and "'q' to quit." in screen_text(app))
+        await pilot.press("f2")
+        app.send("ros2 node list; ros2 topic list; ros2 topic echo --once /turtle1/pose\r")
+        await until(app, pilot, _shows(app, "angular_velocity: 0.0"))
+        text = screen_text(app)
+        assert "/teleop_turtle" in text and "/turtle1/cmd_vel" in text and "x: 5.544444561004639" in text
+
+
+async def test_closing_the_window_ends_its_program(tmp_path) -> None:
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        app.send("ros2 run turtlesim turtlesim_node\r")
+        await until(app, pilot, lambda: app.desktop.panes)
+        app.desktop.focus_pane(next(iter(app.desktop.panes.values())))
+        app.do_close()
+        await until(app, pilot, lambda: not app.terminals.views[0].terminal.busy)
+        assert app.desktop.panes == {}
+
+
+async def test_the_topic_monitor_measures_what_turtlesim_publishes(tmp_path) -> None:
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        app.send("ros2 run turtlesim turtlesim_node & ros2 run rqt_topic rqt_topic\r")
+        await until(app, pilot, lambda: len(app.desktop.panes) == 2)
+        pane = next(pane for pane in app.desktop.panes.values() if pane.window.kind == "topics")
+        await until(app, pilot, lambda: any(topic.name == "/turtle1/pose" for topic in pane.model.topics))
+        pane.chosen = "/turtle1/pose"
+        app.desktop.focus_pane(pane)
+        await pilot.press("enter")
+        await until(app, pilot, _shows(app, "62.50 Hz"))
+        await until(app, pilot, _shows(app, "x: 5.544444561004639"))
+        assert "1.50 kB/s" in screen_text(app), "24 bytes, 62.5 times a second"
+        await pilot.press("enter")
+        await until(app, pilot, _shows(app, "not listening"))
+
+
+async def test_the_car_stands_turns_and_stands_again(tmp_path) -> None:
+    async with opened(tmp_path, scene="car") as (app, pilot):
+        await until(app, pilot, lambda: app.player is None)
+        await until(app, pilot, _shows(app, "+1.00 rad/s"))
+        assert (tmp_path / "day6_bot.urdf").is_file()
+        await pilot.press("ctrl+c")
+        await until(app, pilot, _shows(app, "nobody publishes /joint_states"))
+
+
+async def test_pausing_lets_the_turtle_stand_in_mid_drive(tmp_path) -> None:
+    async with opened(tmp_path, scene="turtle") as (app, pilot):
+        await until(app, pilot, lambda: app.player is None and "'q' to quit." in screen_text(app))
+        app.machine.desk.set_speed(0.5)
+        await pilot.press("up")
+        await until(app, pilot, lambda: "v 2.0" in screen_text(app))
+        await pilot.press("f9")
+        await until(app, pilot, _shows(app, "paused"))
+        here = [line for line in screen_lines(app) if "θ" in line]
+        for _ in range(5):
+            app.frames.step()
+            await pilot.pause(0.02)
+        assert [line for line in screen_lines(app) if "θ" in line] == here
+
+
+@pytest.mark.parametrize(
+    ("command", "answer"),
+    [
+        ("ros2 run turtlesim turtle_teleop", "No executable found"),
+        ("ros2 run turtelsim turtlesim_node", "Package 'turtelsim' not found"),
+        ("ros2 run robot_state_publisher robot_state_publisher nothing.urdf", "No such file or directory"),
+        ("frobnicate", "frobnicate: command not found"),
+    ],
+)
+async def test_a_mistake_is_answered_in_the_tools_words_and_the_prompt_comes_back(tmp_path, command, answer) -> None:
+    async with opened(tmp_path, 80, 24) as (app, pilot):
+        await until(app, pilot, _shows(app, "student@day6:~$"))
+        app.send(command + "\r")
+        await until(app, pilot, _shows(app, answer))
+        await until(app, pilot, lambda: app.terminals.view.at_prompt)
+        assert app.desktop.panes == {}
