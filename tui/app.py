@@ -16,26 +16,26 @@ from typing import Any
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
 
-from textual import events  # noqa: E402
-from textual.app import App, ComposeResult  # noqa: E402
-from textual.binding import Binding  # noqa: E402
-from textual.screen import Screen  # noqa: E402
+from textual import events
+from textual.app import App, ComposeResult
+from textual.binding import Binding
+from textual.screen import Screen
 
-from day6_tui.tui import actions, chops  # noqa: E402
-from day6_tui.tui.app_actions import AppActions  # noqa: E402
-from day6_tui.tui.bars import Bar, KeyHint, key_pieces  # noqa: E402
-from day6_tui.tui.colours import colours  # noqa: E402
-from day6_tui.tui.desktop import Desktop  # noqa: E402
-from day6_tui.tui.frames import Frames  # noqa: E402
-from day6_tui.tui.glyphs import choose, terminal_environ  # noqa: E402
-from day6_tui.tui.locale import Texts, detect  # noqa: E402
-from day6_tui.tui.look import Look  # noqa: E402
-from day6_tui.tui.machine import Machine  # noqa: E402
-from day6_tui.tui.overlay import MessageOverlay  # noqa: E402
-from day6_tui.tui.pane import Piece  # noqa: E402
-from day6_tui.tui.scenes import SCENES, Player  # noqa: E402
-from day6_tui.tui.terminal_pane import TerminalPane  # noqa: E402
-from day6_tui.tui.welcome import WelcomePane  # noqa: E402
+from day6_tui.tui import actions, chops
+from day6_tui.tui.app_actions import AppActions
+from day6_tui.tui.bars import Bar, KeyHint, key_pieces
+from day6_tui.tui.colours import colours
+from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.frames import Frames
+from day6_tui.tui.glyphs import choose, terminal_environ
+from day6_tui.tui.locale import Texts, detect
+from day6_tui.tui.look import Look
+from day6_tui.tui.machine import Machine
+from day6_tui.tui.overlay import MessageOverlay
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.terminal_pane import TerminalPane
+from day6_tui.tui.welcome import WelcomePane
 
 chops.install()
 _log = logging.getLogger(__name__)
@@ -92,6 +92,8 @@ class Day6App(AppActions, App[None]):
         self.top = Bar(self.look, self.top_pieces, id="top")
         self.bottom = Bar(self.look, self.bottom_pieces, id="bottom")
         self.player: Player | None = None
+        self.stage: Any = None
+        """The terminal a scene types into."""
         self.queued_keys: list[events.Key] = []
         self.notice = ""
         self._notice_until = 0.0
@@ -185,12 +187,15 @@ class Day6App(AppActions, App[None]):
     def _play(self, now: float) -> bool:
         if self.player is None:
             return False
+        if self.machine.desk is None:
+            return True  # a quick key: the desk comes right after the first frame
         self.player.advance(now)
         if not self.player.done:
             return True
         self.player = None
-        for event in self.queued_keys:
-            self.terminals.on_key(event)
+        if self.stage in self.terminals.views:
+            for event in self.queued_keys:
+                self.terminals.type_key(self.stage, event)
         self.queued_keys.clear()
         return False
 
@@ -245,7 +250,13 @@ class Day6App(AppActions, App[None]):
             left.append(Piece(texts("bar.topics", count=topics), colours.bar))
         mark = glyphs.paused if machine.paused else glyphs.running
         time_style = colours.hint if machine.paused else colours.bar
-        speed = texts("bar.paused") if machine.paused else f"{machine.speed:g}×" if glyphs.unicode else f"{machine.speed:g}x"
+        speed = (
+            texts("bar.paused")
+            if machine.paused
+            else f"{machine.speed:g}×"
+            if glyphs.unicode
+            else f"{machine.speed:g}x"
+        )
         right = [
             Piece(f" {texts('bar.language')} " if glyphs.chinese else "", colours.bar_muted, self.do_language),
             Piece(f" {mark} {speed} ", time_style, self.do_pause),
@@ -272,8 +283,7 @@ class Day6App(AppActions, App[None]):
         if does.startswith("action."):
             getattr(self, actions.BY_ID[does.removeprefix("action.")].handler)()
         elif does.startswith("type:"):
-            self.use_terminal("idle")
-            self.send(does.removeprefix("type:"))
+            self.use_idle_terminal().terminal.send(does.removeprefix("type:"))
             self.desktop.focus_pane(self.terminals)
         else:
             self.welcome.show_guide()
@@ -289,11 +299,13 @@ class Day6App(AppActions, App[None]):
             visibly = bool(self.frames.rate) and not self.look.reduced_motion
             values = self.machine.robot_words(self.options) if scene.needs_robot else {}
             self.player = Player(scene, self, values=values, visibly=visibly)
+            self.stage = None
+            self.queued_keys.clear()
         self.frames.wake()
 
     def key_before(self, event: events.Key) -> bool:
-        """Keys while a scene types: Esc stops it, others wait until it has finished, which is then at once."""
-        if self.player is None:
+        """Keys where a scene types: Esc stops it, others wait until it has finished, which is then at once."""
+        if self.player is None or (self.stage is not None and self.terminals.view is not self.stage):
             return False
         if event.key == "escape":
             self.player = None
@@ -325,5 +337,3 @@ def run(options: Any) -> int:
     finally:
         app.machine.close()
     return app.return_code or 0
-
-

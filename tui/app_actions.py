@@ -10,7 +10,7 @@ from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
 from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.pane import Pane
 from day6_tui.tui.terminal_pane import TerminalPane
-from day6_tui.tui.terminal_view import tab_name
+from day6_tui.tui.terminal_view import TerminalView, tab_name
 
 if TYPE_CHECKING:
     from day6_tui.tui.desktop import Desktop
@@ -32,6 +32,7 @@ class AppActions:
     terminals: TerminalPane
     welcome: WelcomePane
     player: Any
+    stage: Any
     options: Any
 
     if TYPE_CHECKING:
@@ -224,25 +225,40 @@ class AppActions:
     # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
 
     def use_terminal(self, which: str) -> None:
+        terminals = self.terminals
+        left = terminals.active if self.stage is not None and terminals.view is not self.stage else None
         if which == "idle":
-            for index, view in enumerate(self.terminals.views):
-                if not view.terminal.busy:  # its shell may still be starting: `ready` waits for the prompt
-                    self.terminals.activate(index)
-                    return
+            self.stage = self.use_idle_terminal()
+        else:
+            self.new_terminal()
+            self.stage = terminals.view
+        if left is not None:
+            terminals.activate(left)  # the user went to another one: the scene goes on beside it
+
+    def use_idle_terminal(self) -> TerminalView:
+        """Show a terminal that waits for a command, a new one if there is none."""
+        for index, view in enumerate(self.terminals.views):
+            if not view.terminal.busy:  # its shell may still be starting: `ready` waits for the prompt
+                self.terminals.activate(index)
+                return view
         self.new_terminal()
+        return self.terminals.views[-1]
 
     def send(self, text: str) -> None:
-        view = self.terminals.view
-        if view is not None:
-            view.terminal.send(text)
+        if self.stage in self.terminals.views:
+            self.stage.terminal.send(text)
 
     def ready(self) -> bool:
-        view = self.terminals.view
-        return view is not None and view.at_prompt
+        return self.stage in self.terminals.views and self.stage.at_prompt
 
     def has_window(self, kind: str) -> bool:
         return any(window.kind == kind for window in self.machine.desk.display.windows)
 
+    def has_topic(self, name: str) -> bool:
+        from day6_tui.core.graph.endpoints import EndpointKind
+
+        names = self.machine.desk.graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+        return any(topic == name for topic, _ in names)
+
     def reading_keys(self) -> bool:
-        view = self.terminals.view
-        return view is not None and view.reading_keys
+        return self.stage in self.terminals.views and self.stage.reading_keys

@@ -131,7 +131,7 @@ class Canvas:
 
     def _half_cells(self, row: int) -> list[tuple[str, int, int]]:
         top, bottom = self._pixels(2 * row), self._pixels(2 * row + 1)
-        return [(" ", -1, a) if a == b else ("▀", a, b) for a, b in zip(top, bottom)]
+        return [(" ", -1, a) if a == b else ("▀", a, b) for a, b in zip(top, bottom, strict=True)]
 
     def _braille_cells(self, row: int) -> list[tuple[str, int, int]]:
         lines = [self._pixels(4 * row + k) for k in range(4)]
@@ -165,7 +165,7 @@ class Canvas:
             return [(char, -1, -1) for char, _, _ in self._braille_cells(row)]
         top, bottom = self._pixels(2 * row), self._pixels(2 * row + 1)
         empty = self.background
-        return [(" ▄▀█"[2 * (a != empty) + (b != empty)], -1, -1) for a, b in zip(top, bottom)]
+        return [(" ▄▀█"[2 * (a != empty) + (b != empty)], -1, -1) for a, b in zip(top, bottom, strict=True)]
 
     def _with_marks(self, row: int, cells: list[tuple[str, int, int]]) -> list[tuple[str, int, int]]:
         for (column, line), mark in self.marks.items():

@@ -21,7 +21,7 @@ def render_segments(self: Any, console: Any) -> str:
     chops = self.chops
     chop_ends = self.chop_ends
     for y, x1, x2 in self.spans:
-        for end, (x, strip) in zip(chop_ends[y], chops[y].items()):
+        for end, (x, strip) in zip(chop_ends[y], chops[y].items(), strict=True):
             if strip is None or x >= x2 or end <= x1:
                 continue
             left, right = max(x, x1), min(end, x2)

@@ -67,7 +67,15 @@ _SYMBOLS = {
     "news": "●", "chevron": "▸", "running": "►", "paused": "‖", "warning": "▲", "dot": "·", "ellipsis": "…",
     "marker": "▸", "close": "×", "bars": " ▁▂▃▄▅▆▇█", "unicode": True,
 }  # fmt: skip
-_CONSOLE_SYMBOLS = {**_SYMBOLS, "news": "•", "chevron": "»", "marker": "»", "paused": "=", "ellipsis": "~", "bars": " .░▒█"}
+_CONSOLE_SYMBOLS = {
+    **_SYMBOLS,
+    "news": "•",
+    "chevron": "»",
+    "marker": "»",
+    "paused": "=",
+    "ellipsis": "~",
+    "bars": " .░▒█",
+}
 _ASCII_SYMBOLS = {
     "news": "*", "chevron": ">", "running": ">", "paused": "=", "warning": "!", "dot": "|", "ellipsis": "~",
     "marker": ">", "close": "x", "bars": " .:-=+*#", "unicode": False,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from day6_tui.tui.actions import ACTIONS
-from day6_tui.tui.cells import cell_len
 from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import TextOverlay
 from day6_tui.tui.pane import Pane
@@ -22,17 +21,14 @@ class HelpOverlay(TextOverlay):
     def paragraphs(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         found = [("overlay", texts(f"help.{self._page}")), ("overlay", "")]
-        found += [("overlay_key", self._entry(key, name)) for key, name in self._hints]
+        found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
         if self._hints:
             found.append(("overlay", ""))
         found.append(("overlay_strong", texts("help.everywhere")))
         for action in ACTIONS:
             if action.label:
                 name = f"{texts('action.' + action.id)}: {texts('help.action.' + action.id)}"
-                found.append(("overlay", self._entry(action.label, name)))
+                found.append(("overlay", f"{action.label}\t{name}"))
         if self._page != "desk":
             found += [("overlay", ""), ("overlay", texts("help.desk"))]
         return found
-
-    def _entry(self, key: str, text: str) -> str:
-        return key + " " * max(2, 11 - cell_len(key)) + text

@@ -9,7 +9,7 @@ from rich.style import Style
 from textual import events
 
 from day6_tui.tui.arrangement import Place
-from day6_tui.tui.cells import wrap
+from day6_tui.tui.cells import fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
 
@@ -57,7 +57,7 @@ class Overlay(Pane):
 
 
 class TextOverlay(Overlay):
-    """A text to read, with a heading: (style role, text) lines that are wrapped and can be scrolled."""
+    """A text to read, wrapped and scrolled. What stands before a tab is a key, set apart from its explanation."""
 
     def __init__(self, look: Look, title: str, keys: str) -> None:
         super().__init__(look)
@@ -74,7 +74,7 @@ class TextOverlay(Overlay):
         """The paragraphs in lines of at most `width` cells."""
         language = self.look.texts.language
         if self._wrapped is None or self._wrapped[:2] != (width, language):
-            found = [(role, line) for role, text in self.paragraphs() for line in wrap(text, width)]
+            found = [(role, line) for role, text in self.paragraphs() for line in _lines_of(text, width)]
             self._wrapped = (width, language, found)
         return self._wrapped[2]
 
@@ -103,7 +103,9 @@ class TextOverlay(Overlay):
 
     def handle_overlay_key(self, event: events.Key) -> None:
         page = self.inner_height - 1
-        step = {"down": 1, "up": -1, "pagedown": page, "pageup": -page, "space": page, "home": -9999, "end": 9999}.get(event.key)
+        step = {"down": 1, "up": -1, "pagedown": page, "pageup": -page, "space": page, "home": -9999, "end": 9999}.get(
+            event.key
+        )
         if step is not None:
             self._scroll(step)
         elif event.key in ("enter", "q", "f1"):
@@ -116,6 +118,19 @@ class TextOverlay(Overlay):
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
         event.stop()
         self._scroll(-3)
+
+
+KEY_WIDTH = 11
+"""Cells for the keys in a list of them."""
+
+
+def _lines_of(text: str, width: int) -> list[str]:
+    key, tab, rest = text.partition("\t")
+    if not tab:
+        return wrap(text, width)
+    lines = wrap(rest, width - KEY_WIDTH)
+    heads = [fit(key, KEY_WIDTH - 1) + " "] + [" " * KEY_WIDTH] * (len(lines) - 1)
+    return [head + line for head, line in zip(heads, lines, strict=True)]
 
 
 class MessageOverlay(TextOverlay):

@@ -269,7 +269,7 @@ def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
     if len(before) != len(after):
         return [(0, len(after))]
     spans: list[tuple[int, int]] = []
-    for x, (a, b) in enumerate(zip(before, after)):
+    for x, (a, b) in enumerate(zip(before, after, strict=True)):
         if a != b:
             if spans and x - spans[-1][1] <= JOIN_GAP:
                 spans[-1] = (spans[-1][0], x + 1)

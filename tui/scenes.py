@@ -1,7 +1,8 @@
 """Scenes: the steps a teacher would take, as data, and the player that types them where everybody can see it.
 
 A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
-empty), ('window', kind) waits until such a window is open, ('reading', '') until the program reads keys, ('pause', seconds)
+empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('reading', '') until the
+program reads keys, ('pause', seconds)
 lets one look. A command that fails ends the scene, as a teacher would stop to read what it says.
 """
 
@@ -47,6 +48,7 @@ SCENES: dict[str, Scene] = {
             ("terminal", "idle"),
             ("type", "{fetch}"),
             ("type", "ros2 run robot_state_publisher robot_state_publisher {robot}"),
+            ("topic", "/robot_description"),
             ("pause", "0.6"),
             ("terminal", "new"),
             ("type", "ros2 run day6_bot car_view"),
@@ -73,18 +75,20 @@ class Stage(Protocol):
     """What a scene acts on."""
 
     def use_terminal(self, which: str) -> None:
-        """Make an idle terminal ('idle') or a new one ('new') the active one."""
+        """Type into an idle terminal ('idle') or a new one ('new') from now on."""
 
     def send(self, text: str) -> None:
-        """Type into the active terminal."""
+        """Type into that terminal."""
 
     def ready(self) -> bool:
-        """Whether the active terminal shows its prompt and waits for a command."""
+        """Whether that terminal shows its prompt and waits for a command."""
 
     def has_window(self, kind: str) -> bool: ...
 
+    def has_topic(self, name: str) -> bool: ...
+
     def reading_keys(self) -> bool:
-        """Whether the program in the active terminal reads single keys."""
+        """Whether the program in that terminal reads single keys."""
 
 
 class Player:
@@ -126,6 +130,10 @@ class Player:
                 yield from self._until(lambda kind=value: stage.has_window(kind))
                 if not stage.has_window(value):
                     return
+            elif kind == "topic":
+                yield from self._until(lambda name=value: stage.has_topic(name))
+                if not stage.has_topic(value):
+                    return
             elif kind == "reading":
                 yield from self._until(stage.reading_keys)
             elif kind == "pause" and self._visibly:
@@ -149,6 +157,8 @@ class Player:
         began = self._now
         while not condition():
             waited = self._now - began
-            if waited > LONGEST_WAIT or (waited > FAILED_AFTER and condition != self._stage.ready and self._stage.ready()):
+            if waited > LONGEST_WAIT or (
+                waited > FAILED_AFTER and condition != self._stage.ready and self._stage.ready()
+            ):
                 return
             yield 0.03

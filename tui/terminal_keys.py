@@ -60,4 +60,3 @@ def encode(key: str, character: str | None, *, application_cursor: bool = False)
     if names == ["alt"] and len(base) == 1:
         return "\x1b" + base
     return ""
-

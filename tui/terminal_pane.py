@@ -109,7 +109,9 @@ class TerminalPane(Pane):
         width = TAB_WIDTH
         while width > 2 and sum(min(width, cell_len(name)) for name in names) > room:
             width -= 1
-        return [clip(name, width, glyphs.ellipsis) + f" {glyphs.news}" * new for name, new in zip(names, news)]
+        return [
+            clip(name, width, glyphs.ellipsis) + f" {glyphs.news}" * new for name, new in zip(names, news, strict=True)
+        ]
 
     def _choose(self, index: int) -> None:
         self.activate(index)
@@ -121,7 +123,13 @@ class TerminalPane(Pane):
     def status(self) -> list[Piece]:
         view = self.view
         if view is not None and view.scroll:
-            return [Piece(f" {self.look.texts('terminal.scrolled', count=view.scroll)} ", self.look.colours.hint, self._to_bottom)]
+            return [
+                Piece(
+                    f" {self.look.texts('terminal.scrolled', count=view.scroll)} ",
+                    self.look.colours.hint,
+                    self._to_bottom,
+                )
+            ]
         return []
 
     @property
@@ -176,7 +184,7 @@ class TerminalPane(Pane):
         view = self.view
         if view is not None and self.has_focus and view.cursor is not None:
             x, y = view.cursor
-            self.app.cursor_position = self.content_region.offset + (x + 1, y + 1)
+            self.app.cursor_position = (*self.content_region.offset, x + 1, y + 1)
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -196,9 +204,14 @@ class TerminalPane(Pane):
         if event.key == "shift+insert":
             self.paste(self.app.clipboard)
             return
+        self.type_key(view, event)
+
+    def type_key(self, view: TerminalView, event: events.Key) -> None:
+        """Send a key to a terminal, whichever is shown."""
         text = encode(event.key, event.character, application_cursor=view.terminal.screen.application_cursor_keys)
         if text:
-            self._to_bottom()
+            if view is self.view:
+                self._to_bottom()
             view.terminal.send(text)
 
     def on_paste(self, event: events.Paste) -> None:
@@ -271,5 +284,3 @@ class TerminalPane(Pane):
         if text:
             self.app.copy_to_clipboard(text)
         return bool(text)
-
-

@@ -195,7 +195,7 @@ class TerminalView:
             first = next(x for x in range(columns) if new[x] != old[x])
             end = next(x for x in range(columns, 0, -1) if new[x - 1] != old[x - 1])
             # A wide character takes two cells: both halves belong to the span.
-            if first and new[first].data == "" or first and old[first].data == "":
+            if (first and new[first].data == "") or (first and old[first].data == ""):
                 first -= 1
             spans.append(Span(line, first, min(columns, end + 1)))
         if cursor != self._cursor:

@@ -99,7 +99,15 @@ class WelcomePane(Pane):
         return [Piece(f" {name} ", colours.title_focus if self.has_focus else colours.title)]
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        state = (width, self.inner_height, self.chosen, self.guide, self.look.texts.language, self.look.colours, self.has_focus)
+        state = (
+            width,
+            self.inner_height,
+            self.chosen,
+            self.guide,
+            self.look.texts.language,
+            self.look.colours,
+            self.has_focus,
+        )
         if state != self._built_for:
             self._built_for = state
             self._built = self._build_guide(width) if self.guide else self._build_welcome(width)

@@ -9,6 +9,7 @@ A slash inside a name is written %, so each part is one chunk of the key.
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Node
@@ -41,6 +42,11 @@ class Announcement(NamedTuple):
     def node_key(self) -> tuple[str, str]:
         """What is equal for a node and its endpoints, and for nothing else."""
         return self.zid, self.node_id
+
+
+def new_zid() -> str:
+    """Return a session id: 16 hexadecimal digits that do not begin with 0, which Zenoh would leave out."""
+    return f"{int.from_bytes(os.urandom(8), 'little') | 1 << 63:016x}"
 
 
 def all_tokens(domain_id: int) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 import time
 from collections import defaultdict, deque
@@ -14,7 +13,7 @@ from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.link.config import command_config, gate_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, node_token, sign, signs
+from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, node_token, sign, signs
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
@@ -59,7 +58,7 @@ class Link:
         never_wait: bool = False,
     ) -> None:
         self.graph = graph
-        self.zid = _new_zid()
+        self.zid = new_zid()
         self.problem: str | None = None
         self.problems: deque[str] = deque(maxlen=_MOST_PROBLEMS)
         self._one_shot = one_shot
@@ -251,6 +250,9 @@ class Link:
         except zenoh.ZError as error:
             self._report("no meeting point", error)
             return
+        if self._closed:
+            session.close()
+            return
         self._attach(session)
 
     def _attach(self, session: zenoh.Session) -> None:
@@ -415,9 +417,3 @@ class Link:
 
     def _report(self, what: str, error: Exception) -> None:
         self.problems.append(f"{what}: {error}")
-
-
-def _new_zid() -> str:
-    """Return a session id: 16 hexadecimal digits that do not begin with 0, which Zenoh would leave out."""
-    number = int.from_bytes(os.urandom(8), "little") | 1 << 63
-    return f"{number:016x}"

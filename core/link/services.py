@@ -11,8 +11,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.endpoints import Client, RequestId, Service
-from day6_tui.core.interfaces import deserialize, get_service, serialize
+from day6_tui.core.interfaces import deserialize, serialize
 from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.classes import service_class
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
@@ -162,7 +163,7 @@ class Services:
                     return
                 number, _, gid = unpack(query.attachment.to_bytes())
                 if request_class is None:
-                    request_class = get_service(service.type_name).Request
+                    request_class = service_class(service.type_name).Request
                 request = deserialize(query.payload.to_bytes(), request_class)
                 request_id = RequestId(gid, number)
                 if self._remember(service, request_id, query):
@@ -194,7 +195,7 @@ class Services:
             if sample is None or sample.attachment is None or client.destroyed:
                 return
             number, _, _ = unpack(sample.attachment.to_bytes())
-            response_class = get_service(client.type_name).Response
+            response_class = service_class(client.type_name).Response
             client.receive(deserialize(sample.payload.to_bytes(), response_class), number)
         except Exception as error:
             self._report(f"a response of {client.topic} was lost", error)

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.graph.endpoints import Publisher, Subscription
 from day6_tui.core.graph.qos import Durability, Reliability
-from day6_tui.core.interfaces import deserialize, get_message, serialize
+from day6_tui.core.interfaces import deserialize, serialize
 from day6_tui.core.link.attachment import pack, unpack
+from day6_tui.core.link.classes import message_class
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
@@ -153,11 +154,11 @@ class Topics:
         )
 
     def _receiver(self, subscription: Subscription) -> Callable[[zenoh.Sample], None]:
-        message_class: type | None = None
+        wanted: type | None = None
 
         def receive(sample: zenoh.Sample) -> None:
             # Runs on Zenoh's thread: nothing here may wait, and nothing may get out.
-            nonlocal message_class
+            nonlocal wanted
             try:
                 if subscription.destroyed or sample.attachment is None:
                     return
@@ -165,9 +166,9 @@ class Topics:
                 publisher = self._remote.publisher_for(gid, subscription)
                 if publisher is None:
                     return
-                if message_class is None:
-                    message_class = get_message(subscription.type_name)
-                message = deserialize(sample.payload.to_bytes(), message_class)
+                if wanted is None:
+                    wanted = message_class(subscription.type_name)
+                message = deserialize(sample.payload.to_bytes(), wanted)
                 publisher.delivered += 1
                 subscription.receive((message, source_timestamp, number, publisher))
             except Exception as error:

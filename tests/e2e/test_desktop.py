@@ -160,6 +160,7 @@ def test_jobs_pipes_and_signals_in_a_terminal(place: Place) -> None:
         screen.line("clear; timeout 0.1 sleep 5; echo status $?; ros2 pkg list | grep -c turtlesim")
         screen.wait_lines("status 124", "1")
         screen.line("clear; cat")
+        screen.wait("1 cat")
         screen.line("typed")
         screen.wait(lambda seen: screen.pieces().count("typed") == 2)
         screen.press("Ctrl-C")

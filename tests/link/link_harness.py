@@ -15,6 +15,7 @@ from typing import Any
 from link_peer import Peer
 
 HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
 
 
 def until(condition: Callable[[], Any], timeout: float = 10.0) -> Any:

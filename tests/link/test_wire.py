@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from day6_tui.core.graph import EndpointKind, Graph, QoS
 from day6_tui.core.graph.qos import INFINITE_NS, Durability, History, Liveliness, Reliability
 from day6_tui.core.link.attachment import Attachment, pack, unpack
+from day6_tui.core.link.classes import message_class, service_class
 from day6_tui.core.link.gid import gid_of, xxh3_128
 from day6_tui.core.link.keys import data_key, endpoint_token, mangled, node_token, parse_token, ros_type
 from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
@@ -189,3 +190,28 @@ def test_a_gid_has_its_low_half_first() -> None:
     assert gid_of(token) == low.to_bytes(8, "little") + high.to_bytes(8, "little")
     with pytest.raises(ValueError, match="no GID"):
         gid_of("too short")
+
+
+@pytest.mark.parametrize(
+    ("type_name", "name"),
+    [
+        ("std_msgs/msg/String", "String"),
+        ("example_interfaces/action/Fibonacci_FeedbackMessage", "Fibonacci_FeedbackMessage"),
+        ("example_interfaces/srv/AddTwoInts_Event", "AddTwoInts_Event"),
+    ],
+)
+def test_every_topic_type_has_a_class(type_name: str, name: str) -> None:
+    assert message_class(type_name).__name__ == name
+
+
+@pytest.mark.parametrize(
+    ("type_name", "name"),
+    [
+        ("example_interfaces/srv/AddTwoInts", "AddTwoInts"),
+        ("example_interfaces/action/Fibonacci_SendGoal", "Fibonacci_SendGoal"),
+        ("example_interfaces/action/Fibonacci_GetResult", "Fibonacci_GetResult"),
+        ("action_msgs/srv/CancelGoal", "CancelGoal"),
+    ],
+)
+def test_every_service_type_has_a_class(type_name: str, name: str) -> None:
+    assert service_class(type_name).__name__ == name

@@ -31,7 +31,7 @@ _REPLACEMENTS = (
 _FRAME = re.compile(r'  File "([^"]+)", line \d+, in ')
 _INSIDE = re.compile(rf"({re.escape(SITE)}/rclpy/|<frozen)")
 _WARNING = re.compile(rf"^{re.escape(SITE)}/rclpy/[\w/]+\.py:\d+: ")
-_SOURCE_LINES = ("  warnings.warn(", "  self.__node = _rclpy.", "  _rclpy.")
+_SOURCE_LINES = ("  warnings.warn(",)
 _POINTERS = re.compile(r"\s*[\^~]+\s*")
 
 
@@ -123,8 +123,13 @@ def _without_ignored(lines: list[str]) -> list[str]:
     """Drop what real rclpy prints when its own clean-up fails (slips, not behaviour)."""
     kept: list[str] = []
     dropping = False
+    source_follows = False
     for line in lines:
-        if "RuntimeWarning: Failed to fini " in line:
+        if source_follows and line.startswith("  "):
+            source_follows = False
+            continue
+        source_follows = "RuntimeWarning: Failed to fini " in line
+        if source_follows:
             continue
         if line.startswith("Exception ignored in: <function Executor.__del__"):
             dropping = True

@@ -317,3 +317,40 @@ def test_two_threads_that_spin_one_executor_are_told_so() -> None:
     executor.shutdown()
     thread.join(5)
     context.shutdown()
+
+
+def test_a_programs_own_waitable_runs_when_its_guard_condition_was_triggered(world: Any) -> None:
+    from rclpy.guard_condition import GuardCondition
+    from rclpy.waitable import NumberOfEntities, Waitable
+
+    class Bell(Waitable[int]):
+        def __init__(self, node: Node) -> None:
+            super().__init__(node.default_callback_group)
+            self.guard = GuardCondition(None, None, context=node.context)
+            self.index = -1
+            self.rung = 0
+
+        def get_num_entities(self) -> NumberOfEntities:
+            return NumberOfEntities(num_gcs=1)
+
+        def add_to_wait_set(self, wait_set: Any) -> None:
+            self.index = wait_set.add_guard_condition(self.guard.handle)
+
+        def is_ready(self, wait_set: Any) -> bool:
+            return bool(wait_set.is_ready("guard_condition", self.index))
+
+        def take_data(self) -> int:
+            return 1
+
+        async def execute(self, taken_data: int) -> None:
+            self.rung += taken_data
+
+    node = world.node("n")
+    bell = Bell(node)
+    node.add_waitable(bell)
+    world.settle()
+    assert bell.rung == 0
+    bell.guard.trigger()
+    world.settle()
+    world.settle()
+    assert bell.rung == 1

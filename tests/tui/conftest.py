@@ -17,9 +17,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 os.environ.pop("NO_COLOR", None)
 
-from fakes import FakeDesk  # noqa: E402
+from fakes import FakeDesk
 
-from day6_tui.tui.app import Day6App, make_look  # noqa: E402
+from day6_tui.tui.app import Day6App, make_look
 
 GOLDEN = Path(__file__).parent / "golden"
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}

@@ -48,7 +48,7 @@ def test_exactly_the_dirty_cells_are_sent(seed: int) -> None:
     for _ in range(HEIGHT):
         cuts = sorted(picker.sample(range(1, WIDTH), picker.randint(0, 3)))
         starts, stops = [0, *cuts], [*cuts, WIDTH]
-        strips = {start: _strip(stop - start, picker) for start, stop in zip(starts, stops)}
+        strips = {start: _strip(stop - start, picker) for start, stop in zip(starts, stops, strict=True)}
         lines.append(strips)
         ends.append(stops)
         whole.append(Strip.join(strips.values()))

@@ -30,6 +30,9 @@ class _Stage:
     def has_window(self, kind: str) -> bool:
         return not self.missing
 
+    def has_topic(self, name: str) -> bool:
+        return not self.missing
+
     def reading_keys(self) -> bool:
         return not self.missing
 
@@ -67,7 +70,11 @@ def test_the_car_scene_copies_the_model_only_if_there_is_none() -> None:
     with_copy, without = _Stage(), _Stage()
     _play("car", with_copy, fetch="cp model ~", visibly=False)
     _play("car", without, visibly=False)
-    assert with_copy.done[:3] == ["[idle]", "cp model ~\r", "ros2 run robot_state_publisher robot_state_publisher ~/car.urdf\r"]
+    assert with_copy.done[:3] == [
+        "[idle]",
+        "cp model ~\r",
+        "ros2 run robot_state_publisher robot_state_publisher ~/car.urdf\r",
+    ]
     assert without.done[1:] == with_copy.done[2:]
     assert without.done[-1] == "ros2 run day6_bot wheel_spinner\r"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import string
 import subprocess
@@ -43,7 +44,11 @@ def test_what_python_adds_to_the_environment_is_not_taken_for_the_terminals_word
     code = "import os; from day6_tui.tui.glyphs import detect; print(os.environ.get('LC_CTYPE'), detect())"
     keep = {name: os.environ[name] for name in ("PATH", "PYTHONPATH", "HOME") if name in os.environ}
     done = subprocess.run(
-        [sys.executable, "-c", code], env={**keep, "LANG": "C", "TERM": "xterm"}, capture_output=True, text=True, cwd=ROOT
+        [sys.executable, "-c", code],
+        env={**keep, "LANG": "C", "TERM": "xterm"},
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
     )
     assert done.stdout.split()[-1] == "ascii", done.stderr
 
@@ -62,8 +67,20 @@ def test_the_option_overrides_the_terminal_and_a_wrong_name_is_an_error() -> Non
 def test_the_poorer_sets_use_no_character_their_terminals_lack(name) -> None:
     found = glyphs.GLYPH_SETS[name]
     symbols = "".join(
-        [*vars(found.border).values(), *vars(found.strong_border).values(), found.news, found.chevron, found.running]
-        + [found.paused, found.warning, found.dot, found.ellipsis, found.marker, found.close, found.bars]
+        [
+            *vars(found.border).values(),
+            *vars(found.strong_border).values(),
+            found.news,
+            found.chevron,
+            found.running,
+            found.paused,
+            found.warning,
+            found.dot,
+            found.ellipsis,
+            found.marker,
+            found.close,
+            found.bars,
+        ]
     )
     if name == "ascii":
         assert symbols.isascii()
@@ -73,7 +90,16 @@ def test_the_poorer_sets_use_no_character_their_terminals_lack(name) -> None:
 
 @pytest.mark.parametrize("found", glyphs.GLYPH_SETS.values(), ids=lambda found: found.name)
 def test_every_symbol_is_one_cell(found) -> None:
-    symbols = [found.news, found.chevron, found.running, found.paused, found.warning, found.dot, found.marker, found.close]
+    symbols = [
+        found.news,
+        found.chevron,
+        found.running,
+        found.paused,
+        found.warning,
+        found.dot,
+        found.marker,
+        found.close,
+    ]
     assert [symbol for symbol in (*symbols, *found.bars, found.ellipsis) if cell_len(symbol) != 1] == []
 
 
@@ -93,7 +119,12 @@ def test_both_catalogues_have_the_same_keys_and_fields() -> None:
 
 
 def test_chinese_texts_use_chinese_punctuation() -> None:
-    wrong = [key for key, text in ZH.items() for a, b in zip(text, text[1:]) if "\u4e00" <= a <= "\u9fff" and b in ",;?!("]
+    wrong = [
+        key
+        for key, text in ZH.items()
+        for a, b in itertools.pairwise(text)
+        if "\u4e00" <= a <= "\u9fff" and b in ",;?!("
+    ]
     assert wrong == []
 
 
@@ -156,7 +187,19 @@ def test_without_colour_no_style_has_one() -> None:
 def test_text_is_readable_on_its_background(theme) -> None:
     """WCAG contrast of at least 4.5 for what is to be read, 3 for what is large or secondary."""
     table = colours(theme)
-    for name in ("text", "strong", "bar", "bar_strong", "key", "choice", "title_focus", "hint", "error", "overlay", "terminal"):
+    for name in (
+        "text",
+        "strong",
+        "bar",
+        "bar_strong",
+        "key",
+        "choice",
+        "title_focus",
+        "hint",
+        "error",
+        "overlay",
+        "terminal",
+    ):
         assert _contrast(getattr(table, name)) >= 4.5, name
     for name in ("muted", "title", "node", "topic", "publisher", "warning", "accent", "overlay_muted", "bar_muted"):
         assert _contrast(getattr(table, name)) >= 3.0, name

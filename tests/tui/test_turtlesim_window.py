@@ -19,7 +19,9 @@ from day6_tui.tui.windows.turtlesim import TurtleSimPane, _shrink
 SIZES = [(10, 5), (58, 29), (120, 60)]
 
 
-@pytest.mark.parametrize(("room", "shape"), [((78, 11), (22, 11)), ((58, 36), (58, 29)), ((10, 3), (6, 3)), ((1, 1), (2, 1))])
+@pytest.mark.parametrize(
+    ("room", "shape"), [((78, 11), (22, 11)), ((58, 36), (58, 29)), ((10, 3), (6, 3)), ((1, 1), (2, 1))]
+)
 def test_the_world_is_as_wide_as_high(room, shape) -> None:
     assert square(*room) == shape or room == (1, 1)
 
@@ -115,7 +117,7 @@ def test_a_thin_line_is_unbroken_and_thin(size, width) -> None:
     inked = [x for x, column in enumerate(columns) if column]
     assert inked == list(range(inked[0], inked[-1] + 1))
     assert max(len(column) for column in columns) <= 3
-    for left, right in zip(columns[inked[0] : inked[-1]], columns[inked[0] + 1 : inked[-1] + 1]):
+    for left, right in zip(columns[inked[0] : inked[-1]], columns[inked[0] + 1 : inked[-1] + 1], strict=True):
         assert min(abs(a - b) for a in left for b in right) <= 1
 
 

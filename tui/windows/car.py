@@ -68,7 +68,7 @@ class CarPane(WindowPane):
         if spoken != self._said or len(before) != len(self._rows):
             self.touch()
             return False
-        self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._rows)) if old != new)
+        self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new)
         if rate_before != self._rate():
             self.touch_frame()
         return False

@@ -85,7 +85,11 @@ class RqtGraphPane(WindowPane):
         return [Piece(f" {self.look.texts('rqt.hidden', count=count)} {reasons} ", self.look.colours.muted)]
 
     def key_hints(self) -> list[tuple[str, str]]:
-        return [("t", self.look.texts("rqt.type")), ("d s l p f", self.look.texts("rqt.hide")), ("r", self.look.texts("rqt.refresh"))]
+        return [
+            ("t", self.look.texts("rqt.type")),
+            ("d s l p f", self.look.texts("rqt.hide")),
+            ("r", self.look.texts("rqt.refresh")),
+        ]
 
     # -- content -------------------------------------------------------------------------------------------------------
 

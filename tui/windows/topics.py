@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rich.segment import Segment
-from rich.style import Style
 from textual import events
 
 from day6_tui.core.session.display import Window
@@ -59,7 +58,9 @@ class TopicsPane(WindowPane):
         if len(before) != len(self._shown):
             self.touch()
         else:
-            self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._shown)) if old != new)
+            self.touch_lines(
+                line for line, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new
+            )
 
     def _topic(self) -> Any | None:
         topics = self.model.topics

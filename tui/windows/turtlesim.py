@@ -219,15 +219,24 @@ class TurtleSimPane(WindowPane):
         if not 0 <= line < len(turtles) or place is None:
             return []
         if line == place[3] - 1 and line < len(turtles) - 1:
-            return [Segment(" " + self.look.texts("turtlesim.more", count=len(turtles) - line), self.look.colours.muted)]
+            return [
+                Segment(" " + self.look.texts("turtlesim.more", count=len(turtles) - line), self.look.colours.muted)
+            ]
         turtle = turtles[line]
         coat = self._coats[turtle.name]
         colours = self.look.colours
-        swatch = Segment(f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, self._flag(coat)))
+        swatch = Segment(
+            f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, self._flag(coat))
+        )
         text = f" {turtle.name}"
         numbers = f"  {turtle.x:5.2f} {turtle.y:5.2f} {_arrow(turtle.theta, self.look.glyphs.unicode)}"
         if width >= 4 + cell_len(text) + len(numbers):
-            return [Segment(" ", self.background), swatch, Segment(text, colours.strong), Segment(numbers, colours.muted)]
+            return [
+                Segment(" ", self.background),
+                swatch,
+                Segment(text, colours.strong),
+                Segment(numbers, colours.muted),
+            ]
         return [Segment(" ", self.background), swatch, Segment(fit(clip(text, width - 4), width - 4), colours.strong)]
 
     def status(self) -> list[Piece]:

@@ -122,9 +122,7 @@ class TopicMonitor:
             return Topic(name, types, publishers, subscriptions, problem=self._problems.get(name, ""))
         rates = ear.measure.rates(now_ns)
         rate, bandwidth = rates if rates is not None else (None, None)
-        return Topic(
-            name, types, publishers, subscriptions, True, ear.measure.count, rate, bandwidth, ear.measure.bars
-        )
+        return Topic(name, types, publishers, subscriptions, True, ear.measure.count, rate, bandwidth, ear.measure.bars)
 
     def _now_ns(self) -> int:
         return int(self._node.get_clock().now().nanoseconds)

@@ -466,9 +466,9 @@ class Executor:
                 left.timeout = (end - now) / S_TO_NS
 
     def _wake_when_done(self, future: Future[Any]) -> None:
-        future._watch(self.wake)
         # Real rclpy wakes by a done callback, which then runs as a task and counts as one `spin_once`.
         future.add_done_callback(_do_nothing)
+        future._watch(self.wake)
 
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
@@ -491,9 +491,9 @@ class Executor:
         if self._new_nodes:
             self._attach_new_nodes()
         ran = False
-        for task in [self._tasks.popleft() for _ in range(len(self._tasks))]:
+        for _ in range(len(self._tasks)):
             ran = True
-            self._run_task(task)
+            self._run_task(self._tasks.popleft())
         if not self._round:
             self._collect()
         for _ in range(len(self._round)):

@@ -116,7 +116,8 @@ class NodeEntities(NodeNames):
     def add_waitable(self, waitable: Waitable[Any]) -> None:
         """Have the executor look after a waitable."""
         self._waitables.append(waitable)
-        waitable._enter(self._scope)
+        if isinstance(waitable, Waitable):
+            waitable._enter(self._scope)
         self._wake_executor()
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:

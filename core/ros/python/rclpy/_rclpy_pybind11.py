@@ -58,7 +58,15 @@ class InvalidHandle(RuntimeError):
 
 
 class _NumberedEnum(Enum):
-    """An enumeration as pybind11 makes them: members are no integers, but can be turned into one."""
+    """An enumeration as pybind11 makes them: members are no integers, but equal one and can be turned into one."""
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, int):
+            return bool(self.value == other)
+        return self is other
+
+    def __hash__(self) -> int:
+        return hash(self.value)
 
     def __int__(self) -> int:
         return int(self.value)

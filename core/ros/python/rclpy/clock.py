@@ -163,9 +163,7 @@ class Clock:
     ) -> JumpHandle:
         """Call back before and after jumps beyond `threshold`. Returns the handle that keeps it so."""
         post = None
-        if post_callback is not None:
-            if not callable(post_callback):
-                raise ValueError("post_callback must be callable if given")
+        if callable(post_callback):
 
             def post(jump: dict[str, Any]) -> None:
                 post_callback(TimeJump(jump["clock_change"], Duration(nanoseconds=jump["delta"])))

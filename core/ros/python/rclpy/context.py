@@ -9,14 +9,14 @@ import threading
 import time
 import warnings
 import weakref
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from inspect import ismethod
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import Graph, graph_for_domain
 from rclpy._logging_settings import PROCESS, LoggingSettings
-from rclpy._rclpy_pybind11 import Destroyable, RCLError
+from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
 from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
 
 if TYPE_CHECKING:
@@ -25,6 +25,11 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 _Callback = Callable[[], None]
+
+_WRONG_ARGUMENTS = (
+    "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
+    "    1. rclpy._rclpy_pybind11.Context(arg0: list, arg1: typing.SupportsInt)\n\nInvoked with: {!r}, {!r}"
+)
 
 _living: weakref.WeakSet[Context]
 _linked: list[Graph] = []
@@ -128,6 +133,10 @@ class Context:
                 raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
             if self._handle is not None:
                 raise RuntimeError("Context.init() must only be called once")
+            if args is not None and not isinstance(args, Iterable):
+                raise TypeError(
+                    _WRONG_ARGUMENTS.format(args, RCL_DEFAULT_DOMAIN_ID if domain_id is None else domain_id)
+                )
             self._arguments = parse_global_arguments(sys.argv if args is None else args)
             self._domain_id = _domain_from_environment() if domain_id is None else domain_id
             if self._graph is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Coroutine
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,14 @@ if TYPE_CHECKING:
     from rclpy.context import Context
 
 GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
+
+
+class _GuardHandle(Destroyable):
+    """The handle of a guard condition; a waitable adds that to its wait set."""
+
+    def __init__(self, guard: GuardCondition) -> None:
+        super().__init__()
+        self._entity = weakref.ref(guard)
 
 
 class GuardCondition(Entity):
@@ -40,7 +49,7 @@ class GuardCondition(Entity):
                 "failed to create guard_condition: the given context is not valid, either rcl_init() was not called or "
                 "rcl_shutdown() was called., at /project/src/rcl/guard_condition.c:65"
             )
-        self._handle = Destroyable()
+        self._handle = _GuardHandle(self)
         self.callback = callback
         self.callback_group = callback_group
         self._executor_event = False

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from rclpy._entity import WAITABLE, Entity
+from rclpy._entity import NOTHING, WAITABLE, Entity
 
 if TYPE_CHECKING:
+    from rclpy._entity import Scope
+    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.task import Future
 
@@ -59,7 +61,7 @@ class Waitable(Entity, Generic[T]):
     """Base of what an executor runs beside topics, services, timers and guard conditions.
 
     A derived class of a program implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute`,
-    as in real rclpy; `rclpy._wait_set` then stands in for rcl's wait set.
+    as in real rclpy, of guard conditions, subscriptions, services and clients; `rclpy._wait_set` stands in for rcl's wait set.
     """
 
     _kind = WAITABLE
@@ -68,7 +70,25 @@ class Waitable(Entity, Generic[T]):
         self.callback_group: CallbackGroup = callback_group
         callback_group.add_entity(self)
         self._executor_event = False
+        self._wait_set: WaitSet | None = None
         self._futures: list[Future[Any]] = []
+
+    def _enter(self, scope: Scope) -> None:
+        super()._enter(scope)
+        if type(self)._process is Waitable._process and self._wait_set is None:
+            from rclpy._wait_set import WaitSet
+
+            self._wait_set = WaitSet(self._notify)
+            self.add_to_wait_set(self._wait_set)
+            self._notify()
+
+    def _process(self) -> Any:
+        self._queued = False
+        wait_set = self._wait_set
+        if wait_set is None or not self.is_ready(wait_set):
+            return NOTHING
+        wait_set.reset()
+        return self.execute(self.take_data())
 
     def __enter__(self) -> None:
         raise NotImplementedError("Must be implemented by subclass")

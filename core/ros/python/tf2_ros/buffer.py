@@ -188,12 +188,11 @@ class Buffer(BufferCore, BufferInterface):
 
 def _waited_for(ask: Callable[[], tuple[int, str]], timeout: Duration, with_reason: bool) -> Any:
     """Ask again and again until the answer is yes or the time is over."""
-    answer = ask()
-    if timeout != Duration() and not answer[0]:
+    if timeout != Duration():
         clock = Clock()
         start = clock.now()
         # A clock that went back far (a bag that plays in a loop) ends the wait too.
-        while clock.now() < start + timeout and not answer[0] and clock.now() + Duration(seconds=3.0) >= start:
+        while clock.now() < start + timeout and not ask()[0] and clock.now() + Duration(seconds=3.0) >= start:
             sleep(_PERIOD_S)
-            answer = ask()
+    answer = ask()
     return answer if with_reason else answer[0]

@@ -18,10 +18,10 @@ from launch.logging import handlers
 __all__ = ["get_logger", "get_output_loggers", "handlers", "launch_config", "log_launch_config", "reset"]
 
 _SCREEN_FORMATS = {
-    "default": "[{levelname}] [{name}]: {msg}",
-    "default_with_timestamp": "{created:.7f} [{levelname}] [{name}]: {msg}",
+    "default": "[{levelname}] [{name}]: {message}",
+    "default_with_timestamp": "{created:.7f} [{levelname}] [{name}]: {message}",
 }
-_FILE_FORMATS = {"default": "{created:.7f} [{levelname}] [{name}]: {msg}"}
+_FILE_FORMATS = {"default": "{created:.7f} [{levelname}] [{name}]: {message}"}
 _CONFIGURED: set[str] = set()
 """Names of the loggers that were given handlers here."""
 
@@ -224,17 +224,17 @@ def get_output_loggers(
         found: list[Any] = []
         if "screen" in wanted:
             screen = launch_config.get_screen_handler()
-            screen.setFormatterFor(logger, logging.Formatter("{msg}", style="{"))
+            screen.setFormatterFor(logger, logging.Formatter("{message}", style="{"))
             found.append(screen)
         if "log" in wanted:
             file = launch_config.get_log_file_handler()
-            file.setFormatterFor(logger, logging.Formatter("{created:.7f} {msg}", style="{"))
+            file.setFormatterFor(logger, logging.Formatter("{created:.7f} {message}", style="{"))
             found.append(file)
         own = [f"{process_name}-{source}.log"] if "own_log" in table[source] else []
         own += [f"{process_name}.log"] if "own_log" in table["both"] else []
         for file_name in own:
             file = launch_config.get_log_file_handler(file_name)
-            file.setFormatter(logging.Formatter("{msg}", style="{"))
+            file.setFormatter(logging.Formatter("{message}", style="{"))
             found.append(file)
         for handler in found:
             if handler not in logger.handlers:

@@ -1,0 +1,11 @@
+"""A matcher by the event's name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from launch.event import Event
+
+
+def event_named(name: str) -> Callable[[Event], bool]:
+    return lambda event: event.name == name

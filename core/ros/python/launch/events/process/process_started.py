@@ -1,0 +1,9 @@
+"""The event that a process runs."""
+
+from __future__ import annotations
+
+from launch.events.process.running_process_event import RunningProcessEvent
+
+
+class ProcessStarted(RunningProcessEvent):
+    name = "launch.events.process.ProcessStarted"

@@ -1,0 +1,17 @@
+"""XML and YAML launch files: what both have in common. The files themselves are read by `launch_xml` and `launch_yaml`."""
+
+from __future__ import annotations
+
+from launch.frontend import type_utils
+from launch.frontend.entity import Entity
+from launch.frontend.expose import expose_action, expose_substitution
+from launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
+
+__all__ = [
+    "Entity",
+    "InvalidFrontendLaunchFileError",
+    "Parser",
+    "expose_action",
+    "expose_substitution",
+    "type_utils",
+]

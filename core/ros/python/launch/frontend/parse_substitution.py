@@ -1,0 +1,133 @@
+r"""Texts with substitutions, as XML and YAML launch files and parameter files have them: `$(find-pkg-share demo)/config`.
+
+`$(name ARGUMENT ARGUMENT)`; an argument ends at a space or a closing bracket unless it is quoted by ' or ", and may have
+substitutions in it. A backslash takes the next character's meaning away. A `$` that no bracket follows is a `$`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from launch.substitution import Substitution
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+
+
+def replace_escaped_characters(data: str) -> str:
+    """Drop each backslash that takes a character's meaning away."""
+    return re.sub(r"\\(.)", r"\1", data)
+
+
+def parse_substitution(string_value: str) -> list[Substitution]:
+    """Return the substitutions a text consists of; ValueError where it cannot be read."""
+    from launch.substitutions.text_substitution import TextSubstitution
+
+    if not string_value:
+        return [TextSubstitution(text=string_value)]
+    return _Reader(string_value).template("")
+
+
+def parse_if_substitutions(value: Any) -> Any:
+    """Return a text with substitutions parsed, one without as it is; for lists each item, which must be of one type."""
+    from launch.substitutions.text_substitution import TextSubstitution
+
+    kinds: set[type] = set()
+
+    def parse(item: Any) -> Any:
+        if not isinstance(item, str):
+            kinds.add(type(item))
+            return item
+        parts = parse_substitution(item)
+        if len(parts) == 1 and isinstance(parts[0], TextSubstitution):
+            kinds.add(str)
+            return parts[0].text
+        return parts
+
+    result = [parse(each) for each in value] if isinstance(value, list) else parse(value)
+    if len(kinds) > 1:
+        raise ValueError("The result is a non-uniform list")
+    return result
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+
+    def template(self, quote: str) -> list[Substitution]:
+        """Read up to the closing quote (or, with '', to the end)."""
+        parts: list[Substitution] = []
+        plain = ""
+        while self.at < len(self.text):
+            if quote and self.text[self.at] == quote:
+                break
+            if self._at_substitution():
+                parts += _plain(plain)
+                plain = ""
+                parts.append(self.substitution())
+            else:
+                plain += self._character()
+        parts += _plain(plain)
+        return parts
+
+    def substitution(self) -> Substitution:
+        from launch.frontend.expose import instantiate_substitution
+
+        start = self.at
+        self.at += 2
+        name = _NAME.match(self.text, self.at)
+        if name is None:
+            raise self._problem(start, "there is no name of a substitution")
+        self.at = name.end()
+        arguments: list[list[Substitution]] = []
+        while self._here() == " ":
+            self.at += 1
+            arguments.append(self._argument(start))
+        if self._here() != ")":
+            raise self._problem(start, "a closing bracket is missing")
+        self.at += 1
+        return instantiate_substitution(name.group(), arguments)
+
+    def _argument(self, start: int) -> list[Substitution]:
+        quote = self._here()
+        if quote and quote in "'\"":
+            self.at += 1
+            parts = self.template(quote)
+            if self._here() != quote:
+                raise self._problem(start, f"a closing {quote} is missing")
+            self.at += 1
+            return parts or _plain(" ")[:0]
+        parts, plain = [], ""
+        while self.at < len(self.text) and self._here() not in " )":
+            if self._at_substitution():
+                parts += _plain(plain)
+                plain = ""
+                parts.append(self.substitution())
+            else:
+                plain += self._character()
+        parts += _plain(plain)
+        if not parts:
+            raise self._problem(start, "an argument is missing")
+        return parts
+
+    def _here(self) -> str:
+        return self.text[self.at : self.at + 1]
+
+    def _at_substitution(self) -> bool:
+        return self.text.startswith("$(", self.at)
+
+    def _character(self) -> str:
+        if self._here() == "\\" and self.at + 1 < len(self.text):
+            self.at += 1
+        self.at += 1
+        return self.text[self.at - 1]
+
+    def _problem(self, start: int, what: str) -> ValueError:
+        return ValueError(f"{what} in {self.text[start : start + 40]!r}")
+
+
+def _plain(text: str) -> list[Substitution]:
+    from launch.substitutions.text_substitution import TextSubstitution
+
+    return [TextSubstitution(text=text)] if text else []

@@ -1,0 +1,112 @@
+"""Two students' programs in two processes: what is built on topics and services crosses the link for free."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from link_harness import ROOT, World, until
+
+SERVER = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
+from rclpy.node import Node
+
+rclpy.init()
+node = Node("fibonacci_server", namespace="/team")
+node.declare_parameter("answer", 42)
+
+def execute(goal):
+    feedback = Fibonacci.Feedback(sequence=[0, 1])
+    for _ in range(1, goal.request.order):
+        feedback.sequence.append(feedback.sequence[-1] + feedback.sequence[-2])
+        goal.publish_feedback(feedback)
+    goal.succeed()
+    return Fibonacci.Result(sequence=feedback.sequence)
+
+server = ActionServer(node, Fibonacci, "fibonacci", execute)
+rclpy.spin(node)
+"""
+ACTION_CLIENT = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient
+from rclpy.node import Node
+
+rclpy.init()
+node = Node("asker", namespace="/team")
+client = ActionClient(node, Fibonacci, "fibonacci")
+assert client.wait_for_server(timeout_sec=10)
+parts = []
+sent = client.send_goal_async(Fibonacci.Goal(order=5), feedback_callback=lambda m: parts.append(len(m.feedback.sequence)))
+rclpy.spin_until_future_complete(node, sent, timeout_sec=10)
+result = sent.result().get_result_async()
+rclpy.spin_until_future_complete(node, result, timeout_sec=10)
+print(result.result().status, list(result.result().result.sequence), parts)
+"""
+PARAMETER_CLIENT = """
+import rclpy
+from rcl_interfaces.srv import GetParameters
+from rclpy.node import Node
+
+rclpy.init()
+node = Node("asker")
+client = node.create_client(GetParameters, "/team/fibonacci_server/get_parameters")
+assert client.wait_for_service(timeout_sec=10)
+answer = client.call_async(GetParameters.Request(names=["answer"]))
+rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
+print(answer.result().values[0].integer_value)
+print(("fibonacci_server", "/team") in node.get_node_names_and_namespaces())
+"""
+
+Run = Callable[[str], subprocess.Popen[str]]
+
+
+@pytest.fixture
+def run(world: World, tmp_path: Path) -> Iterator[Run]:
+    started: list[subprocess.Popen[str]] = []
+
+    def start(source: str) -> subprocess.Popen[str]:
+        path = os.pathsep.join([str(ROOT / "core" / "ros" / "python"), *sys.path])
+        settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": path}
+        file = tmp_path / f"program{len(started)}.py"
+        file.write_text(source)
+        program = subprocess.Popen(
+            [sys.executable, str(file)], env={**os.environ, **settings}, stdout=subprocess.PIPE, text=True
+        )
+        started.append(program)
+        return program
+
+    yield start
+    for program in started:
+        program.kill()
+        program.communicate()
+
+
+def test_an_action_crosses_with_goal_feedback_and_result(run: Run) -> None:
+    run(SERVER)
+    output, _ = run(ACTION_CLIENT).communicate(timeout=30)
+    assert output == "4 [0, 1, 1, 2, 3, 5] [3, 4, 5, 6]\n"
+
+
+def test_a_parameter_is_read_from_another_process(run: Run) -> None:
+    run(SERVER)
+    output, _ = run(PARAMETER_CLIENT).communicate(timeout=30)
+    assert output == "42\nTrue\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to one process")
+def test_ctrl_c_takes_a_programs_nodes_away_at_once(world: World, run: Run) -> None:
+    desk = world.here()
+    server = run(SERVER)
+    assert until(lambda: desk.nodes() == ["/team/fibonacci_server"])
+    assert until(lambda: desk.endpoints("/team/fibonacci/_action/get_result"))
+    server.send_signal(signal.SIGINT)
+    assert until(lambda: desk.nodes() == [], 2)
+    assert server.wait(timeout=10) != 0

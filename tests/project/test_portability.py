@@ -1,0 +1,194 @@
+"""What keeps the project running on Windows and macOS, as far as Linux can tell.
+
+A Linux Python from which everything is taken that Windows lacks stands in for Windows; `.ci/check` adds the type checker's
+view of both systems, which knows the names each of them has.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_tui.core.ros.environment import program_environment
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.shell import signals, subshell
+from day6_tui.core.shell.desk import Desk
+
+ROOT = Path(__file__).resolve().parents[2]
+TOPS = ("core", "tui", "urdf")
+ON_THE_PATH = ROOT / "core" / "ros" / "python"
+
+WITHOUT_UNIX = """
+import asyncio, concurrent.futures, ctypes, importlib, json, logging.handlers, os, shutil, signal, subprocess, sys, tempfile
+import textual.app, textual.screen, textual.widgets, pyte, yaml, numpy, zenoh
+
+for name in "termios tty pty fcntl resource pwd grp syslog readline curses posix".split():
+    sys.modules[name] = None
+for name in "SIGKILL SIGSTOP SIGCONT SIGTSTP SIGHUP SIGQUIT SIGUSR1 SIGWINCH SIGCHLD SIGALRM SIGPIPE pthread_sigmask".split():
+    delattr(signal, name)
+for name in ("fork forkpty killpg getpgid setsid getuid geteuid getgid getppid uname nice wait waitpid mkfifo openpty fchmod "
+             "register_at_fork sched_getaffinity sched_yield ttyname statvfs getloadavg").split():
+    if name != "getppid":
+        delattr(os, name)
+"""
+"""Libraries are loaded first: what they need on this system is not ours to take away."""
+
+
+def sources(*tops: str) -> Iterator[Path]:
+    for top in tops:
+        yield from (path for path in sorted((ROOT / top).rglob("*.py")) if "__pycache__" not in path.parts)
+
+
+def module_names() -> list[str]:
+    names = []
+    for path in sources(*TOPS):
+        on_the_path = ON_THE_PATH in path.parents
+        parts = path.relative_to(ON_THE_PATH if on_the_path else ROOT).with_suffix("").parts
+        parts = parts[:-1] if parts[-1] == "__init__" else parts
+        if parts and parts[-1] != "__main__":
+            names.append(".".join(parts if on_the_path else ("day6_tui", *parts)))
+    return names
+
+
+def run(code: str, tmp_path: Path, **env: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-c", WITHOUT_UNIX + code],
+        capture_output=True,
+        encoding="utf-8",
+        cwd=tmp_path,
+        env={**program_environment(), "PYTHONIOENCODING": "utf-8", **env},
+    )
+
+
+@pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
+def test_every_module_imports_where_unix_is_missing(tmp_path: Path) -> None:
+    code = f"""
+failed = {{}}
+for name in {module_names()!r}:
+    try:
+        importlib.import_module(name)
+    except Exception as error:
+        failed[name] = repr(error)
+print(json.dumps(failed))
+"""
+    done = run(code, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout.splitlines()[-1]) == {}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="takes away what is not there")
+def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text(
+        "import sys, rclpy\n"
+        "rclpy.init()\n"
+        "rclpy.create_node('talker').get_logger().info('你好')\n"
+        "for line in sys.stdin: print(line.strip().upper(), end='\\r\\n')\n"
+        "rclpy.shutdown()\n",
+        encoding="utf-8",
+    )
+    script = "echo one | python3 talker.py | grep -c 'ONE$'; ros2 run turtlesim turtlesim_node & sleep 0.1; ros2 node list; kill %1"
+    code = f"""
+subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0
+signal.CTRL_BREAK_EVENT = signal.SIGINT
+sys.platform = "win32"
+from day6_tui.core.shell.execute import main
+status = main(["--home", {str(tmp_path)!r}, "-c", {script!r}])
+sys.platform = "linux"
+sys.exit(status)
+"""
+    done = run(code, tmp_path, DAY6_LINK="off", LOCALAPPDATA=str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == ["1", "/turtlesim"], done.stderr
+    assert "你好" in done.stderr
+
+
+def test_text_is_read_and_written_as_utf8_everywhere() -> None:
+    """Without `encoding` Windows takes the old code page, and a Chinese comment in a student's file ends the program."""
+    offenders = []
+    for path in sources(*TOPS):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and _is_text(node) and not {"encoding"} & {each.arg for each in node.keywords}:
+                offenders.append(f"{path.relative_to(ROOT)}:{node.lineno}: {ast.unparse(node)}")
+    assert offenders == []
+
+
+def _is_text(call: ast.Call) -> bool:
+    """Whether a call opens a text file or a text pipe."""
+    function = call.func
+    owner = ast.unparse(function.value) if isinstance(function, ast.Attribute) else ""
+    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    if name in ("read_text", "write_text"):
+        return True
+    if owner == "subprocess":
+        return any(each.arg in ("text", "universal_newlines") for each in call.keywords)
+    if name == "fdopen" or (name == "open" and not owner):
+        modes = [*call.args[1:2], *(each.value for each in call.keywords if each.arg == "mode")]
+        return not any(isinstance(mode, ast.Constant) and "b" in str(mode.value) for mode in modes)
+    return False
+
+
+@pytest.mark.parametrize("given", [{}, {"XDG_RUNTIME_DIR": "{}"}, {"DAY6_RUNTIME_DIR": "{}"}])
+def test_a_students_program_looks_for_the_link_where_the_desktop_is(
+    given: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from day6_tui.core.link.paths import _base_folder
+
+    for name in ("XDG_RUNTIME_DIR", "DAY6_RUNTIME_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in given.items():
+        monkeypatch.setenv(name, value.format(tmp_path))
+    ours = _base_folder()
+    environment = Desk(tmp_path / "home", join_link=False).environment()
+    for name in list(os.environ):
+        monkeypatch.delenv(name)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    assert _base_folder() == ours
+
+
+def test_the_main_thread_never_waits_so_long_that_windows_would_miss_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("day6_tui.core.session.scheduler.LONGEST_WAIT", 0.001)
+    looks: list[int] = []
+
+    def until() -> bool:
+        looks.append(len(looks))
+        return len(looks) > 3
+
+    assert Scheduler(WorldClock()).run(until, timeout=10.0), "it waited although nothing can happen"
+
+
+def test_signals_have_linuxs_numbers_in_the_terminal_and_the_systems_below(monkeypatch: pytest.MonkeyPatch) -> None:
+    here = [number for name, number in signals.NUMBERS.items() if hasattr(signals.signal, f"SIG{name}")]
+    assert [signals.from_system(signals.to_system(number)) for number in here] == here
+    monkeypatch.setattr(signals.signal, "SIGUSR1", 30)  # macOS
+    assert signals.to_system(10) == 30
+    assert signals.to_system(64) == 64
+    assert signals.from_system(200) == 200
+
+
+def test_the_commands_of_a_windows_sub_shell_hold_no_path_of_this_machine(tmp_path: Path) -> None:
+    """A batch file is read in the old code page, in which a user's Chinese folder cannot be written."""
+    subshell._write_batch(tmp_path / "ros2.bat", "-m day6_tui.tui.main ros2")
+    assert (tmp_path / "ros2.bat").read_bytes() == b'@"%DAY6_PYTHON%" -m day6_tui.tui.main ros2 %*\r\n'
+    assert subshell.environment(tmp_path)["DAY6_PYTHON"] == sys.executable
+
+
+def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.link.paths import LONGEST_SOCKET_PATH, meeting_place
+
+    if sys.platform == "win32":
+        pytest.skip("no Unix sockets there")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", f"/tmp/{'学' * 20}")
+    monkeypatch.delenv("DAY6_LINK", raising=False)
+    made: Any = meeting_place(7)
+    assert len(os.fsencode(made.own_socket("0123456789abcdef"))) + len(".lock") <= LONGEST_SOCKET_PATH
+    assert not Path(f"/tmp/{'学' * 20}").exists()
