@@ -84,11 +84,11 @@ def _python(words: list[str]) -> int:
         return 0
     argv = [sys.executable, *words]
     environment = program_environment()
-    if os.name == "posix":
+    if sys.platform != "win32":
         os.execve(sys.executable, argv, environment)
-    import subprocess
+    from day6_tui.core.shell.subshell import call
 
-    return subprocess.call(argv, env=environment)
+    return call(argv, environment)
 
 
 def _ros2(words: list[str]) -> int:

@@ -2,8 +2,7 @@
 
 A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
 empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('reading', '') until the
-program reads keys, ('pause', seconds)
-lets one look. A command that fails ends the scene, as a teacher would stop to read what it says.
+program reads keys, ('pause', seconds) lets one look. A command that fails ends the scene, as a teacher would stop to read what it says.
 """
 
 from __future__ import annotations

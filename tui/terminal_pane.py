@@ -8,6 +8,7 @@ from typing import Any
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.geometry import Offset
 
 from day6_tui.tui.cells import cell_len, clip, fit
 from day6_tui.tui.look import Look
@@ -184,7 +185,7 @@ class TerminalPane(Pane):
         view = self.view
         if view is not None and self.has_focus and view.cursor is not None:
             x, y = view.cursor
-            self.app.cursor_position = (*self.content_region.offset, x + 1, y + 1)
+            self.app.cursor_position = Offset(x + 1, y + 1) + self.content_region.offset
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 

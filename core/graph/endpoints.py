@@ -103,7 +103,6 @@ class Endpoint:
         self.destroyed = False
         self.events: dict[EventKind, EventStatus] = {kind: EventStatus() for kind in EventKind}
         self.on_event: Callable[[Endpoint, EventKind], None] | None = None
-        self._incompatible: set[bytes] = set()
 
     @property
     def gid(self) -> bytes:

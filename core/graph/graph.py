@@ -20,9 +20,8 @@ from day6_tui.core.graph.endpoints import (
     Publisher,
     RequestId,
     Service,
-    Subscription,
 )
-from day6_tui.core.graph.qos import incompatible_policies
+from day6_tui.core.graph.matching import Told, connect, disconnect
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 
@@ -161,8 +160,10 @@ class Graph:
         with self._changing():
             endpoint.node.endpoints = (*endpoint.node.endpoints, endpoint)
             peers = self._by_name.setdefault(self._key(endpoint), [])
+            told: Told = []
+            connect(endpoint, tuple(peers), told)
             peers.append(endpoint)
-            self._match(peers)
+            self._tell(told)
             self._announce(Change.ENDPOINT_ADDED, endpoint)
         return endpoint
 
@@ -177,11 +178,9 @@ class Graph:
             key = self._key(endpoint)
             peers = self._by_name[key]
             peers.remove(endpoint)
-            self._match(peers)
-            if isinstance(endpoint, Publisher):
-                endpoint.matched = endpoint.remote_matched = ()
-            elif isinstance(endpoint, (Subscription, Service, Client)):
-                endpoint.matched = ()
+            told: Told = []
+            disconnect(endpoint, told)
+            self._tell(told)
             if not peers:
                 # Gone already when a garbage collection in the middle of this removed the last other endpoint.
                 self._by_name.pop(key, None)
@@ -191,70 +190,15 @@ class Graph:
     def _key(endpoint: Endpoint) -> tuple[bool, str]:
         return endpoint.kind in (EndpointKind.SERVICE, EndpointKind.CLIENT), endpoint.topic
 
-    # matching
+    def _tell(self, told: Told) -> None:
+        """Have the callbacks of endpoints called when the lock is released."""
+        for endpoint, kind in told:
 
-    def _match(self, peers: list[Endpoint]) -> None:
-        publishers = [each for each in peers if isinstance(each, Publisher)]
-        subscriptions = [each for each in peers if isinstance(each, Subscription)]
-        for publisher in publishers:
-            self._match_publisher(publisher, subscriptions)
-        for subscription in subscriptions:
-            matched = tuple(p for p in publishers if subscription in p.matched or subscription in p.remote_matched)
-            self._count_matches(subscription, len(matched) - len(subscription.matched))
-            subscription.matched = matched
-        services = [each for each in peers if isinstance(each, Service)]
-        clients = [each for each in peers if isinstance(each, Client)]
-        for service in services:
-            service.matched = tuple(each for each in clients if each.type_name == service.type_name)
-        for client in clients:
-            client.matched = tuple(each for each in services if each.type_name == client.type_name)
+            def call(endpoint: Endpoint = endpoint, kind: EventKind = kind) -> None:
+                if endpoint.on_event is not None:
+                    endpoint.on_event(endpoint, kind)
 
-    def _match_publisher(self, publisher: Publisher, subscriptions: list[Subscription]) -> None:
-        fitting = [each for each in subscriptions if self._fit(publisher, each)]
-        here = publisher.origin is None
-        local = tuple(each for each in fitting if each.origin is None)
-        remote = tuple(each for each in fitting if each.origin is not None and here)
-        before = publisher.matched
-        self._count_matches(publisher, len(local) + len(remote) - publisher.subscription_count)
-        publisher.matched, publisher.remote_matched = local, remote
-        for subscription in local:
-            if subscription not in before:
-                publisher.replay(subscription)
-
-    def _fit(self, publisher: Publisher, subscription: Subscription) -> bool:
-        if publisher.origin is not None and subscription.origin is not None:
-            return False
-        if publisher.type_name != subscription.type_name:
-            # Nobody is told: Fast DDS, whose behaviour this is, never raises the event for another type name.
-            return False
-        policies = incompatible_policies(publisher.qos, subscription.qos)
-        if not policies:
-            return True
-        kind = EventKind.INCOMPATIBLE_QOS
-        for endpoint, peer in ((publisher, subscription), (subscription, publisher)):
-            if peer.gid not in endpoint._incompatible:
-                endpoint._incompatible.add(peer.gid)
-                status = endpoint.events[kind]
-                status.add()
-                status.last_policy_kind = policies[-1]
-                self._raise(endpoint, kind)
-        return False
-
-    def _count_matches(self, endpoint: Endpoint, change: int) -> None:
-        if change:
-            status = endpoint.events[EventKind.MATCHED]
-            status.current_count += change
-            status.current_count_change += change
-            for _ in range(change):
-                status.add()
-            self._raise(endpoint, EventKind.MATCHED)
-
-    def _raise(self, endpoint: Endpoint, kind: EventKind) -> None:
-        def call() -> None:
-            if endpoint.on_event is not None:
-                endpoint.on_event(endpoint, kind)
-
-        self._pending.append(call)
+            self._pending.append(call)
 
     # looking
 

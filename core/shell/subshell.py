@@ -53,8 +53,6 @@ def _write_executable(path: Path, text: str) -> None:
 
 def main(arguments: list[str]) -> int:
     """`day6-tui shell`: run a real sub-shell and return its status."""
-    import subprocess
-
     parser = argparse.ArgumentParser(
         prog="day6-tui shell", description="A real sub-shell in which ros2 and python3 are those of day6-tui."
     )
@@ -65,21 +63,47 @@ def main(arguments: list[str]) -> int:
         folder = Path(name)
         write_scripts(folder)
         env = environment(folder)
-        words = [shell]
-        if Path(shell).name == "bash":
-            # The user's own .bashrc may put other folders first, so ours come after it.
-            rc = folder / "bashrc"
-            prompt = "PS1='(day6) '\"$PS1\""
-            rc.write_text(
-                f'[ -f ~/.bashrc ] && . ~/.bashrc\nexport PATH={shlex.quote(str(folder))}:"$PATH"\n'
-                f"export PYTHONPATH={shlex.quote(env['PYTHONPATH'])}\n{prompt}\n",
-                encoding="utf-8",
-            )
-            words += ["--rcfile", str(rc), "-i"]
+        words = [shell, *_start_file(Path(shell).name, folder, env)]
         print(
             f"ros2 and python3 are those of day6-tui in this shell ({Path(shell).name}); exit ends it.", file=sys.stderr
         )
+        return call(words, env)
+
+
+def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
+    """Write what bash or zsh reads at its start, and return the arguments for that; other shells start as they do.
+
+    The user's own file may put other folders first, so ours come after it.
+    """
+    if shell not in ("bash", "zsh"):
+        return []
+    own = "~" if shell == "bash" else shlex.quote(env.get("ZDOTDIR", env.get("HOME", "")))
+    lines = [
+        f"[ -f {own}/.{shell}rc ] && . {own}/.{shell}rc",
+        f'export PATH={shlex.quote(str(folder))}:"$PATH"',
+        f"export PYTHONPATH={shlex.quote(env['PYTHONPATH'])}",
+        "PS1='(day6) '\"$PS1\"",
+    ]
+    file = folder / f".{shell}rc"
+    file.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    if shell == "bash":
+        return ["--rcfile", str(file), "-i"]
+    (folder / ".zshenv").write_text(f"[ -f {own}/.zshenv ] && . {own}/.zshenv\n", encoding="utf-8")
+    env["ZDOTDIR"] = str(folder)
+    return ["-i"]
+
+
+def call(words: list[str], env: dict[str, str]) -> int:
+    """Run a program that has the terminal for itself until it ends, and return its status: Ctrl-C is its business alone."""
+    import signal
+    import subprocess
+
+    # A function, because a child would inherit that Ctrl-C is ignored, but not what we do about it.
+    before = signal.signal(signal.SIGINT, lambda number, frame: None)
+    try:
         code = subprocess.call(words, env=env)
+    finally:
+        signal.signal(signal.SIGINT, before)
     return code if code >= 0 else 128 - code
 
 

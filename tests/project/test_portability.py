@@ -9,11 +9,11 @@ from __future__ import annotations
 import ast
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -116,7 +116,11 @@ def test_text_is_read_and_written_as_utf8_everywhere() -> None:
     offenders = []
     for path in sources(*TOPS):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and _is_text(node) and not {"encoding"} & {each.arg for each in node.keywords}:
+            if (
+                isinstance(node, ast.Call)
+                and _is_text(node)
+                and not {"encoding"} & {each.arg for each in node.keywords}
+            ):
                 offenders.append(f"{path.relative_to(ROOT)}:{node.lineno}: {ast.unparse(node)}")
     assert offenders == []
 
@@ -187,8 +191,10 @@ def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.
 
     if sys.platform == "win32":
         pytest.skip("no Unix sockets there")
-    monkeypatch.setenv("DAY6_RUNTIME_DIR", f"/tmp/{'学' * 20}")
+    wanted = Path("/tmp", "学" * 24)
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(wanted))
     monkeypatch.delenv("DAY6_LINK", raising=False)
-    made: Any = meeting_place(7)
+    made = meeting_place(7)
+    shutil.rmtree(made.folder.parent)
     assert len(os.fsencode(made.own_socket("0123456789abcdef"))) + len(".lock") <= LONGEST_SOCKET_PATH
-    assert not Path(f"/tmp/{'学' * 20}").exists()
+    assert not wanted.exists()

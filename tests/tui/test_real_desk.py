@@ -46,6 +46,12 @@ def _shows(app: Day6App, text: str) -> Callable[[], bool]:
     return lambda: text in screen_text(app)
 
 
+def _type(app: Day6App, text: str) -> None:
+    view = app.terminals.view
+    assert view is not None
+    view.terminal.send(text)
+
+
 async def test_the_turtle_drives_within_the_first_minute_of_a_lesson(tmp_path) -> None:
     async with opened(tmp_path) as (app, pilot):
         await until(app, pilot, _shows(app, "student@day6:~$"))
@@ -81,7 +87,7 @@ async def test_lists_and_echo_tell_the_truth_about_the_turtle(tmp_path) -> None:
     async with opened(tmp_path, scene="turtle") as (app, pilot):
         await until(app, pilot, lambda: app.player is None and "'q' to quit." in screen_text(app))
         await pilot.press("f2")
-        app.send("ros2 node list; ros2 topic list; ros2 topic echo --once /turtle1/pose\r")
+        _type(app, "ros2 node list; ros2 topic list; ros2 topic echo --once /turtle1/pose\r")
         await until(app, pilot, _shows(app, "angular_velocity: 0.0"))
         text = screen_text(app)
         assert "/teleop_turtle" in text and "/turtle1/cmd_vel" in text and "x: 5.544444561004639" in text
@@ -90,7 +96,7 @@ async def test_lists_and_echo_tell_the_truth_about_the_turtle(tmp_path) -> None:
 async def test_closing_the_window_ends_its_program(tmp_path) -> None:
     async with opened(tmp_path) as (app, pilot):
         await until(app, pilot, _shows(app, "student@day6:~$"))
-        app.send("ros2 run turtlesim turtlesim_node\r")
+        _type(app, "ros2 run turtlesim turtlesim_node\r")
         await until(app, pilot, lambda: app.desktop.panes)
         app.desktop.focus_pane(next(iter(app.desktop.panes.values())))
         app.do_close()
@@ -101,7 +107,7 @@ async def test_closing_the_window_ends_its_program(tmp_path) -> None:
 async def test_the_topic_monitor_measures_what_turtlesim_publishes(tmp_path) -> None:
     async with opened(tmp_path) as (app, pilot):
         await until(app, pilot, _shows(app, "student@day6:~$"))
-        app.send("ros2 run turtlesim turtlesim_node & ros2 run rqt_topic rqt_topic\r")
+        _type(app, "ros2 run turtlesim turtlesim_node & ros2 run rqt_topic rqt_topic\r")
         await until(app, pilot, lambda: len(app.desktop.panes) == 2)
         pane = next(pane for pane in app.desktop.panes.values() if pane.window.kind == "topics")
         await until(app, pilot, lambda: any(topic.name == "/turtle1/pose" for topic in pane.model.topics))
@@ -151,7 +157,7 @@ async def test_pausing_lets_the_turtle_stand_in_mid_drive(tmp_path) -> None:
 async def test_a_mistake_is_answered_in_the_tools_words_and_the_prompt_comes_back(tmp_path, command, answer) -> None:
     async with opened(tmp_path, 80, 24) as (app, pilot):
         await until(app, pilot, _shows(app, "student@day6:~$"))
-        app.send(command + "\r")
+        _type(app, command + "\r")
         await until(app, pilot, _shows(app, answer))
         await until(app, pilot, lambda: app.terminals.view.at_prompt)
         assert app.desktop.panes == {}

@@ -6,6 +6,7 @@ along and may change while the desktop runs, so a text is looked up where it is 
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from importlib import import_module
 
@@ -39,10 +40,15 @@ class Texts:
         self.language = LANGUAGES[(LANGUAGES.index(self.language) + 1) % len(LANGUAGES)]
 
 
-def detect(environ: Mapping[str, str], *, wide_glyphs: bool = True) -> str:
+def detect(environ: Mapping[str, str], *, wide_glyphs: bool = True, platform: str = sys.platform) -> str:
     """The language of the locale; English where the terminal has no Chinese characters (`wide_glyphs` False)."""
     if wide_glyphs:
         for name in ("LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
             if value := environ.get(name):
                 return "zh" if value.lower().startswith("zh") else "en"
+        if platform == "win32":  # which has none of these variables
+            import locale
+
+            name = locale.getlocale()[0] or ""  # zh_CN, or Chinese (Simplified)_China
+            return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
     return "en"

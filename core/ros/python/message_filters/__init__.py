@@ -39,13 +39,13 @@ class SimpleFilter:
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
-    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 (its real name)
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
         """Call `cb(message…, *args)` for every output of this filter. Returns the number of the connection."""
         connection = len(self.callbacks)
         self.callbacks[connection] = (cb, args)
         return connection
 
-    def signalMessage(self, *msg: Any) -> None:  # noqa: N802 (its real name)
+    def signalMessage(self, *msg: Any) -> None:
         """Pass messages on."""
         for callback, args in self.callbacks.values():
             callback(*msg, *args)
@@ -65,7 +65,7 @@ class Subscriber(SimpleFilter):
         """Take a message of the topic."""
         self.signalMessage(msg)
 
-    def getTopic(self) -> str:  # noqa: N802 (its real name)
+    def getTopic(self) -> str:
         """Return the topic's name as it was given."""
         topic: str = self.topic
         return topic
@@ -88,7 +88,7 @@ class Cache(SimpleFilter):
         self.cache_times: list[Time] = []
         self.allow_headerless = allow_headerless
 
-    def connectInput(self, f: SimpleFilter) -> None:  # noqa: N802 (its real name)
+    def connectInput(self, f: SimpleFilter) -> None:
         """Take messages of a filter."""
         self.incoming_connection = f.registerCallback(self.add)
 
@@ -107,28 +107,28 @@ class Cache(SimpleFilter):
     def _where(self, condition: Callable[[Time], bool]) -> list[Any]:
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if condition(time)]
 
-    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 (its real name)
+    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
         """Return the messages between two times, both included."""
         assert from_stamp <= to_stamp
         return self._where(lambda time: from_stamp <= time <= to_stamp)
 
-    def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 (its real name)
+    def getElemAfterTime(self, stamp: Time) -> Any:
         """Return the first message at or after a time, None without one."""
         return next(iter(self._where(lambda time: time >= stamp)), None)
 
-    def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 (its real name)
+    def getElemBeforeTime(self, stamp: Time) -> Any:
         """Return the last message at or before a time, None without one."""
         return next(reversed(self._where(lambda time: time <= stamp)), None)
 
-    def getLastestTime(self) -> Time | None:  # noqa: N802 (its real name, with its slip)
+    def getLastestTime(self) -> Time | None:
         """Return the time of the last message, None without one."""
         return self.cache_times[-1] if self.cache_times else None
 
-    def getOldestTime(self) -> Time | None:  # noqa: N802 (its real name)
+    def getOldestTime(self) -> Time | None:
         """Return the time of the first message, None without one."""
         return self.cache_times[0] if self.cache_times else None
 
-    def getLast(self) -> Any:  # noqa: N802 (its real name)
+    def getLast(self) -> Any:
         """Return the last message, None without one."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
@@ -146,7 +146,7 @@ class TimeSynchronizer(SimpleFilter):
         self.queue_size = queue_size
         self.lock = threading.Lock()
 
-    def connectInput(self, fs: Sequence[SimpleFilter]) -> None:  # noqa: N802 (its real name)
+    def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
         """Take messages of filters."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
         self.input_connections = [

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rclpy._entity import Entity
 from rclpy._rclpy_pybind11 import RCLError
 
 
@@ -50,7 +49,7 @@ class WaitSet:
     def is_ready(self, kind: str, index: int) -> bool:
         """Say whether an entity is ready. `kind` is guard_condition, subscription, service or client."""
         member: Any = self._entities[kind][index]
-        ready = member._executor_triggered if isinstance(member, Entity) else member.queue
+        ready = member._executor_triggered if kind == "guard_condition" else member.queue
         return bool(ready)
 
     def reset(self) -> None:

@@ -19,7 +19,6 @@ from geometry_msgs.msg import (
     TransformStamped,
     Vector3Stamped,
 )
-
 from tf2_py import _rotation as rot
 from tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
 
@@ -94,7 +93,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 
 
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
-    """Return a vector (a direction, so only turned) in the target frame. As in the real one, `transform` loses its translation."""
+    """Return a vector, which is only turned, in the target frame. As in the real one, `transform` loses its translation."""
     offset = transform.transform.translation
     offset.x = offset.y = offset.z = 0.0
     vector = vector3.vector

@@ -191,7 +191,7 @@ class BufferCore:
             except TransformException as error:
                 raise TransformException(str(error)) from None
 
-    def lookupVelocityCore(  # noqa: N802 (its real name)
+    def lookupVelocityCore(
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[rot.Vector, rot.Vector]:
         """Return linear (m/s) and angular (rad/s) velocity of a frame as seen from another, averaged over an interval."""
@@ -208,7 +208,7 @@ class BufferCore:
                 _nanoseconds(averaging_interval, "duration"),
             )
 
-    def lookupVelocityFullCore(  # noqa: N802 (its real name)
+    def lookupVelocityFullCore(
         self,
         tracking_frame: str,
         observation_frame: str,
@@ -244,16 +244,16 @@ class BufferCore:
         with self._tree_lock:
             return self._tree.as_string()
 
-    def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802 (its real name)
+    def _allFramesAsDot(self, time: Any = None) -> str:
         with self._tree_lock:
             return frames_as_dot(self._tree, 0 if time is None else _nanoseconds(time))
 
-    def _frameExists(self, frame_id_str: str) -> bool:  # noqa: N802 (its real name)
+    def _frameExists(self, frame_id_str: str) -> bool:
         frame = _text(frame_id_str, 1)
         with self._tree_lock:
             return frame in self._tree.frames
 
-    def _getFrameStrings(self) -> list[str]:  # noqa: N802 (its real name)
+    def _getFrameStrings(self) -> list[str]:
         with self._tree_lock:
             return list(self._tree.frames)
 

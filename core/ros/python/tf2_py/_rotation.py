@@ -14,7 +14,9 @@ Matrix = tuple[float, float, float, float, float, float, float, float, float]
 IDENTITY: Quaternion = (0.0, 0.0, 0.0, 1.0)
 ORIGIN: Vector = (0.0, 0.0, 0.0)
 
-_NAN = -math.nan if math.copysign(1.0, math.nan) > 0 else math.nan  # what a processor makes of 0 * infinity prints as -nan
+_NAN = (
+    -math.nan if math.copysign(1.0, math.nan) > 0 else math.nan
+)  # what a processor makes of 0 * infinity prints as -nan
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:

@@ -54,9 +54,7 @@ def velocity(
     point_turn, point_offset, _ = lookup(frame, point_frame, time_ns)
     wanted = rot.add(rot.apply(rot.matrix(point_turn), point), point_offset)
     delta = (wanted[0] - offset[0], wanted[1] - offset[1], wanted[2] - offset[2])
-    out_linear = rot.add(
-        out_linear, (out_angular[0] * delta[0], out_angular[1] * delta[1], out_angular[2] * delta[2])
-    )
+    out_linear = rot.add(out_linear, (out_angular[0] * delta[0], out_angular[1] * delta[1], out_angular[2] * delta[2]))
     return out_linear, out_angular
 
 

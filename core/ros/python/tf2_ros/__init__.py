@@ -10,7 +10,6 @@ from typing import Any
 from geometry_msgs.msg import TransformStamped as TransformStamped
 from tf2_msgs.msg import TFMessage as TFMessage
 from tf2_msgs.srv import FrameGraph as FrameGraph
-
 from tf2_py import BufferCore as BufferCore
 from tf2_py import ConnectivityException as ConnectivityException
 from tf2_py import ExtrapolationException as ExtrapolationException
@@ -18,6 +17,7 @@ from tf2_py import InvalidArgumentException as InvalidArgumentException
 from tf2_py import LookupException as LookupException
 from tf2_py import TimeoutException as TimeoutException
 from tf2_py import TransformException as TransformException
+
 from tf2_ros.buffer import Buffer as Buffer
 from tf2_ros.buffer_client import BufferClient as BufferClient
 from tf2_ros.buffer_interface import BufferInterface as BufferInterface

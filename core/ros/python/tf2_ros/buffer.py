@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import TransformStamped
 from tf2_msgs.srv import FrameGraph
+from tf2_py import BufferCore
 
 import rclpy.logging
 from rclpy.clock import Clock, JumpThreshold, TimeJump
 from rclpy.duration import Duration
 from rclpy.task import Future
 from rclpy.time import Time
-from tf2_py import BufferCore
-from tf2_ros.buffer_interface import BufferInterface
+from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -84,7 +84,11 @@ class Buffer(BufferCore, BufferInterface):
     # -- asking --------------------------------------------------------------------------------------------------------
 
     def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()  # noqa: B008
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
         """Return the transform from the source to the target frame at `time` (0: the latest common time).
 
@@ -106,7 +110,7 @@ class Buffer(BufferCore, BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
         """Return the transform between two frames at two times, `fixed_frame` standing still; see `lookup_transform`."""
         self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
@@ -124,7 +128,7 @@ class Buffer(BufferCore, BufferInterface):
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> Any:
         """Return 1 if there is a transform, at the latest after `timeout`, else 0; or that and the reason, as a tuple."""
@@ -139,7 +143,7 @@ class Buffer(BufferCore, BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> Any:
         """Like `can_transform`, for `lookup_transform_full`."""

@@ -8,10 +8,6 @@ from time import sleep
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import TransformStamped
-
-from rclpy.clock import Clock
-from rclpy.duration import Duration
-from rclpy.time import Time
 from tf2_py import (
     ConnectivityException,
     ExtrapolationException,
@@ -20,10 +16,16 @@ from tf2_py import (
     TimeoutException,
     TransformException,
 )
-from tf2_ros.buffer_interface import BufferInterface
+
+from rclpy.clock import Clock
+from rclpy.duration import Duration
+from rclpy.time import Time
+from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+
+_PADDING = Duration(seconds=2.0)
 
 
 class BufferClient(BufferInterface):
@@ -38,7 +40,7 @@ class BufferClient(BufferInterface):
         node: Node,
         ns: str,
         check_frequency: float = 10.0,
-        timeout_padding: Duration = Duration(seconds=2.0),  # noqa: B008
+        timeout_padding: Duration = _PADDING,
     ) -> None:
         # Actions are not needed by those who only import tf2_ros.
         from tf2_msgs.action import LookupTransform
@@ -53,9 +55,13 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()  # noqa: B008
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform from source to target frame. Raises what `Buffer.lookup_transform` raises, TimeoutException too."""
+        """Return the transform between two frames. Raises what `Buffer.lookup_transform` raises, and TimeoutException."""
         from builtin_interfaces.msg import Time as TimeMsg
 
         if isinstance(time, TimeMsg):
@@ -86,7 +92,7 @@ class BufferClient(BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
         """Return the transform between two frames at two times; see `lookup_transform`."""
         return self._ask(
@@ -102,7 +108,11 @@ class BufferClient(BufferInterface):
         )
 
     def can_transform(
-        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()  # noqa: B008
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration = NO_WAIT,
     ) -> bool:
         """Say whether `lookup_transform` succeeds."""
         try:
@@ -118,7 +128,7 @@ class BufferClient(BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> bool:
         """Say whether `lookup_transform_full` succeeds."""
         try:

@@ -11,6 +11,8 @@ from std_msgs.msg import Header
 from rclpy.duration import Duration
 from rclpy.time import Time
 
+NO_WAIT = Duration()
+
 
 class BufferInterface:
     """Base of `Buffer` and `BufferClient`: transforms objects with the help of their `lookup_transform`."""
@@ -19,7 +21,11 @@ class BufferInterface:
         self.registration = TransformRegistration()
 
     def transform(
-        self, object_stamped: Any, target_frame: str, timeout: Duration = Duration(), new_type: Any = None  # noqa: B008
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        timeout: Duration = NO_WAIT,
+        new_type: Any = None,
     ) -> Any:
         """Return a stamped object in another frame, as it was at the object's time; converted if `new_type` is given.
 
@@ -38,7 +44,7 @@ class BufferInterface:
         target_frame: str,
         target_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
         new_type: Any = None,
     ) -> Any:
         """Return a stamped object in another frame at another time, `fixed_frame` standing still; see `transform`."""
@@ -51,7 +57,11 @@ class BufferInterface:
         return result if new_type is None else convert(result, new_type)
 
     def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()  # noqa: B008
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration = NO_WAIT,
     ) -> Any:
         """Return the transform from source to target frame. Here: raises NotImplementedException."""
         raise NotImplementedException()
@@ -63,13 +73,17 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> Any:
         """Return the transform between two frames at two times. Here: raises NotImplementedException."""
         raise NotImplementedException()
 
     def can_transform(
-        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()  # noqa: B008
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration = NO_WAIT,
     ) -> Any:
         """Say whether `lookup_transform` would succeed. Here: raises NotImplementedException."""
         raise NotImplementedException()
@@ -81,13 +95,13 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> Any:
         """Say whether `lookup_transform_full` would succeed. Here: raises NotImplementedException."""
         raise NotImplementedException()
 
 
-def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802 (its real name)
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
     """Give an object a header (`stamp` is a message) and return it."""
     obj.header = Header(frame_id=frame_id, stamp=stamp)
     return obj

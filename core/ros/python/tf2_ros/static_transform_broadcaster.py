@@ -28,7 +28,7 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
         self._child_frame_ids: set[str] = set()
 
-    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802 (its real name)
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
         """Publish a transform or several, with all sent before."""
         for each in as_list(transform):
             if each.child_frame_id not in self._child_frame_ids:

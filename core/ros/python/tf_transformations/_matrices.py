@@ -109,7 +109,11 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
     matrix = numpy.asarray(matrix, dtype=numpy.float64)
     turn = matrix[:3, :3]
     message = "no unit eigenvector corresponding to eigenvalue 1"
-    axis = _eigenvector(turn.T, 1.0, 1e-5, True, message)
+    values, vectors = numpy.linalg.eig(turn.T)
+    (found,) = numpy.nonzero(abs(values - 1.0) < 1e-5)
+    if not len(found):
+        raise ValueError(message)
+    axis = numpy.real(vectors[:, found[-1]])
     cosine = (numpy.trace(turn) - 1.0) / 2.0
     # The sine from the element opposite to a component of the axis that is not nearly 0.
     for component, row, column in ((2, 1, 0), (1, 0, 2), (0, 2, 1)):
