@@ -29,8 +29,7 @@ class Action(NamedTuple):
 ACTIONS: tuple[Action, ...] = (
     Action("terminal", "f2", "F2", weight=5),
     Action("next", "f3", "F3", weight=7),
-    # xterm, gnome-terminal and their kin send for Shift+F3 what Textual calls F15.
-    Action("previous", "shift+f3,f15", "Shift+F3", palette=False),
+    Action("previous", "shift+f3", "Shift+F3", palette=False),
     Action("windows", "f4", "F4", weight=4),
     Action("enlarge", "f8", "F8", weight=3),
     Action("pause", "f9", "F9", weight=2),

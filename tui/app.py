@@ -1,7 +1,7 @@
 """The application: wires desk, panes, bars and actions together, and owns nothing else.
 
-`run(options)` is what the command line calls. `options` has `scene`, `robot`, `lang`, `glyphs`, `fps`, `home`, `listen`, `connect`
-(all may be None) and `reduced_motion`.
+`run(options)` is what the command line calls. `options` has `scene`, `robot`, `lang`, `glyphs`, `fps`, `home`, `listen`,
+`connect` (all may be None) and `reduced_motion`.
 """
 
 from __future__ import annotations
@@ -49,7 +49,10 @@ WAITING_OUTPUT = 3
 
 
 def make_look(options: Any, environ: Any = None) -> Look:
-    """Glyphs, colours and language for the options and the terminal. Raises KeyError for unknown glyphs, ValueError for a language."""
+    """Glyphs, colours and language for the options and the terminal.
+
+    Raises KeyError for unknown glyphs, ValueError for a language.
+    """
     environ = terminal_environ() if environ is None else environ
     glyphs = choose(getattr(options, "glyphs", None), environ)
     language = getattr(options, "lang", None) or detect(environ, wide_glyphs=glyphs.chinese)
@@ -72,7 +75,7 @@ class Day6App(AppActions, App[None]):
 
     CSS = "Screen { layout: vertical; overflow: hidden; }"
     ENABLE_COMMAND_PALETTE = False
-    BINDINGS = [Binding(key, f"do('{id}')", show=False, priority=True) for key, id in actions.bindings()]
+    BINDINGS = [Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()]
     TITLE = "day6-tui"
 
     def __init__(self, options: Any = None, *, desk: Any = None, look: Look | None = None) -> None:
@@ -89,8 +92,8 @@ class Day6App(AppActions, App[None]):
         self.terminals.on_key_before = self.key_before
         self.welcome = WelcomePane(self.look, self.chosen)
         self.desktop = Desktop(self.look, self.terminals, self.welcome)
-        self.top = Bar(self.look, self.top_pieces, id="top")
-        self.bottom = Bar(self.look, self.bottom_pieces, id="bottom")
+        self.top = Bar(self.look, self.top_pieces, name="top")
+        self.bottom = Bar(self.look, self.bottom_pieces, name="bottom")
         self.player: Player | None = None
         self.stage: Any = None
         """The terminal a scene types into."""
@@ -148,6 +151,12 @@ class Day6App(AppActions, App[None]):
                     loop.add_signal_handler(number, self.exit)
                 except (NotImplementedError, RuntimeError, ValueError):
                     return  # Windows, or not the main thread (tests): the default stays
+
+    def on_cursor_position(self, event: events.CursorPosition) -> None:
+        """xterm and its kin send for Shift+F3 what also reports a cursor at 1;2, and Textual takes it for that."""
+        if (event.x, event.y) == (1, 0):
+            self.do_previous()
+            self.frames.wake()
 
     async def on_unmount(self) -> None:
         self.frames.detach()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.tui import actions
@@ -11,6 +12,7 @@ from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.pane import Pane
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import TerminalView, tab_name
+from day6_tui.tui.windows import WindowPane
 
 if TYPE_CHECKING:
     from day6_tui.tui.desktop import Desktop
@@ -39,7 +41,7 @@ class AppActions:
 
         def say(self, text: str, seconds: float = 3.0) -> None: ...
         def start_scene(self, name: str) -> None: ...
-        def exit(self) -> None: ...
+        def exit(self, result: Any = None, return_code: int = 0, message: Any = None) -> None: ...
 
     async def action_do(self, id: str) -> None:  # noqa: A002
         """Textual's entry: a key of the table was pressed."""
@@ -86,15 +88,13 @@ class AppActions:
         texts, entries = self.look.texts, []
         for index, view in enumerate(self.terminals.views):
             name = f"{index + 1} {tab_name(view.terminal.title)}"
-            entries.append(
-                Entry(name, texts("menu.terminal"), lambda index=index: self.go_terminal(index), view.terminal.hang_up)
-            )
+            entries.append(Entry(name, texts("menu.terminal"), partial(self.go_terminal, index), view.terminal.hang_up))
         for pane in self.desktop.panes.values():
             entries.append(
                 Entry(
                     pane.window.title,
                     texts("menu.window"),
-                    lambda pane=pane: self.desktop.focus_pane(pane),
+                    partial(self.desktop.focus_pane, pane),
                     pane.window.close_by_user,
                 )
             )
@@ -124,7 +124,7 @@ class AppActions:
         if pane is self.terminals:
             if self.terminals.view is not None:
                 self.terminals.view.terminal.hang_up()
-        elif pane in self.desktop.panes.values():
+        elif isinstance(pane, WindowPane):
             pane.window.close_by_user()
 
     def do_copy(self) -> None:

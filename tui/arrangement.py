@@ -49,8 +49,8 @@ def arrange(
     whole = Place(0, 0, max(1, width), max(1, height))
     if not windows:
         return Arrangement(whole, {})
-    if active not in windows:
-        active = windows[-1]
+    active = active if active in windows else windows[-1]
+    assert active is not None
     if enlarged == "window":
         return Arrangement(None, {active: whole})
     if enlarged == "terminal":

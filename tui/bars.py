@@ -19,8 +19,8 @@ class Bar(Pane, can_focus=False):
     DEFAULT_CSS = "Bar { height: 1; }"
     framed = False
 
-    def __init__(self, look: Look, source: Callable[[], tuple[Sequence[Piece], Sequence[Piece]]], *, id: str) -> None:
-        super().__init__(look, id=id)
+    def __init__(self, look: Look, source: Callable[[], tuple[Sequence[Piece], Sequence[Piece]]], *, name: str) -> None:
+        super().__init__(look, id=name)
         self._source = source
         self._shown: tuple[Sequence[Piece], Sequence[Piece]] | None = None
 

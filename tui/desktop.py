@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from textual import events
 from textual.containers import Container
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
@@ -31,8 +33,8 @@ class _DesktopLayout(Layout):
         placements = []
         for child in children:
             if isinstance(child, Overlay):
-                place = child.place(_column_for_overlays(found, size))
-                placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
+                over = child.place(_column_for_overlays(found, size))
+                placements.append(WidgetPlacement(Region(*over), NULL_OFFSET, NULL_SPACING, child))
                 continue
             place = found.terminal if child is parent.terminals else found.windows.get(getattr(child, "number", -1))
             if place is not None:
@@ -202,6 +204,8 @@ class Desktop(Container):
         pane = event.widget
         if not isinstance(pane, Pane) or isinstance(pane, Overlay) or pane is self._last_focus:
             return
+        if pane is not self.screen.focused:
+            return  # quick keys: the news of one pane may come when the next already has the focus
         self._last_focus = pane
         if (number := getattr(pane, "number", None)) is not None:
             self.active = number
@@ -219,6 +223,6 @@ class Desktop(Container):
         """The names of the windows that cannot be seen, for the upper edge of `pane`."""
         colours = self.look.colours
         return [
-            Piece(f" {hidden.window.title} ", colours.title, lambda hidden=hidden: self.focus_pane(hidden))
+            Piece(f" {hidden.window.title} ", colours.title, partial(self.focus_pane, hidden))
             for hidden in self.hidden_windows()
         ]

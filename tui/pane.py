@@ -41,7 +41,7 @@ class Pane(Widget, can_focus=True):
 
     framed = True
 
-    def __init__(self, look: Look, *, id: str | None = None) -> None:
+    def __init__(self, look: Look, *, id: str | None = None) -> None:  # noqa: A002 - Textual's name
         super().__init__(id=id)
         self.look = look
         self._strips: dict[int, Strip] = {}

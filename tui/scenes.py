@@ -2,12 +2,14 @@
 
 A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
 empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('reading', '') until the
-program reads keys, ('pause', seconds) lets one look. A command that fails ends the scene, as a teacher would stop to read what it says.
+program reads keys, ('pause', seconds) lets one look. A command that fails ends the scene, as a teacher would stop to read what
+it says.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple, Protocol
 
 Step = tuple[str, str]
@@ -126,11 +128,11 @@ class Player:
                 yield from self._until(stage.ready)
                 yield from self._type(value.format(**self._values))
             elif kind == "window":
-                yield from self._until(lambda kind=value: stage.has_window(kind))
+                yield from self._until(partial(stage.has_window, value))
                 if not stage.has_window(value):
                     return
             elif kind == "topic":
-                yield from self._until(lambda name=value: stage.has_topic(name))
+                yield from self._until(partial(stage.has_topic, value))
                 if not stage.has_topic(value):
                     return
             elif kind == "reading":

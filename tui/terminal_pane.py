@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 from rich.segment import Segment
@@ -36,7 +37,7 @@ class TerminalPane(Pane):
         self.on_key_before: Callable[[events.Key], bool] = lambda event: False
         """Asked first about every key; True if it was used."""
         self._size_told: tuple[int, int] | None = None
-        self._shown_title: list[Piece] = []
+        self._shown_title: list[tuple[str, Style]] = []
         self._shown_hint = False
         self._drag: tuple[int, int] | None = None
 
@@ -98,7 +99,7 @@ class TerminalPane(Pane):
                 style = colours.title_focus if self.has_focus else colours.strong
             else:
                 style = colours.title
-            pieces.append(Piece(f" {label} ", style, lambda index=index: self._choose(index)))
+            pieces.append(Piece(f" {label} ", style, partial(self._choose, index)))
         return pieces
 
     def _labels(self) -> list[str]:
@@ -161,9 +162,9 @@ class TerminalPane(Pane):
         if hint != self._shown_hint:
             self._shown_hint = hint
             self.touch_lines([self.inner_height - 1])
-        title = self.title()
-        if [piece[:2] for piece in title] != self._shown_title:
-            self._shown_title = [piece[:2] for piece in title]
+        title = [(piece.text, piece.style) for piece in self.title()]
+        if title != self._shown_title:
+            self._shown_title = title
             self.touch_frame()
         return more
 

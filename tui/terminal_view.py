@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from pyte.screens import Char
 from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
@@ -312,6 +311,10 @@ class TerminalView:
 
 def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
+    from pyte.screens import (
+        Char,  # not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet
+    )
+
     cells: list[Any] = []
     for text, style in ((row, ()),) if isinstance(row, str) else row:
         for char in text:

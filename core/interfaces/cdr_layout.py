@@ -7,6 +7,10 @@ from struct import Struct
 from day6_tui.core.interfaces.fields import BOUNDED, SINGLE, UNBOUNDED, FieldType
 from day6_tui.core.interfaces.registry import is_light, structure
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 HEADER_SIZE = 4
 
 
@@ -34,6 +38,34 @@ class Run:
     def layouts(self) -> list[tuple[Struct, int]]:
         """Return the eight layouts, indexed by `len(buffer) & 7` of a buffer that includes the header."""
         return [self.layout((index - HEADER_SIZE) % 8) for index in range(8)]
+
+
+class Source:
+    """Statements of a function being generated; fixed-size values wait in `run` until something of variable length follows.
+
+    `phase` is the position at which the run begins, past a multiple of 8, where it is known. `names` are the globals of the
+    function.
+    """
+
+    def __init__(self, names: dict[str, Any]) -> None:
+        self.names = names
+        self.lines: list[str] = []
+        self.run = Run()
+        self.phase: int | None = None
+        self.indent = "    "
+        self.count = 0
+
+    def line(self, text: str) -> None:
+        """Append one statement at the current depth."""
+        self.lines.append(self.indent + text)
+
+    def name(self, value: Any = None) -> str:
+        """Give generated code a name for a value, or a new variable."""
+        self.count += 1
+        name = f"v{self.count}"
+        if value is not None:
+            self.names[name] = value
+        return name
 
 
 def common_end(layouts: list[tuple[Struct, int]]) -> int | None:

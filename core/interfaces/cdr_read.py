@@ -71,30 +71,13 @@ def _split(data: bytes) -> list[bytes]:
     return [data[index : index + 1] for index in range(len(data))]
 
 
-class _Generator:
-    """Writes statements; fixed-size values wait in a run until something of variable length follows."""
+class _Generator(cdr_layout.Source):
+    """Writes the statements that read a message; `after` are those that need the values of the waiting run."""
 
     def __init__(self, names: dict[str, Any], readers: Any) -> None:
-        self.names = names
+        super().__init__(names)
         self.readers = readers
-        self.lines: list[str] = []
-        self.run = cdr_layout.Run()
         self.after: list[str] = []
-        self.phase: int | None = None
-        self.indent = "    "
-        self.count = 0
-
-    def line(self, text: str) -> None:
-        """Append one statement at the current depth."""
-        self.lines.append(self.indent + text)
-
-    def name(self, value: Any = None) -> str:
-        """Give generated code a name for a value, or a new variable."""
-        self.count += 1
-        name = f"v{self.count}"
-        if value is not None:
-            self.names[name] = value
-        return name
 
     def flush(self) -> None:
         """Read the waiting run, then do what its values are needed for."""

@@ -62,29 +62,12 @@ def _wide(text: str) -> bytes:
     return b"".join(unit.to_bytes(4, "little") for unit in units)
 
 
-class _Generator:
-    """Writes statements; fixed-size values wait in a run until something of variable length follows."""
+class _Generator(cdr_layout.Source):
+    """Writes the statements that write a message."""
 
     def __init__(self, names: dict[str, Any], writers: Any) -> None:
-        self.names = names
+        super().__init__(names)
         self.writers = writers
-        self.lines: list[str] = []
-        self.run = cdr_layout.Run()
-        self.phase: int | None = None
-        self.indent = "    "
-        self.count = 0
-
-    def line(self, text: str) -> None:
-        """Append one statement at the current depth."""
-        self.lines.append(self.indent + text)
-
-    def name(self, value: Any) -> str:
-        """Give generated code a name for a value."""
-        self.count += 1
-        name = f"v{self.count}"
-        if value is not None:
-            self.names[name] = value
-        return name
 
     def flush(self) -> None:
         """Write the waiting run."""

@@ -188,7 +188,7 @@ class Shell:
         captured = Captured()
         inner = self.clone()
         inner_streams = Streams(streams.stdin.fork(), captured, streams.stderr)
-        program = self._start(["$()"], _subshell_main(inner, lambda: inner.run(source, inner_streams)), inner_streams)
+        program = self._start(["$()"], subshell_main(inner, lambda: inner.run(source, inner_streams)), inner_streams)
         job = Job([program], source, inner_streams.stdin)
         await self._wait_front(job)
         self.status = self._substitution_status = job.status
@@ -227,7 +227,7 @@ class Shell:
         else:
             inner = self.clone()
             foreground = replace(node, background=False)
-            main = _subshell_main(inner, lambda: inner.run_tree(syntax.Sequence([foreground]), streams))
+            main = subshell_main(inner, lambda: inner.run_tree(syntax.Sequence([foreground]), streams))
             programs = [self._start([node.source], main, streams)]
         job = Job(programs, node.source, stdin)
         self.jobs.add(job)
@@ -268,7 +268,7 @@ class Shell:
     def _stage_main(self, command: syntax.Command, streams: Streams) -> Main:
         inner = self.clone()
         if not isinstance(command, syntax.Simple):
-            return _subshell_main(inner, lambda: inner._compound_status(command, streams))
+            return subshell_main(inner, lambda: inner._compound_status(command, streams))
 
         async def become(session: Session) -> int:
             try:
@@ -365,7 +365,7 @@ class Shell:
             return
         inner = self.clone()
         front = replace(streams, stdin=streams.stdin.fork())
-        main = _subshell_main(inner, lambda: inner.run_tree(command.body, front))
+        main = subshell_main(inner, lambda: inner.run_tree(command.body, front))
         await self._foreground(Job([self._start(["( )"], main, front)], "( )", front.stdin), streams)
 
     async def _if(self, command: syntax.If, streams: Streams) -> None:
@@ -483,7 +483,7 @@ async def _nothing(session: Session) -> int:
     return 0
 
 
-def _subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
+def subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
     """The program of a subshell: `run()` is the coroutine that does its work in the copy `inner`."""
 
     async def main(session: Session) -> int:

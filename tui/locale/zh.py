@@ -155,7 +155,8 @@ TEXTS = {
         "Shift+PageUp 或鼠标滚轮可以往回看。用鼠标拖选就会复制；Shift+Insert 或鼠标中键粘贴。"
     ),
     "help.turtlesim": (
-        "turtlesim 的世界，边长 11.09 米。节点 /turtlesim 在 /turtle1/cmd_vel 上听速度命令，在 /turtle1/pose 上说出海龟的位置。\n\n"
+        "turtlesim 的世界，边长 11.09 米。节点 /turtlesim 在 /turtle1/cmd_vel 上听速度命令，"
+        "在 /turtle1/pose 上说出海龟的位置。\n\n"
         "想驾驶它，在一个终端里运行 ros2 run turtlesim turtle_teleop_key，并且让键盘留在那里：方向键只在运行它的终端里有用。\n\n"
         "在 turtlesim_node 的终端里按 Ctrl-C，这个窗口就会关闭。"
     ),
@@ -163,7 +164,9 @@ TEXTS = {
         "从上往下看你的机器人，按它的 URDF 画出来。轮子按 /joint_states 和 /tf 转动：没有人发布，就没有东西转。"
         "在这幅图里小车不会走开；轮子转了车也不动，和 RViz 里一样。"
     ),
-    "help.rqt_graph": "谁在和谁说话。椭圆是节点，箭头是话题。有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。",
+    "help.rqt_graph": (
+        "谁在和谁说话。椭圆是节点，箭头是话题。有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。"
+    ),
     "help.topics": (
         "所有的话题：类型、几个发布者、几个订阅者。按 Enter 开始听选中的话题，测量它的频率和带宽，下面显示最新的一条消息。"
         "听就是订阅，所以订阅者会多一个。"

@@ -1,4 +1,4 @@
-"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`, this window adds what is wrong in plain words."""
+"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`; below it stands what is wrong."""
 
 from __future__ import annotations
 

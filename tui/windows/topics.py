@@ -159,12 +159,17 @@ class TopicsPane(WindowPane):
         step = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -9999, "end": 9999}.get(event.key)
         if step is not None:
             self._choose(self._index() + step)
-        elif event.key in ("enter", "space") and self._topic() is not None:
-            self.model.toggle(self._topic().name)
+        elif event.key in ("enter", "space"):
+            self._toggle()
         else:
             return
         event.stop()
         event.prevent_default()
+
+    def _toggle(self) -> None:
+        topic = self._topic()
+        if topic is not None:
+            self.model.toggle(topic.name)
 
     def _choose(self, index: int) -> None:
         topics = self.model.topics
@@ -180,8 +185,8 @@ class TopicsPane(WindowPane):
         count = len(self.model.topics)
         if 0 <= line < max(1, min(count, self.inner_height // 2 if self.inner_height > 8 else self.inner_height)):
             self._choose(self._first + line)
-            if event.x <= 4 and self._topic() is not None:
-                self.model.toggle(self._topic().name)
+            if event.x <= 4:
+                self._toggle()
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         event.stop()

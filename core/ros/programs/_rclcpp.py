@@ -5,7 +5,7 @@ turtlesim is written in C++. `ros2 node info` and Ctrl-C show that, so its copy 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from rcl_interfaces.msg import ParameterEvent
 
@@ -23,9 +23,9 @@ TOPIC_QOS = QoSProfile(depth=7)
 SIGABRT = 6
 
 
-def create_node(session: Session, name: str) -> Node:
+def create_node(session: Session, name: str, **keywords: Any) -> Node:
     """Return a node of this program with the subscription that every rclcpp node's clock has on /parameter_events."""
-    node = session.create_node(name)
+    node = session.create_node(name, **keywords)
     node.create_subscription(ParameterEvent, "/parameter_events", _ignore, qos_profile_parameter_events)
     return node
 

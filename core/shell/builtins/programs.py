@@ -6,7 +6,7 @@ import importlib
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.interpreter import MAX_DEPTH, ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell
+from day6_tui.core.shell.interpreter import Shell, subshell_main
 from day6_tui.core.shell.redirection import Streams
 
 
@@ -88,26 +88,13 @@ async def run_script(session: Session, name: str, arguments: list[str]) -> int:
 async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]) -> int:
     shell: Shell = session.shell
     inner = shell.clone()
-    if inner.depth > MAX_DEPTH:
-        session.print_error(inner.too_deep)
-        return 1
     inner.arguments, inner.zero = arguments, zero
     inner.options = set()
     inner.cwd = session.cwd
     inner.variables = dict(session.env)
     inner.exported = set(session.env)
-    session.on_interrupt = inner.interrupt
-    try:
-        return await inner.run(text, Streams(session.stdin, session.stdout, session.stderr))
-    except ExitShell as end:
-        return end.status
-    except Interrupted:
-        raise KeyboardInterrupt from None
-    except (LoopControl, ReturnFromSource):
-        return inner.status
-    finally:
-        for job in inner.jobs.jobs:
-            job.send(15)
+    streams = Streams(session.stdin, session.stdout, session.stderr)
+    return (await subshell_main(inner, lambda: inner.run(text, streams))(session)) or 0
 
 
 COMMANDS: dict[str, Main] = {

@@ -136,7 +136,7 @@ class _Ear:
         self.measure = Measure()
         self.newest: bytes | None = None
         self._clock = node.get_clock()
-        self.subscription: Subscription = node.create_subscription(
+        self.subscription: Subscription[Any] = node.create_subscription(
             self.type_class, topic, self._hear, _qos_for(node.get_publishers_info_by_topic(topic)), raw=True
         )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._entity import CLIENT, NOTHING, Entity
 from rclpy._handles import INVALID_NODE
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_source import wait_interruptibly
 from rclpy.qos import QoSProfile
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.context import Context
+
+__getattr__ = also(__name__, "CallbackGroup Clock Context")
+
 
 SrvRequestT = TypeVar("SrvRequestT")
 SrvResponseT = TypeVar("SrvResponseT")

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import ClockChange as ClockChange
 from rclpy._rclpy_pybind11 import Destroyable
 from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
@@ -20,6 +21,8 @@ from rclpy.time import Time
 if TYPE_CHECKING:
     from rclpy.context import Context
     from rclpy.timer import Timer
+
+__getattr__ = also(__name__, "Context get_default_context")
 
 
 class JumpThreshold:

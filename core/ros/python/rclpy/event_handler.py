@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph.endpoints import Endpoint, EventKind, EventStatus
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
 from rclpy._rclpy_pybind11 import rcl_publisher_event_type_t, rcl_subscription_event_type_t, rmw_qos_policy_kind_t
 from rclpy.qos import qos_policy_name_from_kind
@@ -16,6 +17,9 @@ from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+
+__getattr__ = also(__name__, "CallbackGroup get_logger")
+
 
 QoSPublisherEventType = rcl_publisher_event_type_t
 QoSSubscriptionEventType = rcl_subscription_event_type_t

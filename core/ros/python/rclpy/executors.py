@@ -17,9 +17,17 @@ from rclpy._executor import ExternalShutdownException as ExternalShutdownExcepti
 from rclpy._executor import ShutdownException as ShutdownException
 from rclpy._executor import TimeoutException as TimeoutException
 from rclpy._executor import TimeoutObject as TimeoutObject
+from rclpy._incidental import also
 from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.task import Future, Task
+
+__getattr__ = also(
+    __name__,
+    "Clock ClockType GuardCondition InvalidHandle MessageInfo NumberOfEntities Service "
+    "SignalHandlerGuardCondition Subscription Timer TimerCancelledError TimerInfo Waitable "
+    "get_default_context timeout_sec_to_nsec",
+)
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:

@@ -8,12 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import GUARD, NOTHING, Entity
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
+
+__getattr__ = also(__name__, "CallbackGroup Context")
+
 
 GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
 

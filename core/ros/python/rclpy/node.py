@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 from day6_tui.core.graph import names
 from rclpy._arguments import parse_arguments
 from rclpy._handles import EndpointHandle, NodeHandle
+from rclpy._incidental import also
 from rclpy._logging_settings import LoggingSettings
 from rclpy._node_declarations import NodeDeclarations
 from rclpy._node_entities import NodeEntities
@@ -38,6 +39,22 @@ from rclpy.utilities import get_default_context
 if TYPE_CHECKING:
     from rclpy.executors import Executor
     from rclpy.logging_service import LoggingService
+
+__getattr__ = also(
+    __name__,
+    "AllowableParameterValueT CallbackGroup Client ContentFilterOptions Executor FloatingPointRange "
+    "GuardCondition IntegerRange InvalidHandle InvalidParameterTypeException "
+    "InvalidParameterValueException InvalidTopicNameException ListParameters ListParametersResult "
+    "LoggingService MessageInfo MutuallyExclusiveCallbackGroup PARAMETER_SEPARATOR_STRING "
+    "ParameterAlreadyDeclaredException ParameterDescriptor ParameterEvent ParameterImmutableException "
+    "ParameterMsg ParameterNotDeclaredException ParameterType ParameterUninitializedException "
+    "ParameterValue PublisherEventCallbacks QoSOverridingOptions Rate ReentrantCallbackGroup S_TO_NS "
+    "SetParametersResult Subscription SubscriptionEventCallbacks Timer TimerInfo TopicEndpointInfo "
+    "Waitable check_is_valid_msg_type check_is_valid_srv_type expand_topic_name get_logger "
+    "qos_profile_services_default validate_full_topic_name validate_namespace validate_node_name "
+    "validate_parameter_name validate_topic_name",
+)
+
 
 HIDDEN_NODE_PREFIX: Final = "_"
 

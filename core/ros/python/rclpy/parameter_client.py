@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from rclpy.task import Future
@@ -17,6 +18,14 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.qos_overriding_options import QoSOverridingOptions
     from rclpy.subscription import Subscription
+
+__getattr__ = also(
+    __name__,
+    "CallbackGroup Client DescribeParameters GetParameterTypes GetParameters ListParameters MessageInfo "
+    "Node ParameterEvent ParameterMsg QoSOverridingOptions SetParameters SetParametersAtomically "
+    "Subscription SubscriptionEventCallbacks",
+)
+
 
 _Done = Callable[[Future[Any]], None]
 

@@ -7,6 +7,7 @@ from itertools import chain
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -14,6 +15,11 @@ if TYPE_CHECKING:
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
     from rclpy.qos_overriding_options import QoSOverridingOptions
+
+__getattr__ = also(
+    __name__, "CallbackGroup Node ParameterEvent ParameterMsg QoSOverridingOptions SubscriptionEventCallbacks"
+)
+
 
 _MISSING = "Callback doesn't exist"
 

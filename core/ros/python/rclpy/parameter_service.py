@@ -31,6 +31,10 @@ def __getattr__(name: str) -> Any:
         import rcl_interfaces.srv
 
         return getattr(rcl_interfaces.srv, name)
+    if name in ("ListParametersResult", "SetParametersResult"):
+        import rcl_interfaces.msg
+
+        return getattr(rcl_interfaces.msg, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

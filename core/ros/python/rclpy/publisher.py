@@ -6,6 +6,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._endpoint_events import EventSource
+from rclpy._incidental import also
 from rclpy.duration import Duration
 from rclpy.qos import QoSProfile
 
@@ -13,6 +14,9 @@ if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import PublisherEventCallbacks
+
+__getattr__ = also(__name__, "CallbackGroup EventHandler PublisherEventCallbacks")
+
 
 MsgT = TypeVar("MsgT")
 MsgType = TypeVar("MsgType")

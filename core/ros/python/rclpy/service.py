@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from day6_tui.core.graph import RequestId
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING, SERVICE, Entity
+from rclpy._incidental import also
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from rclpy._introspection import Introspection
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
+
+__getattr__ = also(__name__, "CallbackGroup Clock")
+
 
 SrvRequestT = TypeVar("SrvRequestT")
 SrvResponseT = TypeVar("SrvResponseT")

@@ -13,11 +13,15 @@ from collections.abc import Callable
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import SignalHandlerOptions as SignalHandlerOptions
 from rclpy.guard_condition import GuardCondition
 
 if TYPE_CHECKING:
     from rclpy.context import Context
+
+__getattr__ = also(__name__, "InvalidHandle")
+
 
 _Handler = Callable[[int, FrameType | None], Any] | int | None
 

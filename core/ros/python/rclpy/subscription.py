@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 from rclpy._callables import accepts, is_coroutine_function
 from rclpy._endpoint_events import EventSource
 from rclpy._entity import NOTHING, SUBSCRIPTION
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.qos import QoSProfile
 
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
+
+__getattr__ = also(__name__, "CallbackGroup ContentFilterOptions SubscriptionEventCallbacks")
+
 
 MsgT = TypeVar("MsgT")
 MsgType = TypeVar("MsgType")

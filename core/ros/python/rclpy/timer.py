@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING, TIMER, Entity
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
 from rclpy._time_source import wait_interruptibly
 from rclpy.clock import Clock, ROSClock
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     from rclpy._timer_heap import TimerHeap
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
+
+__getattr__ = also(__name__, "CallbackGroup Context")
+
 
 _INVALID_CONTEXT = (
     "failed to create timer: the given context is not valid, either rcl_init() was not called or "

@@ -5,8 +5,11 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Any
 
+from rclpy._incidental import also
 from rclpy.qos import HistoryPolicy, QoSPresetProfiles, QoSProfile
 from rclpy.type_hash import TypeHash
+
+__getattr__ = also(__name__, "QoSHistoryPolicy")
 
 
 class TopicEndpointTypeEnum(IntEnum):

@@ -5,12 +5,16 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._own_services import GET_TYPE_DESCRIPTION
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+
+__getattr__ = also(__name__, "GetTypeDescription ParameterDescriptor ParameterType Service check_is_valid_srv_type")
+
 
 START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 

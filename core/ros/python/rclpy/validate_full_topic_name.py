@@ -1,7 +1,10 @@
 """Validation of full topic and service names."""
 
 from day6_tui.core.graph import names
+from rclpy._incidental import also
 from rclpy._resolve import raise_for_topic
+
+__getattr__ = also(__name__, "InvalidServiceNameException InvalidTopicNameException")
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:

@@ -1,6 +1,9 @@
 """Validation of namespaces."""
 
+from rclpy._incidental import also
 from rclpy._resolve import raise_for_namespace
+
+__getattr__ = also(__name__, "InvalidNamespaceException")
 
 
 def validate_namespace(namespace: str) -> bool:

@@ -1,6 +1,9 @@
 """Validation of node names."""
 
+from rclpy._incidental import also
 from rclpy._resolve import raise_for_node
+
+__getattr__ = also(__name__, "InvalidNodeNameException")
 
 
 def validate_node_name(node_name: str) -> bool:

@@ -1,7 +1,11 @@
 """Validation of topic and service names as programs write them."""
 
 from day6_tui.core.graph import names
+from rclpy._incidental import also
 from rclpy._resolve import raise_for_topic
+
+__getattr__ = also(__name__, "InvalidServiceNameException InvalidTopicNameException")
+
 
 TOPIC_SEPARATOR_STRING = "/"
 

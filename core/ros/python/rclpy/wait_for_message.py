@@ -5,11 +5,14 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._time_source import wait_interruptibly
 
 if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.qos import QoSProfile
+
+__getattr__ = also(__name__, "Node QoSProfile SignalHandlerGuardCondition timeout_sec_to_nsec")
 
 
 def wait_for_message(

@@ -112,7 +112,8 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> NDArray[float64]:
     flat: NDArray[float64] = point - axis * numpy.dot(axis, point)
     length = vector_norm(flat)
     if length > EPSILON:
-        return flat / (-length if flat[2] < 0.0 else length)
+        flat /= -length if flat[2] < 0.0 else length
+        return flat
     if axis[2] == 1.0:
         return numpy.array([1.0, 0.0, 0.0])
     aside: NDArray[float64] = unit_vector([-axis[1], axis[0], 0.0])

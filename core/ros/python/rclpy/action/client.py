@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._entity import NOTHING
 from rclpy._handles import INVALID_NODE
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_source import wait_interruptibly
 from rclpy.action._protocol import ABORTED, CANCELED, SUCCEEDED, UNKNOWN, ActionEndpoints
@@ -34,12 +35,15 @@ FeedbackT = TypeVar("FeedbackT")
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalStatus": "action_msgs.msg", "UUID": "unique_identifier_msgs.msg"}
 
 
+_also = also(__name__, "Clock GoalStatusArray ServiceIntrospectionState")
+
+
 def __getattr__(name: str) -> Any:
     if name in _MESSAGES:
         from importlib import import_module
 
         return getattr(import_module(_MESSAGES[name]), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _also(name)
 
 
 class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):

@@ -5,10 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.graph import EndpointKind
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+
+__getattr__ = also(__name__, "Node")
+
 
 _FEEDBACK = "/_action/feedback"
 _MESSAGE = "_FeedbackMessage"

@@ -10,6 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 from rclpy._entity import NOTHING
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import GoalEvent as GoalEvent
 from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.action._protocol import (
@@ -52,12 +53,15 @@ _TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
 
 
+_also = also(__name__, "Clock ServiceIntrospectionState Task UUID")
+
+
 def __getattr__(name: str) -> Any:
     if name in _MESSAGES:
         from importlib import import_module
 
         return getattr(import_module(_MESSAGES[name]), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _also(name)
 
 
 class GoalResponse(Enum):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle._state_machine import STATES, StateMachine
 from rclpy.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
@@ -14,6 +15,9 @@ from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+
+__getattr__ = also(__name__, "CallbackGroup RcutilsLogger Service check_is_valid_srv_type")
+
 
 _NO_NODE = "LifecycleNodeMixin uses Node fields so Node needs to bein the inheritance tree."
 _CALLBACK_OF_STATE = {

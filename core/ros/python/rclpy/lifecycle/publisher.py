@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Generic, TypeVar
 
+from rclpy._incidental import also
 from rclpy.lifecycle.managed_entity import SimpleManagedEntity
 from rclpy.publisher import Publisher
+
+__getattr__ = also(__name__, "CallbackGroup PublisherEventCallbacks QoSProfile")
+
 
 MsgT = TypeVar("MsgT")
 

@@ -1,0 +1,1 @@
+"""The executables of tf2_ros."""

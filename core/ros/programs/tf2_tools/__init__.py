@@ -1,0 +1,1 @@
+"""The executable of tf2_tools."""

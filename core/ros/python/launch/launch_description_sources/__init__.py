@@ -1,0 +1,46 @@
+"""Launch files as sources of launch descriptions."""
+
+from __future__ import annotations
+
+from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+from launch.launch_description_sources.any_launch_file_utilities import (
+    InvalidLaunchFileError,
+    get_launch_description_from_any_launch_file,
+)
+from launch.launch_description_sources.frontend_launch_description_source import FrontendLaunchDescriptionSource
+from launch.launch_description_sources.frontend_launch_file_utilities import (
+    InvalidFrontendLaunchFileError,
+    get_launch_description_from_frontend_launch_file,
+)
+from launch.launch_description_sources.python_launch_description_source import PythonLaunchDescriptionSource
+from launch.launch_description_sources.python_launch_file_utilities import (
+    InvalidPythonLaunchFileError,
+    get_launch_description_from_python_launch_file,
+    load_python_launch_file_as_module,
+)
+
+__all__ = [
+    "AnyLaunchDescriptionSource",
+    "FrontendLaunchDescriptionSource",
+    "InvalidFrontendLaunchFileError",
+    "InvalidLaunchFileError",
+    "InvalidPythonLaunchFileError",
+    "PythonLaunchDescriptionSource",
+    "get_launch_description_from_any_launch_file",
+    "get_launch_description_from_frontend_launch_file",
+    "get_launch_description_from_python_launch_file",
+    "load_python_launch_file_as_module",
+]
+
+
+def __getattr__(name: str) -> object:
+    """`launch_xml` and `launch_yaml` put their sources here too; they import this package."""
+    if name == "XMLLaunchDescriptionSource":
+        from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
+
+        return XMLLaunchDescriptionSource
+    if name == "YAMLLaunchDescriptionSource":
+        from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource
+
+        return YAMLLaunchDescriptionSource
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,201 @@
+"""What comes from outside (interface texts, manifests, parameter files, other users) becomes no code and costs no memory."""
+
+from __future__ import annotations
+
+import ast
+import os
+import stat
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.interfaces import get_message
+from day6_tui.core.interfaces.registry import forget
+from day6_tui.core.ros.environment import program_environment
+
+ROOT = Path(__file__).resolve().parents[2]
+
+REASONS = {
+    (
+        "core/interfaces/generate.py",
+        "exec",
+    ): "class source; of a text only checked identifiers and repr() of values get into it",
+    ("core/interfaces/generate.py", "eval"): "the default of a field, made by repr() of a value that was parsed",
+    ("core/interfaces/generate.py", "compile"): "names the generated source in tracebacks",
+    ("core/interfaces/copying.py", "exec"): "generated from the checked structure of a message",
+    ("core/interfaces/copying.py", "compile"): "names the generated source in tracebacks",
+    ("core/interfaces/cdr_read.py", "exec"): "generated from the checked structure of a message",
+    ("core/interfaces/cdr_read.py", "compile"): "names the generated source in tracebacks",
+    ("core/interfaces/cdr_write.py", "exec"): "generated from the checked structure of a message",
+    ("core/interfaces/cdr_write.py", "compile"): "names the generated source in tracebacks",
+    ("core/ros/python/launch/substitutions/local_substitution.py", "eval"): "a launch file is the user's own program",
+    ("core/ros/python/launch/substitutions/python_expression.py", "eval"): "the same: $(eval …) is there to run Python",
+    ("core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
+}
+"""Where something dangerous is used all the same, and why it is not dangerous there."""
+
+DANGEROUS_CALLS = {"eval", "exec", "compile", "__import__", "breakpoint"}
+DANGEROUS_MODULES = {"pickle", "cPickle", "marshal", "shelve", "dill", "xml", "lxml", "code", "pty"}
+DANGEROUS_ATTRIBUTES = {
+    "os.system", "os.popen", "subprocess.getoutput", "subprocess.getstatusoutput", "tempfile.mktemp", "yaml.load",
+    "yaml.load_all", "yaml.full_load", "yaml.unsafe_load", "yaml.Loader", "yaml.FullLoader", "yaml.UnsafeLoader", "numpy.load",
+}  # fmt: skip
+
+
+def dangers(tree: ast.AST) -> Iterator[tuple[str, int]]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            name = ast.unparse(node.func)
+            if name in DANGEROUS_CALLS:
+                yield name, node.lineno
+            for keyword in node.keywords:
+                harmless = isinstance(keyword.value, ast.Constant) and not keyword.value.value
+                if keyword.arg == "shell" and name.startswith(("subprocess.", "Popen", "asyncio.")) and not harmless:
+                    yield "shell=True", node.lineno
+        elif isinstance(node, ast.Attribute) and ast.unparse(node) in DANGEROUS_ATTRIBUTES:
+            yield ast.unparse(node), node.lineno
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else [each.name for each in node.names]
+            yield from ((name.split(".")[0], node.lineno) for name in names if name.split(".")[0] in DANGEROUS_MODULES)
+
+
+def test_nothing_from_outside_is_run() -> None:
+    found = {}
+    for top in ("core", "tui", "urdf", ".ci"):
+        for path in (ROOT / top).rglob("*"):
+            if path.suffix == ".py" or path.name == "check":
+                name = path.relative_to(ROOT).as_posix()
+                for danger, line in dangers(ast.parse(path.read_text(encoding="utf-8"))):
+                    found[name, danger] = line
+    # A pty is no danger in itself; the name is here because `pty.spawn` would be a way around the list.
+    found.pop(("core/shell/process.py", "pty"), None)
+    assert {key: line for key, line in found.items() if key not in REASONS} == {}
+    assert set(REASONS) <= set(found), "a reason is left for something that is not there any more"
+
+
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The `msg` folder of a package of interfaces that somebody else wrote."""
+    folder = tmp_path / "share" / "evil_msgs" / "msg"
+    folder.mkdir(parents=True)
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    yield folder
+    forget("evil_msgs")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "int32 x=__import__('os').system('touch {0}')",
+        "int32 a;__import__('os').mkdir('{0}')",
+        "string a \"');__import__('os').mkdir('{0}')#\"",
+        "string a '''+__import__('os').mkdir('{0}')+'''",
+        "string[] a ['\\'', __import__('os').mkdir('{0}'), '\\'']",
+        "float64 a __import__('os').mkdir('{0}')",
+        "float64[2] a [inf, __import__('os').mkdir('{0}')]",
+        "int32[__import__('os').mkdir('{0}')] a",
+        "string<=__import__('os').mkdir('{0}') a",
+        "string X=');__import__('os').mkdir('{0}')#",
+        "int32 ａ",
+        "int32 a\u2028    import os",
+        "evil_msgs/__import__ a",
+    ],
+)
+def test_a_text_of_an_interface_stays_a_text(package: Path, tmp_path: Path, line: str) -> None:
+    (package / "Evil.msg").write_text(line.format(tmp_path / "done") + "\n", encoding="utf-8")
+    try:
+        get_message("evil_msgs/msg/Evil")()
+    except Exception as error:
+        # Refusing it is right, as long as it was the parser that did it and not Python, reading it as code.
+        assert not isinstance(error, SyntaxError)
+    assert not (tmp_path / "done").exists()
+
+
+def test_names_of_interfaces_lead_nowhere_else(package: Path, tmp_path: Path) -> None:
+    (tmp_path / "Secret.msg").write_text("int32 a\n", encoding="utf-8")
+    for name in ("../../../Secret", "..", "Evil/../../Secret", "/etc/passwd"):
+        with pytest.raises((LookupError, ValueError)):
+            get_message(f"evil_msgs/msg/{name}")
+    with pytest.raises((LookupError, ValueError)):
+        get_message(f"../{tmp_path.name}/msg/Secret")
+
+
+def exec_line(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(folder / "home"), "-c", line],
+        capture_output=True,
+        encoding="utf-8",
+        timeout=60,
+        env={**program_environment(), "DAY6_LINK": "off"},
+    )
+
+
+def test_a_manifest_cannot_fill_the_memory_or_read_files(tmp_path: Path) -> None:
+    share = tmp_path / "share"
+    index = share / "ament_index" / "resource_index" / "packages"
+    index.mkdir(parents=True)
+    entities = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10}">' for n in range(1, 10))
+    texts = {
+        "laughs": f'<!DOCTYPE p [<!ENTITY e0 "ha">{entities}]><package><name>&e9;</name></package>',
+        "reads": '<!DOCTYPE p [<!ENTITY e SYSTEM "file:///etc/passwd">]><package><name>&e;</name></package>',
+    }
+    for name, text in texts.items():
+        (index / name).touch()
+        (share / name).mkdir()
+        (share / name / "package.xml").write_text(text, encoding="utf-8")
+    done = exec_line(f"export AMENT_PREFIX_PATH={tmp_path}; ros2 pkg xml laughs; ros2 pkg xml reads", tmp_path)
+    assert done.stdout == ""
+    assert done.stderr.count("ParseError") == 2, done.stderr
+    assert "root:" not in done.stderr
+
+
+def test_yaml_makes_no_objects(tmp_path: Path) -> None:
+    (tmp_path / "p.yaml").write_text(
+        f"/**:\n  ros__parameters: {{a: !!python/object/apply:os.mkdir ['{tmp_path}/done']}}\n"
+    )
+    text = f"{{data: !!python/object/apply:os.mkdir ['{tmp_path}/done']}}"
+    done = exec_line(
+        f"ros2 run turtlesim turtlesim_node --ros-args --params-file {tmp_path}/p.yaml & sleep 0.2;"
+        f'ros2 param load /turtlesim {tmp_path}/p.yaml; ros2 topic pub --once /t std_msgs/msg/String "{text}"',
+        tmp_path,
+    )
+    assert done.returncode == 1
+    assert "could not determine a constructor" in done.stderr
+    assert not (tmp_path / "done").exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no modes; its folder is in the user's profile")
+def test_the_folder_of_the_link_is_closed_to_others_whatever_the_umask(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from day6_tui.core.link.paths import meeting_place, password
+
+    monkeypatch.setenv("DAY6_LINK", "tcp")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "run"))
+    (tmp_path / "run").mkdir()
+    (tmp_path / "run").chmod(0o777)
+    before = os.umask(0)
+    try:
+        place = meeting_place(3)
+        password(place)
+    finally:
+        os.umask(before)
+    modes = {
+        path.name: stat.S_IMODE(path.stat().st_mode) for path in (tmp_path / "run", *(tmp_path / "run").rglob("*"))
+    }
+    assert modes == {"run": 0o700, "3": 0o700, "secret": 0o600, "users": 0o600}
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root can make another user's folder")
+def test_a_folder_of_another_user_is_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.link.paths import LinkError, meeting_place
+
+    monkeypatch.setenv("DAY6_LINK", "tcp")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(tmp_path / "theirs"))
+    (tmp_path / "theirs").mkdir()
+    os.chown(tmp_path / "theirs", 12345, 12345)
+    with pytest.raises(LinkError, match="belongs to another user"):
+        meeting_place(0)

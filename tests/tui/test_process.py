@@ -1,0 +1,170 @@
+"""The desktop as a process on a real pty: what it imports, how it ends, what it leaves behind."""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LONGEST = 20.0
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs a pty")
+
+
+class Pty:
+    """`day6-tui` in a terminal of its own."""
+
+    def __init__(self, home: Path, *options: str, **environ: str) -> None:
+        import fcntl
+        import pty
+        import struct
+        import termios
+
+        master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        self.before = termios.tcgetattr(slave)
+        self._slave, self._master = slave, master
+        env = {**os.environ, "TERM": "xterm-256color", "LANG": "C.UTF-8", "DAY6_LINK": "off", **environ}
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "day6_tui.tui.main", "--home", str(home), "--lang", "en", *options],
+            stdin=slave, stdout=slave, stderr=slave, env=env, cwd=ROOT, start_new_session=True,
+            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
+        )  # fmt: skip
+        self.output = b""
+
+    def until(self, text: bytes) -> None:
+        deadline = time.monotonic() + LONGEST
+        while text not in self.output:
+            assert time.monotonic() < deadline, self.output[-2000:]
+            if select.select([self._master], [], [], 0.05)[0]:
+                self.output += os.read(self._master, 65536)
+
+    def send(self, keys: bytes) -> None:
+        os.write(self._master, keys)
+
+    def wait(self) -> int:
+        """Read on until the process has ended."""
+        deadline = time.monotonic() + LONGEST
+        while self.process.poll() is None:
+            assert time.monotonic() < deadline, "it does not end"
+            if select.select([self._master], [], [], 0.02)[0]:
+                self.output += os.read(self._master, 65536)
+        while select.select([self._master], [], [], 0)[0]:
+            self.output += os.read(self._master, 65536)
+        return self.process.returncode
+
+    def modes(self) -> list[object]:
+        import termios
+
+        return termios.tcgetattr(self._slave)
+
+    def hang_up(self) -> None:
+        os.close(self._slave)
+        os.close(self._master)
+
+
+@pytest.fixture
+def home(tmp_path: Path) -> Path:
+    (tmp_path / "sleepy.py").write_text("import os, time\nprint('I am', os.getpid())\ntime.sleep(600)\n")
+    return tmp_path
+
+
+def test_quitting_restores_the_terminal_and_is_quick(home) -> None:
+    terminal = Pty(home)
+    terminal.until(b"student@day6")
+    began = time.monotonic()
+    terminal.send(b"\x11")
+    assert terminal.wait() == 0
+    assert time.monotonic() - began < 3
+    assert b"\x1b[?1049l" in terminal.output and b"\x1b[?25h" in terminal.output
+    assert terminal.modes() == terminal.before
+
+
+def _student_pid(terminal: Pty) -> int:
+    terminal.send(b"python3 sleepy.py\r")
+    terminal.until(b"I am ")
+    terminal.until(b"I am " + terminal.output.split(b"I am ")[1][:1])
+    deadline = time.monotonic() + LONGEST
+    while time.monotonic() < deadline:
+        found = subprocess.run(["pgrep", "-f", "sleepy.py"], capture_output=True, text=True).stdout.split()
+        mine = [int(pid) for pid in found if _home_of(int(pid)) == terminal_home(terminal)]
+        if mine:
+            return mine[0]
+        time.sleep(0.02)
+    raise AssertionError("the student's process did not start")
+
+
+def terminal_home(terminal: Pty) -> str:
+    return terminal.process.args[terminal.process.args.index("--home") + 1]  # type: ignore[union-attr, index]
+
+
+def _home_of(pid: int) -> str:
+    try:
+        variables = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+    except OSError:
+        return ""
+    return next((value[5:].decode() for value in variables if value.startswith(b"HOME=")), "")
+
+
+def _gone(pid: int) -> bool:
+    deadline = time.monotonic() + LONGEST
+    while time.monotonic() < deadline:
+        try:
+            if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z":
+                return True
+        except OSError:
+            return True
+        time.sleep(0.02)
+    return False
+
+
+@pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks into /proc")
+@pytest.mark.parametrize("end", ["quit", "SIGTERM", "hang up", "SIGKILL"])
+def test_no_student_process_outlives_the_desktop(home, end) -> None:
+    terminal = Pty(home, "--scene", "empty")
+    terminal.until(b"student@day6")
+    pid = _student_pid(terminal)
+    if end == "quit":
+        terminal.send(b"\x11")
+    elif end == "hang up":
+        terminal.hang_up()
+    else:
+        terminal.process.send_signal(getattr(signal, end))
+    if end == "hang up":
+        terminal.process.wait(LONGEST)
+    else:
+        terminal.wait()
+    assert _gone(pid)
+
+
+def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> None:
+    code = (
+        "import sys\n"
+        "from types import SimpleNamespace\n"
+        "from day6_tui.tui.app import Day6App\n"
+        "app = Day6App(SimpleNamespace(fps=0, lang='zh'))\n"
+        "async def main():\n"
+        "    app._open_desk = lambda: None\n"
+        "    async with app.run_test(size=(80, 24)) as pilot:\n"
+        "        app.screen._compositor.render_strips()\n"
+        "        print(sorted({'numpy', 'pygments', 'zenoh', 'yaml', 'rclpy', 'yourdfpy', 'pyte'} & set(sys.modules)))\n"
+        "import asyncio; asyncio.run(main())\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT)
+    assert done.stdout.strip() == "[]", done.stdout + done.stderr
+
+
+def test_a_home_that_is_a_file_is_told_after_the_terminal_is_restored(tmp_path) -> None:
+    (tmp_path / "file").write_text("")
+    terminal = Pty(tmp_path / "file")
+    assert terminal.wait() == 1
+    text = terminal.output.decode()
+    assert "The home folder" in text.rpartition("\x1b[?1049l")[2]
+    assert "Traceback" not in text
