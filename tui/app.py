@@ -1,3 +1,4 @@
+# ruff: noqa: E402 - two things have to be settled before Textual is imported
 """The application: wires desk, panes, bars and actions together, and owns nothing else.
 
 `run(options)` is what the command line calls. `options` has `scene`, `robot`, `lang`, `glyphs`, `fps`, `home`, `listen`,
@@ -15,6 +16,10 @@ from typing import Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
+
+from day6_tui.tui import lean
+
+lean.import_asyncio()
 
 from textual import events
 from textual.app import App, ComposeResult
@@ -336,6 +341,8 @@ def keep_log_off_the_screen(environ: Any = None) -> None:
 def run(options: Any) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
     keep_log_off_the_screen()
+    if getattr(options, "fps", None) is not None:
+        options.fps = max(1.0, min(60.0, float(options.fps)))
     try:
         app = Day6App(options)
     except (KeyError, ValueError) as error:

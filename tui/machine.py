@@ -16,7 +16,10 @@ class Machine:
         self._given = desk
         self._wake = wake
         self._version = -1
-        self._counts: tuple[int, int] | None = None
+        self._counts = (0, 0)
+        self._changes = 0
+        self._counted = -1
+        """After how many changes of the graph `_counts` was counted; they come on other threads, also while one counts."""
         self._forget: Callable[[], None] | None = None
 
     def open(self, options: Any) -> None:
@@ -74,20 +77,21 @@ class Machine:
         return list(display.windows)
 
     def _graph_changed(self, event: object) -> None:
-        self._counts = None
+        self._changes += 1
         self._wake()
 
     def counts(self) -> tuple[int, int]:
         """How many nodes and topics there are, without the hidden ones."""
-        counts = self._counts
-        if counts is None:
+        changes = self._changes
+        if changes != self._counted:
             from day6_tui.core.graph.endpoints import EndpointKind
 
             graph = self.desk.graph
             nodes = {node.full_name for node in graph.nodes if not node.name.startswith("_")}
             topics = graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
-            counts = self._counts = (len(nodes), sum("/_" not in name for name, _ in topics))
-        return counts
+            self._counts = (len(nodes), sum("/_" not in name for name, _ in topics))
+            self._counted = changes
+        return self._counts
 
     # -- time ----------------------------------------------------------------------------------------------------------
 

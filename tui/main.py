@@ -31,7 +31,9 @@ def build_parser() -> argparse.ArgumentParser:
         epilog=_COMMANDS,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--scene", metavar="NAME", help="begin with a scene: turtle, car or empty")
+    parser.add_argument(
+        "--scene", choices=("turtle", "car", "empty"), help="what to begin with (default: the welcome choices)"
+    )
     parser.add_argument("--robot", metavar="FILE", help="a URDF file of your own instead of the shipped car")
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the screen (default: that of the system)")
     parser.add_argument(
@@ -39,13 +41,34 @@ def build_parser() -> argparse.ArgumentParser:
         choices=("half", "braille", "cell", "ascii"),
         help="what pictures are drawn with (default: by terminal)",
     )
-    parser.add_argument("--fps", type=float, metavar="N", help="most frames a second (default: 30)")
+    parser.add_argument("--fps", type=_frame_rate, metavar="N", help="most frames a second (default: 30)")
     parser.add_argument("--reduced-motion", action="store_true", help="no pulses and no animation")
     parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ in the terminals")
-    parser.add_argument("--listen", metavar="ENDPOINT", help="let other machines in, e.g. tcp/0.0.0.0:7447")
-    parser.add_argument("--connect", metavar="ENDPOINT", help="join another machine, e.g. tcp/192.168.1.5:7447")
+    parser.add_argument(
+        "--listen", type=_endpoint, metavar="ENDPOINT", help="let other machines in, e.g. tcp/0.0.0.0:7447"
+    )
+    parser.add_argument(
+        "--connect", type=_endpoint, metavar="ENDPOINT", help="join another machine, e.g. tcp/192.168.1.5:7447"
+    )
     parser.add_argument("--version", action="store_true", help="print the version and exit")
     return parser
+
+
+def _frame_rate(text: str) -> float:
+    try:
+        rate = float(text)
+    except ValueError:
+        rate = 0.0
+    if not 1 <= rate <= 120:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number from 1 to 120")
+    return rate
+
+
+def _endpoint(text: str) -> str:
+    protocol, slash, address = text.partition("/")
+    if not (protocol.isalnum() and slash and address):
+        raise argparse.ArgumentTypeError(f"'{text}' is no endpoint like tcp/192.168.1.5:7447")
+    return text
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -63,6 +86,9 @@ def main(arguments: list[str] | None = None) -> int:
 
         print(f"day6-tui {version('day6-tui')}")
         return 0
+    if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
+        print("day6-tui: the desktop needs a terminal; day6-tui exec runs commands without one", file=sys.stderr)
+        return 2
     from day6_tui.tui.app import run
 
     return run(options) or 0

@@ -62,6 +62,7 @@ class TerminalPane(Pane):
         view.stale()
         self._tell_size()
         self.touch()
+        self.look.wake()
 
     def forget(self, view: TerminalView) -> None:
         """Take a terminal that has ended away."""
@@ -144,6 +145,7 @@ class TerminalPane(Pane):
             view.scroll = 0
             view.stale()
             self.touch()
+            self.look.wake()
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -236,6 +238,7 @@ class TerminalPane(Pane):
         view = self.view
         if view is not None and view.scroll_by(lines):
             self.touch()
+            self.look.wake()  # the view reads its lines at the frame
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
         event.stop()

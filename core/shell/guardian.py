@@ -13,17 +13,17 @@ import threading
 
 _SCRIPT = """
 trap '' INT HUP TERM
-groups=" "
-while read -r change group; do
+targets=" "
+while read -r change target; do
   case $change in
-    +) groups="$groups$group " ;;
-    -) case $groups in *" $group "*) groups="${groups%% $group *} ${groups#* $group }" ;; esac ;;
+    +) targets="$targets$target " ;;
+    -) case $targets in *" $target "*) targets="${targets%% $target *} ${targets#* $target }" ;; esac ;;
   esac
 done
-[ "$groups" = " " ] && exit 0
-for group in $groups; do kill -s TERM -- "-$group" 2>/dev/null; kill -s CONT -- "-$group" 2>/dev/null; done
+[ "$targets" = " " ] && exit 0
+for target in $targets; do kill -s TERM -- "$target" 2>/dev/null; kill -s CONT -- "$target" 2>/dev/null; done
 sleep 1
-for group in $groups; do kill -s KILL -- "-$group" 2>/dev/null; done
+for target in $targets; do kill -s KILL -- "$target" 2>/dev/null; done
 """
 
 _lock = threading.Lock()
@@ -32,6 +32,26 @@ _guardian: subprocess.Popen[bytes] | None = None
 
 def guard(group: int) -> None:
     """End process group `group` when this process dies. Does nothing where there are no process groups."""
+    _watch(-group)
+
+
+def guard_process(pid: int) -> None:
+    """The same for one process that is in our own group (launched programs, which Ctrl-C is to reach with us)."""
+    _watch(pid)
+
+
+def release(group: int) -> None:
+    """The group has ended: its number may soon be another's."""
+    _forget(-group)
+
+
+def release_process(pid: int) -> None:
+    """The process has ended."""
+    _forget(pid)
+
+
+def _watch(target: int) -> None:
+    """`target` is a number for `kill`: negative for a group."""
     global _guardian
     if os.name != "posix":
         return
@@ -44,14 +64,13 @@ def guard(group: int) -> None:
                 stderr=subprocess.DEVNULL,
                 start_new_session=True,
             )
-        _tell(f"+ {group}\n")
+        _tell(f"+ {target}\n")
 
 
-def release(group: int) -> None:
-    """The group has ended: its number may soon be another's."""
+def _forget(target: int) -> None:
     with _lock:
         if _guardian is not None:
-            _tell(f"- {group}\n")
+            _tell(f"- {target}\n")
 
 
 def _tell(line: str) -> None:

@@ -32,6 +32,7 @@ KEYS = {
     "F2": "\x1bOQ",
     "F3": "\x1bOR",
     "Shift-F3": "\x1b[1;2R",
+    "Shift-PageUp": "\x1b[5;2~",
     "F4": "\x1bOS",
     "F8": "\x1b[19~",
     "F9": "\x1b[20~",

@@ -17,16 +17,23 @@ import rclpy
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
 from rclpy.node import Node
+from rclpy.qos import QoSDurabilityPolicy, QoSProfile
+from rclpy.task import Future
+from std_msgs.msg import Empty
 
 rclpy.init()
 node = Node("fibonacci_server", namespace="/team")
 node.declare_parameter("answer", 42)
+heard_all = Future()
+latched = QoSProfile(depth=1, durability=QoSDurabilityPolicy.TRANSIENT_LOCAL)
+node.create_subscription(Empty, "heard_all", heard_all.set_result, latched)
 
-def execute(goal):
+async def execute(goal):
     feedback = Fibonacci.Feedback(sequence=[0, 1])
     for _ in range(1, goal.request.order):
         feedback.sequence.append(feedback.sequence[-1] + feedback.sequence[-2])
         goal.publish_feedback(feedback)
+    await heard_all  # as in ROS, a result that overtakes feedback ends its delivery
     goal.succeed()
     return Fibonacci.Result(sequence=feedback.sequence)
 
@@ -38,13 +45,23 @@ import rclpy
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.node import Node
+from rclpy.qos import QoSDurabilityPolicy, QoSProfile
+from std_msgs.msg import Empty
 
 rclpy.init()
 node = Node("asker", namespace="/team")
 client = ActionClient(node, Fibonacci, "fibonacci")
+latched = QoSProfile(depth=1, durability=QoSDurabilityPolicy.TRANSIENT_LOCAL)
+heard_all = node.create_publisher(Empty, "heard_all", latched)
 assert client.wait_for_server(timeout_sec=10)
 parts = []
-sent = client.send_goal_async(Fibonacci.Goal(order=5), feedback_callback=lambda m: parts.append(len(m.feedback.sequence)))
+
+def on_feedback(message):
+    parts.append(len(message.feedback.sequence))
+    if len(parts) == 4:
+        heard_all.publish(Empty())
+
+sent = client.send_goal_async(Fibonacci.Goal(order=5), feedback_callback=on_feedback)
 rclpy.spin_until_future_complete(node, sent, timeout_sec=10)
 result = sent.result().get_result_async()
 rclpy.spin_until_future_complete(node, result, timeout_sec=10)

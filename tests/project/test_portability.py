@@ -95,14 +95,15 @@ def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> Non
         "rclpy.shutdown()\n",
         encoding="utf-8",
     )
-    script = "echo one | python3 talker.py | grep -c 'ONE$'; ros2 run turtlesim turtlesim_node & sleep 0.1; ros2 node list; kill %1"
+    turtlesim = "ros2 run turtlesim turtlesim_node & sleep 0.1; ros2 node list; kill %1"
+    script = f"echo one | python3 talker.py | grep -c 'ONE$'; {turtlesim}"
     code = f"""
 subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0
 signal.CTRL_BREAK_EVENT = signal.SIGINT
-sys.platform = "win32"
+here, sys.platform = sys.platform, "win32"
 from day6_tui.core.shell.execute import main
 status = main(["--home", {str(tmp_path)!r}, "-c", {script!r}])
-sys.platform = "linux"
+sys.platform = here
 sys.exit(status)
 """
     done = run(code, tmp_path, DAY6_LINK="off", LOCALAPPDATA=str(tmp_path))

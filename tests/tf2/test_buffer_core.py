@@ -169,8 +169,10 @@ NOT_ONE_TREE = (
             "world",
             0,
             InvalidArgumentException,
-            'Invalid argument "/car" passed to lookupTransform argument target_frame'
-            " - in tf2 frame_ids cannot start with a '/'",
+            (
+                'Invalid argument "/car" passed to lookupTransform argument target_frame'
+                " - in tf2 frame_ids cannot start with a '/'"
+            ),
         ),
         (
             "car",
@@ -186,16 +188,20 @@ NOT_ONE_TREE = (
             "wheel",
             2.25,
             ExtrapolationException,
-            "Lookup would require extrapolation into the future.  Requested time 2.250000 but the latest data is at time"
-            " 2.000000, when looking up transform from frame [wheel] to frame [world]",
+            (
+                "Lookup would require extrapolation into the future.  Requested time 2.250000 but the latest data is at time"
+                " 2.000000, when looking up transform from frame [wheel] to frame [world]"
+            ),
         ),
         (
             "wheel",
             "world",
             0.5,
             ExtrapolationException,
-            "Lookup would require extrapolation into the past.  Requested time 0.500000 but the earliest data is at time"
-            " 1.000000, when looking up transform from frame [world] to frame [wheel]",
+            (
+                "Lookup would require extrapolation into the past.  Requested time 0.500000 but the earliest data is at time"
+                " 1.000000, when looking up transform from frame [world] to frame [wheel]"
+            ),
         ),
     ],
 )
@@ -299,8 +305,10 @@ NAN = math.nan
         (
             stamped("car", "car"),
             [
-                'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "car"'
-                " because they are the same"
+                (
+                    'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "car"'
+                    " because they are the same"
+                )
             ],
         ),
         (
@@ -310,24 +318,32 @@ NAN = math.nan
         (
             stamped("", "car"),
             [
-                'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "car"  from authority "me"'
-                " because frame_id not set"
+                (
+                    'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "car"  from authority "me"'
+                    " because frame_id not set"
+                )
             ],
         ),
         (
             stamped("world", "car", 0, (NAN, 0, 1)),
             [
-                'TF_NAN_INPUT: Ignoring transform for child_frame_id "car" from authority "me" because of a nan value in'
-                " the transform (nan 0.000000 1.000000) (0.000000 0.000000 0.000000 1.000000)"
+                (
+                    'TF_NAN_INPUT: Ignoring transform for child_frame_id "car" from authority "me" because of a nan value in'
+                    " the transform (nan 0.000000 1.000000) (0.000000 0.000000 0.000000 1.000000)"
+                )
             ],
         ),
         (
             stamped("world", "car", 0, (0, 0, 0), (0, 0, 0, 0)),
             [
-                'TF_NAN_INPUT: Ignoring transform for child_frame_id "car" from authority "me" because of a nan value in'
-                " the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)",
-                'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "car" from authority "me" because of'
-                " an invalid quaternion in the transform (-nan -nan -nan -nan)",
+                (
+                    'TF_NAN_INPUT: Ignoring transform for child_frame_id "car" from authority "me" because of a nan value in'
+                    " the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)"
+                ),
+                (
+                    'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "car" from authority "me" because of'
+                    " an invalid quaternion in the transform (-nan -nan -nan -nan)"
+                ),
             ],
         ),
     ],

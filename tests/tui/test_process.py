@@ -161,6 +161,33 @@ def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> 
     assert done.stdout.strip() == "[]", done.stdout + done.stderr
 
 
+def test_the_desktop_does_without_openssl_and_leaves_it_importable() -> None:
+    code = (
+        "import sys, day6_tui.tui.app, asyncio\n"
+        "print('ssl' in sys.modules)\n"
+        "import ssl; print(ssl.create_default_context() is not None)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT)
+    assert done.stdout.split() == ["False", "True"], done.stderr
+
+
+def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "day6_tui.tui.main", "--home", str(home)],
+        stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=ROOT, timeout=LONGEST,
+    )  # fmt: skip
+    assert done.returncode != 0 and done.stdout == ""
+    assert "the desktop needs a terminal" in done.stderr and "day6-tui exec" in done.stderr
+
+
+def test_the_command_line_knows_every_scene() -> None:
+    from day6_tui.tui.main import build_parser
+    from day6_tui.tui.scenes import SCENES
+
+    (option,) = [action for action in build_parser()._actions if action.dest == "scene"]
+    assert tuple(option.choices) == tuple(SCENES)
+
+
 def test_a_home_that_is_a_file_is_told_after_the_terminal_is_restored(tmp_path) -> None:
     (tmp_path / "file").write_text("")
     terminal = Pty(tmp_path / "file")

@@ -52,7 +52,7 @@ TEXTS = {
     "help.action.faster": "up to ten times",
     "help.action.slower": "down to a tenth",
     "help.action.normal": "one second is one second",
-    "help.action.motion": "draws less often, without typing effects and pulses",
+    "help.action.motion": "without typing effects and pulses",
     # bars
     "bar.desk": "Desk",
     "bar.turtle": "Turtle",

@@ -52,7 +52,7 @@ TEXTS = {
     "help.action.faster": "最快十倍",
     "help.action.slower": "最慢十分之一",
     "help.action.normal": "一秒就是一秒",
-    "help.action.motion": "画得少一些，没有打字效果和脉冲",
+    "help.action.motion": "没有打字效果，也没有光点",
     # bars
     "bar.desk": "桌面",
     "bar.turtle": "海龟",

@@ -10,7 +10,7 @@ from rich.style import Style
 from textual import events
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip
+from day6_tui.tui.cells import clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
@@ -75,7 +75,7 @@ class CarPane(WindowPane):
 
     def _take_over(self, snapshot: Any) -> None:
         self._snapshot = snapshot
-        self._said = [(line.level, self._words(line)) for line in snapshot.status][:MOST_STATUS_LINES]
+        self._said = self._say(snapshot.status)
         rows = max(0, self.inner_height - len(self._said))
         if snapshot.robot is None:
             self._rows = [()] * rows
@@ -85,8 +85,19 @@ class CarPane(WindowPane):
         labels = snapshot.labels(degree)
         self._rows = list(render_top(snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels))
 
-    def _words(self, line: Any) -> str:
-        return self.look.texts(line.id, **dict(line.parameters))
+    def _say(self, status: Any) -> list[tuple[str, str]]:
+        """Levels and lines of what is wrong, the first ones whole: the end of a sentence is often its point."""
+        said: list[tuple[str, str]] = []
+        most = max(MOST_STATUS_LINES, self.inner_height // 5)
+        for line in status:
+            mark = "" if line.level == "info" else f"{self.look.glyphs.warning} "
+            words = wrap(self.look.texts(line.id, **dict(line.parameters)), self.inner_width - 2 - len(mark))
+            if said and len(said) + len(words) > most:
+                break
+            for text in words:
+                said.append((line.level, f" {mark}{text}"))
+                mark = " " * len(mark)
+        return said[:most]
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
@@ -119,10 +130,8 @@ class CarPane(WindowPane):
             return [Segment(text, self._style(style)) for text, style in self._rows[y]]
         index = y - len(self._rows)
         if index < len(self._said):
-            level, words = self._said[index]
-            mark = "" if level == "info" else f"{self.look.glyphs.warning} "
-            text = clip(f" {mark}{words}", width, self.look.glyphs.ellipsis)
-            return [Segment(text, getattr(colours, _LEVELS[level]))]
+            level, text = self._said[index]
+            return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
         return []
 
     def _style(self, name: str) -> Style:

@@ -210,7 +210,8 @@ class RqtGraphPane(WindowPane):
         key = event.key
         if key in _SWITCHES:
             option = _SWITCHES[key][0]
-            self._change(replace(self.graph.options, **{option: not getattr(self.graph.options, option)}))
+            switched: dict[str, Any] = {option: not getattr(self.graph.options, option)}
+            self._change(replace(self.graph.options, **switched))
         elif key == "t":
             self._next_type()
         elif key == "r":

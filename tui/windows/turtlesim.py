@@ -319,20 +319,23 @@ def _shrink(image: Any, canvas: Canvas, columns: range, rows: range) -> None:
     xs = [x * IMAGE // canvas.width for x in range(canvas.width + 1)]
     ys = [y * IMAGE // canvas.height for y in range(canvas.height + 1)]
     left, right = xs[columns.start], xs[columns.stop]
-    background, set_base = canvas.background, canvas.set_base
+    owner = [x for x in columns for _ in range(xs[x], xs[x + 1])]
     for y in rows:
         top, height = ys[y], ys[y + 1] - ys[y]
         lines = []
+        inked: set[int] = set()
         for offset in range(height):
             line = image[(top + offset) * IMAGE + left : (top + offset) * IMAGE + right].tolist()
             if any(line):
                 lines.append((1 - abs(2 * offset + 1 - height) / (height + 1), line))
-        for x in columns:
+                inked.update([x for x, value in zip(owner, line, strict=True) if value])
+        # Blocks without ink need no look: within one generation of the trail ink is only added.
+        for x in inked:
+            half = (xs[x + 1] - xs[x]) / 2
+            middle = xs[x] - left + half
             ink: list[int] = []
-            if lines:
-                half = (xs[x + 1] - xs[x]) / 2
-                middle = xs[x] - left + half
-                for part, line in lines:
-                    reach = max(0.5, half * part)
-                    ink += [value for value in line[int(middle - reach + 0.5) : int(middle + reach + 0.5)] if value]
-            set_base(x, y, max(set(ink), key=ink.count) & _RGB if ink else background)
+            for part, line in lines:
+                reach = max(0.5, half * part)
+                ink += [value for value in line[int(middle - reach + 0.5) : int(middle + reach + 0.5)] if value]
+            if ink:
+                canvas.set_base(x, y, max(set(ink), key=ink.count) & _RGB)

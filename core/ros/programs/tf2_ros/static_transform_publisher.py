@@ -155,7 +155,7 @@ def publish(session: Session, arguments: Arguments) -> Any:
     values.update(zip(("rotation.x", "rotation.y", "rotation.z", "rotation.w"), arguments.rotation, strict=True))
     values.update({"frame_id": arguments.frame_id, "child_frame_id": arguments.child_frame_id})
     suffix = "".join(random.choices(string.ascii_letters + string.digits, k=16))
-    overrides = [Parameter(name, value=value) for name, value in values.items()]
+    overrides: list[Parameter[Any]] = [Parameter(name, value=value) for name, value in values.items()]
     node = create_node(session, f"static_transform_publisher_{suffix}", parameter_overrides=overrides)
     stamp = node.get_clock().now().to_msg()
     for name, value in values.items():

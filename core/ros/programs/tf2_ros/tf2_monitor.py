@@ -131,7 +131,7 @@ class Monitor:
             stamp = self._buffer.lookup_transform_core(first, second, Time()).header.stamp
         except TransformException as error:
             abort(self._session, f"tf2::{type(error).__name__}", str(error))
-        return self._now() - (stamp.sec + stamp.nanosec * 1e-9)
+        return self._now() - float(stamp.sec + stamp.nanosec * 1e-9)
 
     def _report(self, average: float, longest: float) -> None:
         if self._frames is None:

@@ -18,7 +18,7 @@ class LaunchIntrospector:
     """`format_launch_description` is what `ros2 launch --print` prints."""
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
-        lines = [(1, line) for line in ()]
+        lines: list[tuple[int, str]] = []
         for entity in launch_description.entities:
             lines += _entity_lines(entity, 1)
         return f"{launch_description}\n" + "\n".join(_tree(lines))

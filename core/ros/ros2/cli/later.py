@@ -26,7 +26,6 @@ LATER: dict[str, Later] = {
     ),
     "extension_points": Later("List extension points"),
     "extensions": Later("List extensions"),
-    "launch": Later("Run a launch file"),
     "lifecycle": Later(
         "Various lifecycle related sub-commands",
         {

@@ -1,0 +1,111 @@
+"""The processes that launching needs: `python3 …/launch/_process KIND …`.
+
+- `launch OPTIONS`: the launch itself; OPTIONS is JSON from the `ros2 launch` command (core/ros/ros2/launch).
+- `program FILE ARG…`, `command NAME ARG…`: an executable or a command of ours as a process of its own, for launches that no
+  `ros2 launch` began.
+
+A folder, so that nothing but this file comes first on `sys.path`: neither the modules of `launch` nor those of the current folder.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Any
+
+
+def main(kind: str, *arguments: str) -> int:
+    _become_a_ros_program()
+    if kind == "launch":
+        import json
+
+        return _launch(json.loads(arguments[0]))
+    return _run_ours(kind, list(arguments))
+
+
+def _become_a_ros_program() -> None:
+    sys.path[0] = os.path.abspath(os.path.join(os.path.dirname(__file__), os.pardir, os.pardir))
+    from day6_tui.core.ros.environment import program_environment
+
+    os.environ.update(program_environment())
+
+
+def _launch(options: dict[str, Any]) -> int:
+    """Launch, print or list the arguments of `path`. Options: path, arguments, debug, noninteractive, show."""
+    from launch import _host
+
+    _host.connect()
+    from launch import LaunchDescription, LaunchService
+    from launch.actions import IncludeLaunchDescription
+    from launch.launch_description_sources import AnyLaunchDescriptionSource
+
+    path = options["path"]
+    if options["show"]:
+        from launch.invalid_launch_file_error import InvalidLaunchFileError
+
+        try:
+            show_arguments(path) if options["show"] == "arguments" else show_description(path)
+        except InvalidLaunchFileError as error:
+            sys.stderr.write(f"{type(error).__module__}.{type(error).__qualname__}: {error}\n")
+            return 1
+        return 0
+    try:
+        noninteractive = options["noninteractive"] or not sys.stdin.isatty()
+    except (AttributeError, ValueError):
+        noninteractive = True
+    service = LaunchService(argv=options["argv"], noninteractive=noninteractive, debug=options["debug"])
+    source = AnyLaunchDescriptionSource(path)
+    include = IncludeLaunchDescription(source, launch_arguments=[(name, value) for name, value in options["arguments"]])
+    service.include_launch_description(LaunchDescription([include]))
+    return service.run()
+
+
+def show_description(path: str) -> None:
+    """`ros2 launch --print`."""
+    from launch import LaunchIntrospector
+    from launch.launch_description_sources import get_launch_description_from_any_launch_file
+
+    print(LaunchIntrospector().format_launch_description(get_launch_description_from_any_launch_file(path)))
+
+
+def show_arguments(path: str) -> None:
+    """`ros2 launch --show-args`."""
+    from launch.launch_description_sources import get_launch_description_from_any_launch_file
+
+    arguments = get_launch_description_from_any_launch_file(path).get_launch_arguments()
+    print("Arguments (pass arguments as '<name>:=<value>'):")
+    for argument in arguments:
+        mark = "*" if argument._conditionally_included else ""
+        print(f"\n    '{argument.name}':{mark}\n        {argument.description}")
+        if argument.default_value is not None:
+            print(f"        (default: {' + '.join(each.describe() for each in argument.default_value)})")
+    if not arguments:
+        print("\n  No arguments.")
+    elif any(argument._conditionally_included for argument in arguments):
+        print("\n* argument(s) which are only used if specific conditions occur")
+
+
+def _run_ours(kind: str, argv: list[str]) -> int:
+    from day6_tui.core.session.local import run_local
+
+    if kind == "program":
+        from day6_tui.core.ros.programs import load
+        from launch._programs import built_in
+
+        found = built_in(argv[0])
+        if found is None:
+            print(f"{argv[0]}: no program of day6-tui", file=sys.stderr)
+            return 127
+        status = run_local(load(*found), argv)
+        return 0 if status == 130 else status  # a node that is well written ends cleanly on Ctrl-C
+    from day6_tui.core.shell.commands import builtin
+
+    command = builtin(argv[0].rpartition("/")[2])
+    if command is None:
+        print(f"{argv[0]}: command not found", file=sys.stderr)
+        return 127
+    return run_local(command, argv, one_shot=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,20 @@
+"""Restores the launch configurations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from launch.action import Action
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class PopLaunchConfigurations(Action):
+    """Makes the launch configurations what they were at the last `PushLaunchConfigurations`."""
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+        context._pop_launch_configurations()
+        return None

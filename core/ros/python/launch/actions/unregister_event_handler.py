@@ -1,0 +1,29 @@
+"""Removes an event handler."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from launch.action import Action
+from launch.event_handler import BaseEventHandler
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class UnregisterEventHandler(Action):
+    """From now on `event_handler` handles no events."""
+
+    def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__event_handler = event_handler
+
+    @property
+    def event_handler(self) -> BaseEventHandler:
+        return self.__event_handler
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+        context.unregister_event_handler(self.__event_handler)
+        return None

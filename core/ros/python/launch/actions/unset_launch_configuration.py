@@ -1,0 +1,41 @@
+"""Removes a launch configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from launch.action import Action
+from launch.frontend.expose import expose_action
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.frontend.entity import Entity
+    from launch.frontend.parser import Parser
+    from launch.launch_context import LaunchContext
+
+
+@expose_action("unlet")
+class UnsetLaunchConfiguration(Action):
+    """For all that is visited later (in this group)."""
+
+    def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[Any, dict[str, Any]]:
+        _, keywords = super().parse(entity, parser)
+        keywords["name"] = parser.parse_substitution(entity.get_attr("name"))
+        return cls, keywords
+
+    @property
+    def name(self) -> list[Substitution]:
+        return self.__name
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+        context.launch_configurations.pop(perform_substitutions(context, self.name), None)
+        return None

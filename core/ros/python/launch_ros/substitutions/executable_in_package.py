@@ -1,0 +1,64 @@
+"""Where an executable of a package is."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from launch._programs import built_in
+from launch.frontend.expose import expose_substitution
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.substitutions.substitution_failure import SubstitutionFailure
+from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+from launch_ros.substitutions.find_package import FindPackagePrefix
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+@expose_substitution("exec-in-pkg")
+class ExecutableInPackage(FindPackagePrefix):
+    """`<prefix>/lib/<package>/<executable>`. Executables of ours have such a path too, though there is no file."""
+
+    def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
+        super().__init__(package)
+        self.__executable = normalize_to_list_of_substitutions(executable)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type, dict[str, Any]]:
+        if len(data) != 2:
+            raise AttributeError("exec-in-package substitution expects 2 arguments")
+        return cls, {"executable": data[0], "package": data[1]}
+
+    @property
+    def executable(self) -> list[Substitution]:
+        return self.__executable
+
+    def describe(self) -> str:
+        package, executable = (" + ".join(each.describe() for each in subs) for subs in (self.package, self.executable))
+        return f"ExecInPkg(pkg={package}, exec={executable})"
+
+    def perform(self, context: LaunchContext) -> str:
+        executable = perform_substitutions(context, self.executable)
+        package = perform_substitutions(context, self.package)
+        prefix = super().perform(context)
+        folder = os.path.join(prefix, "lib", package)
+        if built_in(os.path.join(folder, executable)) is not None:
+            return os.path.join(folder, executable)
+        if not os.path.exists(folder) and not _is_ours(prefix):
+            raise SubstitutionFailure(
+                f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
+            )
+        found = shutil.which(executable, path=folder)
+        if found is None:
+            raise SubstitutionFailure(f"executable '{executable}' not found on the libexec directory '{folder}' ")
+        return found
+
+
+def _is_ours(prefix: str) -> bool:
+    from ament_index_python.search_paths import BUILT_IN_PREFIX
+
+    return prefix == BUILT_IN_PREFIX

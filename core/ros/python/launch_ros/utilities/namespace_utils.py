@@ -1,0 +1,28 @@
+"""Namespaces put together."""
+
+from __future__ import annotations
+
+
+def is_root_namespace(ns: str) -> bool:
+    return ns == "/"
+
+
+def is_namespace_absolute(ns: str) -> bool:
+    return ns.startswith("/")
+
+
+def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
+    """Return `ns` as seen from `base_ns`; an absolute one stands for itself, None for nothing."""
+    if ns is None or base_ns is None:
+        combined = base_ns if ns is None else ns
+    elif not base_ns or is_namespace_absolute(ns):
+        combined = ns
+    else:
+        combined = f"{'' if is_root_namespace(base_ns) else base_ns}/{ns}"
+    if combined is None or is_root_namespace(combined):
+        return combined
+    return combined.rstrip("/")
+
+
+def make_namespace_absolute(ns: str | None) -> str | None:
+    return ns if ns is None or is_namespace_absolute(ns) else f"/{ns}"

@@ -1,0 +1,167 @@
+"""`ros2 launch`: finds the launch file, checks the arguments, and starts the launch as a process of its own.
+
+The process is `core/ros/python/launch/_process`: a launch file is its author's program, and neither it nor what it launches may
+hold up this one. Programs of ours that it launches come back here to be run; see `_host`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.environment import PYTHON_PATH
+from day6_tui.core.ros.ros2.cli.completion import Typed, package_names
+from day6_tui.core.ros.ros2.cli.options import completed
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+SUMMARY = "Run a launch file"
+_PROCESS = PYTHON_PATH / "launch" / "_process"
+_EXTENSIONS = ("launch.py", "launch.xml", "xml", "launch", "launch.yaml", "launch.yml", "yaml", "yml")
+"""How the names of launch files end."""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "-n",
+        "--noninteractive",
+        action="store_true",
+        help="Run the launch system non-interactively, with no terminal associated",
+    )
+    parser.add_argument(
+        "-d",
+        "--debug",
+        action="store_true",
+        help="Put the launch system in debug mode, provides more verbose output.",
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "-p",
+        "--print",
+        "--print-description",
+        action="store_true",
+        help="Print the launch description to the console without launching it.",
+    )
+    group.add_argument(
+        "-s",
+        "--show-args",
+        "--show-arguments",
+        action="store_true",
+        help="Show arguments that may be given to the launch file.",
+    )
+    parser.add_argument(
+        "-a",
+        "--show-all-subprocesses-output",
+        action="store_true",
+        help="Show all launched subprocesses' output by overriding their output configuration using the "
+        "OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar.",
+    )
+    parser.add_argument(
+        "--launch-prefix",
+        help="Prefix command, which should go before all executables. Command must be wrapped in quotes if it contains "
+        "spaces (e.g. --launch-prefix 'xterm -e gdb -ex run --args').",
+    )
+    parser.add_argument(
+        "--launch-prefix-filter",
+        help="Regex pattern for filtering which executables the --launch-prefix is applied to by matching the "
+        "executable name.",
+    )
+    completed(
+        parser.add_argument("package_name", help="Name of the ROS package which contains the launch file"), package_names
+    )
+    completed(parser.add_argument("launch_file_name", nargs="?", help="Name of the launch file"), launch_file_names)
+    rest = parser.add_argument(
+        "launch_arguments",
+        nargs="*",
+        help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+    )
+    rest.required = True  # Pythons before 3.13 name it among the missing ones
+
+
+async def main(session: Session, args: Namespace) -> int:
+    path, words = _path_and_words(session, args)
+    if args.launch_prefix is None and args.launch_prefix_filter is not None:
+        raise RuntimeError("--launch-prefix must be specified if --launch-prefix-filter is provided")
+    if args.launch_prefix:
+        words.append(f"launch-prefix:={args.launch_prefix}")
+    if args.launch_prefix_filter:
+        words.append(f"launch-prefix-filter:={args.launch_prefix_filter}")
+    show = "description" if args.print else "arguments" if args.show_args else ""
+    options = {
+        "path": path,
+        "argv": words,
+        "arguments": [] if show else list(parsed_arguments(words).items()),
+        "debug": args.debug,
+        "noninteractive": args.noninteractive,
+        "show": show,
+    }
+    env = dict(session.env)
+    if args.show_all_subprocesses_output:
+        env["OVERRIDE_LAUNCH_PROCESS_OUTPUT"] = "both"
+    if not show:
+        from day6_tui.core.ros.ros2.launch._host import VARIABLE, Host
+
+        host = Host(session)
+        session.defer(host.close)
+        env[VARIABLE] = host.address
+    session.env = env
+    return await session.run_python([str(_PROCESS), "launch", json.dumps(options)])
+
+
+def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
+    """Return the launch file's path, relative to the session's folder as given, and the words that are its arguments."""
+    words = list(args.launch_arguments)
+    if (session.cwd / args.package_name).is_file():
+        if args.launch_file_name is not None:
+            words.insert(0, args.launch_file_name)
+        return args.package_name, words
+    from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+
+    try:
+        share = get_package_share_directory(args.package_name, environment=session.env)
+    except PackageNotFoundError as error:
+        raise RuntimeError(f"Package '{args.package_name}' not found: {error}") from None
+    name, package = args.launch_file_name, args.package_name
+    found = [
+        os.path.join(folder, file) for folder, _, files in os.walk(share) for file in sorted(files) if file == name
+    ]
+    if not found:
+        raise RuntimeError(
+            f"file '{name}' was not found in the share directory of package '{package}' which is at '{share}'"
+        )
+    if len(found) > 1:
+        listed = ", ".join(f"'{each}'" for each in found)
+        raise RuntimeError(
+            f"file '{name}' was found more than once in the share directory of package '{package}': [{listed}]"
+        )
+    return found[0], words
+
+
+def parsed_arguments(words: list[str]) -> dict[str, str]:
+    """Return `{name: value}` of the words `name:=value`; RuntimeError for any other word."""
+    found: dict[str, str] = {}
+    for word in words:
+        name, sign, value = word.partition(":=")
+        if not sign or not name or (not value and word.count(":=") == 1):
+            raise RuntimeError(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
+        found.pop(name, None)
+        found[name] = value
+    return found
+
+
+def launch_file_names(typed: Typed) -> Iterable[str]:
+    """Complete the names of launch files of the package that was typed before."""
+    from ament_index_python.packages import get_package_share_directory
+
+    try:
+        share = get_package_share_directory(
+            typed.values.get("package_name", ""), print_warning=False, environment=typed.session.env
+        )
+    except (KeyError, ValueError):
+        return []
+    return [path.name for path in Path(share).rglob("*") if path.name.endswith(_EXTENSIONS) and path.is_file()]
