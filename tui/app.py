@@ -121,7 +121,7 @@ class Day6App(AppActions, App[None]):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._end_on_signals()
-        self.desktop.focus_pane(self.welcome)
+        self.desktop.focus_pane(self.welcome if getattr(self.options, "scene", None) is None else self.terminals)
         self.call_after_refresh(self._open_desk)
 
     def _open_desk(self) -> None:
@@ -139,6 +139,7 @@ class Day6App(AppActions, App[None]):
             self.start_scene(scene)
         else:
             self.desktop.focus_pane(self.welcome)
+        self.terminals.take_early_keys()
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
@@ -341,8 +342,6 @@ def keep_log_off_the_screen(environ: Any = None) -> None:
 def run(options: Any) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
     keep_log_off_the_screen()
-    if getattr(options, "fps", None) is not None:
-        options.fps = max(1.0, min(60.0, float(options.fps)))
     try:
         app = Day6App(options)
     except (KeyError, ValueError) as error:

@@ -35,6 +35,7 @@ class TerminalPane(Pane):
         self.other_pieces: Callable[[], list[Piece]] = list
         """Names of hidden windows for the right of the upper edge."""
         self.on_key_before: Callable[[events.Key], bool] = lambda event: False
+        self._early_keys: list[events.Key] = []
         """Asked first about every key; True if it was used."""
         self._size_told: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
@@ -197,11 +198,12 @@ class TerminalPane(Pane):
             event.stop()
             event.prevent_default()
             return
-        view = self.view
-        if view is None:
-            return
         event.stop()
         event.prevent_default()
+        view = self.view
+        if view is None:
+            self._early_keys.append(event)
+            return
         if event.key in ("shift+pageup", "shift+pagedown"):
             self._scroll(self.inner_height - 1 if event.key == "shift+pageup" else 1 - self.inner_height)
             return
@@ -209,6 +211,12 @@ class TerminalPane(Pane):
             self.paste(self.app.clipboard)
             return
         self.type_key(view, event)
+
+    def take_early_keys(self) -> None:
+        """Type what came before there was a terminal."""
+        early, self._early_keys = self._early_keys, []
+        for event in early:
+            self.on_key(event)
 
     def type_key(self, view: TerminalView, event: events.Key) -> None:
         """Send a key to a terminal, whichever is shown."""

@@ -71,7 +71,9 @@ if __name__ == '__main__':
     main()
 """
 
-WRONG_NAMES = WHEEL_SPINNER.replace("left_wheel_joint", "wheel_left_joint").replace("right_wheel_joint", "wheel_right_joint")
+WRONG_NAMES = WHEEL_SPINNER.replace("left_wheel_joint", "wheel_left_joint").replace(
+    "right_wheel_joint", "wheel_right_joint"
+)
 """The commonest slip of the lesson."""
 
 STUBBORN = """\

@@ -9,7 +9,7 @@ import signal
 import sys
 import termios
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -166,4 +166,3 @@ _FOREIGN = re.compile(rb"\x1b\[[<>=?][0-9;]*(?:\$p|[uqcmn])")
 
 def _without_foreign(data: bytes) -> bytes:
     return _FOREIGN.sub(b"", data)
-

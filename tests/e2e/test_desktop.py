@@ -64,9 +64,7 @@ def test_key_1_drives_the_turtle_and_every_tool_tells_the_truth(
         screen.line("ros2 node list")
         screen.wait_lines("/teleop_turtle", "/turtlesim")
         screen.line("clear; ros2 topic list")
-        screen.wait_lines(
-            "/parameter_events", "/rosout", "/turtle1/cmd_vel", "/turtle1/color_sensor", "/turtle1/pose"
-        )
+        screen.wait_lines("/parameter_events", "/rosout", "/turtle1/cmd_vel", "/turtle1/color_sensor", "/turtle1/pose")
 
         screen.line("clear; ros2 topic echo /turtle1/cmd_vel")
         until(lambda: "Subscription count: 2" in place.run("ros2", "topic", "info", "/turtle1/cmd_vel").stdout)

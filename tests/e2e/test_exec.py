@@ -54,7 +54,7 @@ def test_the_lesson_in_one_line_prints_the_real_answers(place: Place) -> None:
         ("sleep 9 & jobs; kill %1; wait; jobs", 0, "[1]+  Running                 sleep 9 &\n"),
         ("sleep 9 & kill %1; wait $!", 143, ""),
         ("mkdir a; cd a; echo one > f; echo two >> f; cat f; ls; wc -l < f", 0, "one\ntwo\nf\n2\n"),
-        ("export ROBOT='day 6'; echo \"$ROBOT\" | grep -c day; echo \"${ROBOT}\"", 0, "1\nday 6\n"),
+        ('export ROBOT=\'day 6\'; echo "$ROBOT" | grep -c day; echo "${ROBOT}"', 0, "1\nday 6\n"),
         ("ros2 pkg executables turtlesim | head -2 | wc -l", 0, "2\n"),
         ("ros2 topic list | grep chatter", 1, ""),
         ("ros2 topic list", 0, "/parameter_events\n/rosout\n"),
@@ -126,7 +126,9 @@ def test_commands_of_a_real_terminal_see_what_a_script_runs(place: Place) -> Non
     place.wait_nodes("/turtlesim")
     info = place.run("ros2", "topic", "info", "/turtle1/cmd_vel")
     assert info.stdout == "Type: geometry_msgs/msg/Twist\nPublisher count: 0\nSubscription count: 1\n"
-    moved = place.run("ros2", "service", "call", "/turtle1/teleport_relative", "turtlesim/srv/TeleportRelative", "{linear: 1}")
+    moved = place.run(
+        "ros2", "service", "call", "/turtle1/teleport_relative", "turtlesim/srv/TeleportRelative", "{linear: 1}"
+    )
     assert "response:\nturtlesim.srv.TeleportRelative_Response()" in moved.stdout, moved.stderr
     pose = place.run("ros2", "topic", "echo", "--once", "/turtle1/pose")
     assert pose.stdout.startswith("x: 6.544444561004639\ny: 5.544444561004639\n"), pose.stderr

@@ -23,7 +23,9 @@ GONE_SECONDS = 2.0
 SPINS = re.compile(r"left_wheel +(-?\d+)° ([+-]\d\.\d\d) rad/s")
 """What stands beside the left wheel: its angle and speed."""
 
-CAR = "ros2 run robot_state_publisher robot_state_publisher day6_bot.urdf & ros2 run day6_bot car_view & sleep 0.1; clear"
+CAR = (
+    "ros2 run robot_state_publisher robot_state_publisher day6_bot.urdf & ros2 run day6_bot car_view & sleep 0.1; clear"
+)
 
 
 def assert_gone(place: Place, name: str) -> None:
@@ -107,10 +109,13 @@ def test_the_talker_of_another_real_terminal_is_seen_in_the_desktop(place: Place
 def test_a_script_without_a_screen_hears_the_talker(place: Place) -> None:
     file = place.file("talker.py", TALKER)
     done = place.execute(
-        f"python3 {file} 2> log & ros2 topic echo /chatter std_msgs/msg/String > heard & sleep 1.8; kill %1 %2; wait; cat heard; cat log"
+        f"python3 {file} 2> log & ros2 topic echo /chatter std_msgs/msg/String > heard & "
+        "sleep 1.8; kill %1 %2; wait; cat heard; cat log"
     )
     numbers = [int(text) for text in re.findall(r"^data: line (\d+) of the talker$", done.stdout, re.MULTILINE)]
-    assert len(numbers) >= 2 and numbers == list(range(numbers[0], numbers[0] + len(numbers))), done.stdout + done.stderr
+    assert len(numbers) >= 2 and numbers == list(range(numbers[0], numbers[0] + len(numbers))), (
+        done.stdout + done.stderr
+    )
     logged = [int(text) for text in re.findall(r"I said: line (\d+)", done.stdout)]
     assert logged[: len(numbers)] == list(range(len(numbers))) or numbers[-1] in logged
 

@@ -20,6 +20,7 @@ import itertools
 import json
 import os
 import socket
+import sys
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -44,7 +45,7 @@ def connect() -> None:
 
 def _open(address: str) -> socket.socket:
     kind, _, rest = address.partition(":")
-    if kind == "unix":
+    if sys.platform != "win32" and kind == "unix":
         connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         connection.connect(rest)
         return connection

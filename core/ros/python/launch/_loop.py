@@ -185,8 +185,10 @@ class Loop:
                 return True
             try:
                 # Not without end: only a wait with a limit lets Ctrl-C through on Windows.
-                call = self._inbox.get(timeout=min(delay, 1.0) if delay is not None else 1.0) if wait else (
-                    self._inbox.get_nowait()
+                call = (
+                    self._inbox.get(timeout=min(delay, 1.0) if delay is not None else 1.0)
+                    if wait
+                    else (self._inbox.get_nowait())
                 )
             except Empty:
                 if not wait:

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 READ_SIZE = 65536
@@ -66,6 +68,8 @@ class LocalProcess:
         self._popen.kill()
 
     def _start_on_ptys(self, args: str | list[str], options: dict[str, Any]) -> None:
+        if sys.platform == "win32":
+            raise OSError("there are no ptys on this system")
         import pty
         import termios
 
@@ -84,7 +88,7 @@ class LocalProcess:
             for _, slave in ends:
                 os.close(slave)
         for number, (master, _) in enumerate(ends, 1):
-            self._read(number, master, lambda master=master: os.close(master))
+            self._read(number, master, partial(os.close, master))
 
     def _read(self, number: int, fd: int, close: Callable[[], object]) -> None:
         def pump() -> None:

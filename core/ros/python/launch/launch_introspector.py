@@ -67,7 +67,7 @@ def _tree(lines: Iterable[tuple[int, str]]) -> list[str]:
         following = wanted[number + 1][0] if number + 1 < len(wanted) else 0
         branch = "├── " if following >= depth else "└── "
         start = "│" if depth > 1 else ""
-        drawn.append((start + " " * (_STEP * (depth - 1) - len(start)) + branch + text))
+        drawn.append(start + " " * (_STEP * (depth - 1) - len(start)) + branch + text)
     if drawn and drawn[-1].startswith("│"):
         drawn[-1] = " " + drawn[-1][1:]
     return drawn

@@ -34,9 +34,7 @@ class _Cancelled(Exception):
 class LaunchService:
     """One launched system. Use: `include_launch_description`, then `run`, which returns the exit status."""
 
-    def __init__(
-        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
-    ) -> None:
+    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False) -> None:
         launch.logging.launch_config.level = logging.DEBUG if debug else logging.INFO
         self.__logger = launch.logging.get_logger("launch")
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)

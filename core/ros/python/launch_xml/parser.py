@@ -7,6 +7,7 @@ import os
 from typing import Any
 
 from launch.frontend.parser import Parser as BaseParser
+
 from launch_xml.entity import Entity
 
 

@@ -6,6 +6,7 @@ import os
 from typing import Any
 
 from launch.frontend.parser import Parser as BaseParser
+
 from launch_yaml.entity import Entity
 
 
@@ -19,7 +20,7 @@ class Parser(BaseParser):
             with open(file, encoding="utf-8") as opened:
                 return cls.load(opened)
         tree = yaml.safe_load(file)
-        if not isinstance(tree, dict) or len(tree) != 1:
+        if len(tree) != 1:
             raise RuntimeError("Expected only one root")
         name, content = next(iter(tree.items()))
         return Entity(content, name), cls()

@@ -8,7 +8,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.endpoints import Endpoint, EventKind
-from rclpy._entity import Entity, Scope
+from rclpy._entity import Scope
+from rclpy._node_endpoint import NodeEndpoint
 
 if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 _TROUBLE = (EventKind.INCOMPATIBLE_QOS, EventKind.INCOMPATIBLE_TYPE)
 
 
-class EventSource(Entity):
+class EventSource(NodeEndpoint):
     """What has event handlers: base of Publisher and Subscription."""
 
     def _set_up_events(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import threading
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from rclpy._entity import CLIENT, NOTHING, Entity
+from rclpy._entity import CLIENT, NOTHING
 from rclpy._handles import INVALID_NODE
 from rclpy._incidental import also
+from rclpy._node_endpoint import ServiceEndpoint
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_source import wait_interruptibly
 from rclpy.qos import QoSProfile
@@ -17,9 +17,7 @@ from rclpy.task import Future
 
 if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
-    from rclpy._introspection import Introspection
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.clock import Clock
     from rclpy.context import Context
 
 __getattr__ = also(__name__, "CallbackGroup Clock Context")
@@ -32,7 +30,7 @@ SrvTypeRequest = TypeVar("SrvTypeRequest")
 SrvTypeResponse = TypeVar("SrvTypeResponse")
 
 
-class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
+class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
     """Asks a service; made by `Node.create_client`."""
 
     _kind = CLIENT
@@ -56,7 +54,6 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
         self.callback_group = callback_group
         self._executor_event = False
         self._lock = threading.Lock()
-        self._introspection: Introspection | None = None
         self._endpoint.on_ready = self._notify
 
     def _pending(self) -> bool:
@@ -135,48 +132,3 @@ class Client(Entity, Generic[SrvRequestT, SrvResponseT]):
         if not self.service_is_ready():
             self.context._wait_for_graph(self._endpoint.service_is_ready, timeout_sec)
         return self.service_is_ready()
-
-    def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
-    ) -> None:
-        """Publish requests and responses on `<service>/_service_event`: not at all, metadata only, or with contents."""
-        from rclpy._introspection import Introspection
-
-        self._handle.check()
-        self._introspection = Introspection.configured(
-            self._introspection, self._handle, self.srv_type, clock, service_event_qos_profile, introspection_state
-        )
-
-    @property
-    def handle(self) -> EndpointHandle:
-        """The handle."""
-        return self._handle
-
-    @property
-    def service_name(self) -> str:
-        """The full name of the service."""
-        self._handle.check()
-        return self._handle.get_topic_name()
-
-    @property
-    def logger_name(self) -> str:
-        """The name of the logger of the client's node."""
-        self._handle.check()
-        return self._handle.get_logger_name()
-
-    def destroy(self) -> None:
-        """Take the client out of the graph; prefer `Node.destroy_client`."""
-        if self._introspection is not None:
-            self._introspection.destroy()
-        self._handle.destroy_when_not_in_use()
-
-    def __enter__(self) -> Client[SrvRequestT, SrvResponseT]:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._endpoint_events import EventSource
@@ -76,17 +75,6 @@ class Publisher(EventSource, Generic[MsgT]):
         self._handle.check()
         return self._handle.get_topic_name()
 
-    @property
-    def handle(self) -> EndpointHandle:
-        """The handle."""
-        return self._handle
-
-    @property
-    def logger_name(self) -> str:
-        """The name of the logger of the publisher's node."""
-        self._handle.check()
-        return self._handle.get_logger_name()
-
     def destroy(self) -> None:
         """Take the publisher out of the graph; prefer `Node.destroy_publisher`."""
         self._destroy_events()
@@ -100,17 +88,6 @@ class Publisher(EventSource, Generic[MsgT]):
         """Wait until every subscription has every message: they have it when `publish` returns."""
         self._handle.check_publisher("Failed to wait for all acknowledged")
         return True
-
-    def __enter__(self) -> Publisher[MsgT]:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()
 
     def _process(self) -> Any:
         raise NotImplementedError("a publisher has nothing to process")

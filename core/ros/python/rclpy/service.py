@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from day6_tui.core.graph import RequestId
 from rclpy._callables import is_coroutine_function
-from rclpy._entity import NOTHING, SERVICE, Entity
+from rclpy._entity import NOTHING, SERVICE
 from rclpy._incidental import also
+from rclpy._node_endpoint import ServiceEndpoint
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 
 if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
-    from rclpy._introspection import Introspection
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.clock import Clock
 
 __getattr__ = also(__name__, "CallbackGroup Clock")
 
@@ -29,7 +27,7 @@ SrvTypeRequest = TypeVar("SrvTypeRequest")
 SrvTypeResponse = TypeVar("SrvTypeResponse")
 
 
-class Service(Entity, Generic[SrvRequestT, SrvResponseT]):
+class Service(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
     """Answers requests; made by `Node.create_service`."""
 
     _kind = SERVICE
@@ -51,7 +49,6 @@ class Service(Entity, Generic[SrvRequestT, SrvResponseT]):
         self.callback_group = callback_group
         self._executor_event = False
         self.qos_profile = qos_profile
-        self._introspection: Introspection | None = None
         self._endpoint.on_ready = self._notify
 
     @property
@@ -99,48 +96,3 @@ class Service(Entity, Generic[SrvRequestT, SrvResponseT]):
         if self._introspection is not None:
             self._introspection.response_sent(response, header)
         self._endpoint.send_response(header, response)
-
-    def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
-    ) -> None:
-        """Publish requests and responses on `<service>/_service_event`: not at all, metadata only, or with contents."""
-        from rclpy._introspection import Introspection
-
-        self._handle.check()
-        self._introspection = Introspection.configured(
-            self._introspection, self._handle, self.srv_type, clock, service_event_qos_profile, introspection_state
-        )
-
-    @property
-    def handle(self) -> EndpointHandle:
-        """The handle."""
-        return self._handle
-
-    @property
-    def service_name(self) -> str:
-        """The full name of the service."""
-        self._handle.check()
-        return self._handle.get_topic_name()
-
-    @property
-    def logger_name(self) -> str:
-        """The name of the logger of the service's node."""
-        self._handle.check()
-        return self._handle.get_logger_name()
-
-    def destroy(self) -> None:
-        """Take the service out of the graph; prefer `Node.destroy_service`."""
-        if self._introspection is not None:
-            self._introspection.destroy()
-        self._handle.destroy_when_not_in_use()
-
-    def __enter__(self) -> Service[SrvRequestT, SrvResponseT]:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()

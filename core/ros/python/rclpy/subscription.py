@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
 from rclpy._callables import accepts, is_coroutine_function
@@ -115,11 +114,6 @@ class Subscription(EventSource, Generic[MsgT]):
         count: int = self._endpoint.publisher_count
         return count
 
-    @property
-    def handle(self) -> EndpointHandle:
-        """The handle."""
-        return self._handle
-
     def destroy(self) -> None:
         """Take the subscription out of the graph; prefer `Node.destroy_subscription`."""
         self._destroy_events()
@@ -153,12 +147,6 @@ class Subscription(EventSource, Generic[MsgT]):
         )
 
     @property
-    def logger_name(self) -> str:
-        """The name of the logger of the subscription's node."""
-        self._handle.check()
-        return self._handle.get_logger_name()
-
-    @property
     def is_cft_enabled(self) -> bool:
         """Whether a content filter works."""
         self._handle.check()
@@ -173,14 +161,3 @@ class Subscription(EventSource, Generic[MsgT]):
         """Raise RCLError: this middleware has no content filters."""
         self._handle.check()
         raise RCLError("Failed to get content filter options: content filter is unsupported")
-
-    def __enter__(self) -> Subscription[MsgT]:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()

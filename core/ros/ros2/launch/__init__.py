@@ -72,7 +72,8 @@ def add_arguments(parser: ArgumentParser) -> None:
         "executable name.",
     )
     completed(
-        parser.add_argument("package_name", help="Name of the ROS package which contains the launch file"), package_names
+        parser.add_argument("package_name", help="Name of the ROS package which contains the launch file"),
+        package_names,
     )
     completed(parser.add_argument("launch_file_name", nargs="?", help="Name of the launch file"), launch_file_names)
     rest = parser.add_argument(

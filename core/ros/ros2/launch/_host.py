@@ -16,6 +16,7 @@ import tempfile
 import threading
 from collections import deque
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -95,7 +96,7 @@ class Host:
             try:
                 for line in lines:
                     message = json.loads(line)
-                    self._session.scheduler.call_soon_threadsafe(lambda message=message: self._obey(message))
+                    self._session.scheduler.call_soon_threadsafe(partial(self._obey, message))
             except OSError:
                 pass  # as good as its end
             finally:
@@ -167,10 +168,10 @@ class Host:
         session = self._session
         argv, cwd = message["argv"], Path(message["cwd"])
         main, argv = self._main_of(message["kind"], argv)
-        out, err = (HostedOutput(lambda text, fd=fd: self._tell(number, fd, text)) for fd in (1, 2))
+        out, err = (HostedOutput(partial(self._tell, number, fd)) for fd in (1, 2))
         desk = getattr(session.shell, "desk", None)
         if desk is not None:
-            from day6_tui.core.shell.interpreter import Streams
+            from day6_tui.core.shell.redirection import Streams
 
             program: Program = desk.start_program(
                 argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell
@@ -178,7 +179,7 @@ class Host:
             return program
         inner = Session(
             session.scheduler,
-            lambda: session.graph,
+            lambda: session.graph,  # type: ignore[arg-type, return-value]  # None only where there is no ROS
             argv,
             env=message["env"],
             cwd=cwd,

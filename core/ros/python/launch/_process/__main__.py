@@ -4,7 +4,7 @@
 - `program FILE ARG…`, `command NAME ARG…`: an executable or a command of ours as a process of its own, for launches that no
   `ros2 launch` began.
 
-A folder, so that nothing but this file comes first on `sys.path`: neither the modules of `launch` nor those of the current folder.
+A folder, so that nothing but this file comes first on `sys.path`: no module of `launch`, and none of the current folder.
 """
 
 from __future__ import annotations
@@ -89,8 +89,9 @@ def _run_ours(kind: str, argv: list[str]) -> int:
     from day6_tui.core.session.local import run_local
 
     if kind == "program":
-        from day6_tui.core.ros.programs import load
         from launch._programs import built_in
+
+        from day6_tui.core.ros.programs import load
 
         found = built_in(argv[0])
         if found is None:

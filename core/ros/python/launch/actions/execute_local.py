@@ -373,9 +373,7 @@ class ExecuteLocal(Action):
             # The Ctrl-C that ends this launch reached its processes, but not what others run for it.
             self.__process.send_signal(signal.SIGINT)
         self.__timers = self.__escalation(context)
-        interrupt = EmitEvent(
-            event=SignalProcess(signal_number=signal.SIGINT, process_matcher=matches_action(self))  # type: ignore[arg-type]
-        )
+        interrupt = EmitEvent(event=SignalProcess(signal_number=signal.SIGINT, process_matcher=matches_action(self)))
         return [*self.__timers, interrupt] if send_sigint else [*self.__timers]
 
     def __escalation(self, context: LaunchContext) -> list[TimerAction]:
@@ -387,7 +385,7 @@ class ExecuteLocal(Action):
         for period, before, number in ((first, "SIGINT", signal.SIGTERM), (both, "SIGTERM", "SIGKILL")):
             next_name = number if isinstance(number, str) else number.name
             text = _TOO_SLOW.format(name, period, before, next_name)
-            order = SignalProcess(signal_number=number, process_matcher=matches_action(self))  # type: ignore[arg-type]
+            order = SignalProcess(signal_number=number, process_matcher=matches_action(self))
             timers.append(
                 TimerAction(
                     period=float(period),
@@ -414,9 +412,7 @@ class ExecuteLocal(Action):
             return
         number: Any = event.signal
         if os.name == "nt" and event.signal_name == "SIGINT" and not self.__process.hosted:
-            self.__logger.warning(
-                f"'SIGINT' sent to process[{name}] not supported on Windows, escalating to 'SIGTERM'"
-            )
+            self.__logger.warning(f"'SIGINT' sent to process[{name}] not supported on Windows, escalating to 'SIGTERM'")
             number = signal.SIGTERM
         text = number if isinstance(number, str) else number.name
         self.__logger.info(f"sending signal '{text}' to process[{name}]")

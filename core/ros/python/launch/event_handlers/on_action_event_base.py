@@ -31,7 +31,11 @@ class OnActionEventBase(BaseEventHandler):
     ) -> None:
         if not issubclass(target_event_cls, Event):
             raise TypeError("'target_event_cls' must be a subclass of 'Event'")
-        if action_matcher is not None and not isinstance(action_matcher, target_action_cls) and not callable(action_matcher):
+        if (
+            action_matcher is not None
+            and not isinstance(action_matcher, target_action_cls)
+            and not callable(action_matcher)
+        ):
             raise TypeError(f"action_matcher must be an '{target_action_cls.__name__}' instance or a callable")
         self.__target_action_cls = target_action_cls
         self.__target_event_cls = target_event_cls
@@ -53,10 +57,10 @@ class OnActionEventBase(BaseEventHandler):
     def __matches(self, event: Any) -> bool:
         if not isinstance(event, self.__target_event_cls):
             return False
-        wanted = self.__action_matcher
+        wanted, action = self.__action_matcher, getattr(event, "action", None)
         if isinstance(wanted, self.__target_action_cls):
-            return event.action is wanted
-        return wanted is None or bool(wanted(event.action))
+            return action is wanted
+        return wanted is None or bool(wanted(action))
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         super().handle(event, context)
@@ -73,4 +77,6 @@ class OnActionEventBase(BaseEventHandler):
     @property
     def matcher_description(self) -> str:
         text = f"event == {self.__target_event_cls.__name__}"
-        return text if self.__action_matcher is None else f"{text} and {self.__target_action_cls.__name__}(event.action)"
+        return (
+            text if self.__action_matcher is None else f"{text} and {self.__target_action_cls.__name__}(event.action)"
+        )

@@ -23,5 +23,9 @@ class OnExecutionComplete(OnActionEventBase):
         from launch.action import Action
 
         super().__init__(
-            action_matcher=target_action, on_event=on_completion, target_event_cls=ExecutionComplete, target_action_cls=Action, **kwargs
+            action_matcher=target_action,
+            on_event=on_completion,
+            target_event_cls=ExecutionComplete,
+            target_action_cls=Action,
+            **kwargs,
         )

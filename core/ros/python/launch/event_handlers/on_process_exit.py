@@ -23,5 +23,9 @@ class OnProcessExit(OnActionEventBase):
         from launch.actions.execute_local import ExecuteLocal
 
         super().__init__(
-            action_matcher=target_action, on_event=on_exit, target_event_cls=ProcessExited, target_action_cls=ExecuteLocal, **kwargs
+            action_matcher=target_action,
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
         )

@@ -23,5 +23,9 @@ class OnProcessStart(OnActionEventBase):
         from launch.actions.execute_process import ExecuteProcess
 
         super().__init__(
-            action_matcher=target_action, on_event=on_start, target_event_cls=ProcessStarted, target_action_cls=ExecuteProcess, **kwargs
+            action_matcher=target_action,
+            on_event=on_start,
+            target_event_cls=ProcessStarted,
+            target_action_cls=ExecuteProcess,
+            **kwargs,
         )

@@ -129,9 +129,7 @@ def _formatter(
 
 
 def _make_log_dir() -> str:
-    base = os.environ.get("ROS_LOG_DIR") or os.path.join(
-        os.environ.get("ROS_HOME") or os.path.join("~", ".ros"), "log"
-    )
+    base = os.environ.get("ROS_LOG_DIR") or os.path.join(os.environ.get("ROS_HOME") or os.path.join("~", ".ros"), "log")
     base = os.path.normpath(os.path.expanduser(base))
     while True:
         stamp = datetime.datetime.now().strftime("%Y-%m-%d-%H-%M-%S-%f")

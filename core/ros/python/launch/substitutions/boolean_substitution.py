@@ -105,10 +105,10 @@ class _Several(Substitution):
 @expose_substitution("any")
 class AnySubstitution(_Several):
     def perform(self, context: LaunchContext) -> str:
-        return str(any([truth(context, each) for each in self.args])).lower()
+        return str(any(truth(context, each) for each in self.args)).lower()
 
 
 @expose_substitution("all")
 class AllSubstitution(_Several):
     def perform(self, context: LaunchContext) -> str:
-        return str(all([truth(context, each) for each in self.args])).lower()
+        return str(all(truth(context, each) for each in self.args)).lower()

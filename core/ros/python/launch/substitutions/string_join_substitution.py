@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 class StringJoinSubstitution(Substitution):
     """The parts, each of which may consist of several substitutions, with `delimiter` between them."""
 
-    def __init__(
-        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ""
-    ) -> None:
+    def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = "") -> None:
         super().__init__()
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)

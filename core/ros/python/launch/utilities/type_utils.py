@@ -6,7 +6,7 @@ A data type is `int`, `float`, `bool`, `str`, a `List` of one of them, or None f
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, List, Union  # noqa: UP035  (launch files write List[int])
+from typing import TYPE_CHECKING, Any, List  # noqa: UP035  (launch files write List[int])
 
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 ScalarTypesTuple = (int, float, bool, str)
 ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
 AllowedTypesTuple = ScalarTypesTuple + ListTypesTuple
-ScalarValueType = Union[int, float, bool, str]
+ScalarValueType = int | float | bool | str
 AllowedValueType = Any
 AllowedTypesType = Any
 SomeValueType = Any
@@ -227,4 +227,4 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
     return output
 
 
-SomeScalarType = Union[SomeSubstitutionsType, ScalarValueType]
+SomeScalarType = SomeSubstitutionsType | ScalarValueType

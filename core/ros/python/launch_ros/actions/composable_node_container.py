@@ -11,6 +11,7 @@ from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities import perform_substitutions
+
 from launch_ros.actions.node import Node
 from launch_ros.descriptions.composable_node import ComposableNode
 

@@ -13,6 +13,7 @@ from launch.event_handler import EventHandler
 from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
+
 from launch_ros.actions.node import Node
 from launch_ros.events.lifecycle.change_state import ChangeState
 from launch_ros.events.lifecycle.state_transition import StateTransition
@@ -76,9 +77,9 @@ class LifecycleNode(Node):
         return [*following, *self.__start_actions()] if self.__autostart else following
 
     def __start_actions(self) -> list[LaunchDescriptionEntity]:
+        from launch.actions.register_event_handler import RegisterEventHandler
         from lifecycle_msgs.msg import Transition
 
-        from launch.actions.register_event_handler import RegisterEventHandler
         from launch_ros.event_handlers.on_state_transition import OnStateTransition
 
         def order(transition: int) -> EmitEvent:

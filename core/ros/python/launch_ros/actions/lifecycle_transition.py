@@ -13,6 +13,7 @@ from launch.event_handler import BaseEventHandler, EventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
 from launch_ros.events.lifecycle.change_state import ChangeState
 from launch_ros.events.lifecycle.state_transition import StateTransition
 from launch_ros.events.matchers import matches_node_name

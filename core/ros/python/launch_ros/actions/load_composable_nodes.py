@@ -11,6 +11,7 @@ from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.utilities import ensure_argument_type, normalize_to_list_of_substitutions, perform_substitutions
+
 from launch_ros.actions.composable_node_container import (
     ComposableNodeContainer,
     parsed_components,

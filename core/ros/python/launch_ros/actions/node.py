@@ -18,6 +18,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitutions.local_substitution import LocalSubstitution
 from launch.substitutions.text_substitution import TextSubstitution
 from launch.utilities import ensure_argument_type, normalize_to_list_of_substitutions, perform_substitutions
+
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from launch_ros.remap_rule_type import SomeRemapRules
 from launch_ros.substitutions.executable_in_package import ExecutableInPackage
@@ -228,9 +229,7 @@ class Node(ExecuteProcess):
         namespace = make_namespace_absolute(prefix_namespace(base, text(self.__node_namespace)))
         if namespace is not None:
             self.__expanded_namespace = namespace
-            self.cmd.extend(
-                [[TextSubstitution(text="-r")], [LocalSubstitution("ros_specific_arguments['ns']")]]
-            )
+            self.cmd.extend([[TextSubstitution(text="-r")], [LocalSubstitution("ros_specific_arguments['ns']")]])
             validate_namespace(namespace)
 
     def __global_parameters(self, context: LaunchContext) -> Iterable[list[str]]:

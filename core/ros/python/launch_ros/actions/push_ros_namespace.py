@@ -12,6 +12,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
 from launch_ros.utilities import make_namespace_absolute, prefix_namespace
 
 if TYPE_CHECKING:

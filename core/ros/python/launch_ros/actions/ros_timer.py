@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from launch._loop import Timer
 from launch.actions.timer_action import TimerAction
 from launch.frontend.expose import expose_action
+
 from launch_ros.ros_adapters import get_ros_node
 
 if TYPE_CHECKING:

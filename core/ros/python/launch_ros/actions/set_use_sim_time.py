@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from launch.action import Action
 from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
+
 from launch_ros.ros_adapters import get_ros_node
 
 if TYPE_CHECKING:

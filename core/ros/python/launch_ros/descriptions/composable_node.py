@@ -10,6 +10,7 @@ from launch.frontend.entity import Entity
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions
+
 from launch_ros.remap_rule_type import SomeRemapRules
 from launch_ros.utilities import normalize_parameters, normalize_remap_rules
 
@@ -44,6 +45,7 @@ class ComposableNode:
     @classmethod
     def parse(cls, parser: Parser, entity: Entity) -> tuple[Any, dict[str, Any]]:
         from launch.action import Action
+
         from launch_ros.actions.node import Node
 
         _, keywords = Action.parse(entity, parser)
@@ -61,8 +63,7 @@ class ComposableNode:
         ]
         extra = entity.get_attr("extra_arg", data_type=List[Entity], optional=True) or []  # noqa: UP006
         keywords["extra_arguments"] = [
-            {tuple(parser.parse_substitution(each.get_attr("name"))): tuple(parser.parse_substitution(each.get_attr("value")))[0]}
-            for each in extra
+            {_parts(each, "name", parser): _parts(each, "value", parser)[0]} for each in extra
         ]
         for each in (*remaps, *extra, entity):
             each.assert_entity_completely_parsed()
@@ -98,3 +99,7 @@ class ComposableNode:
 
     def condition(self) -> Condition | None:
         return self.__condition
+
+
+def _parts(entity: Entity, attribute: str, parser: Parser) -> tuple[Substitution, ...]:
+    return tuple(parser.parse_substitution(entity.get_attr(attribute)))

@@ -8,6 +8,7 @@ from typing import Any
 from launch.event import Event
 from launch.event_handler import EventHandler
 from launch.some_entities_type import SomeEntitiesType
+
 from launch_ros.actions.lifecycle_node import LifecycleNode
 from launch_ros.events.lifecycle.state_transition import StateTransition
 

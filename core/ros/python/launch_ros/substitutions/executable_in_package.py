@@ -13,6 +13,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
+
 from launch_ros.substitutions.find_package import FindPackagePrefix
 
 if TYPE_CHECKING:

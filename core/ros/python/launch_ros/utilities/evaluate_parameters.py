@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from launch.substitution import Substitution
 from launch.utilities import ensure_argument_type, perform_substitutions
+
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 
 if TYPE_CHECKING:

@@ -1,8 +1,8 @@
 """Parameters as launch files give them, brought into one form.
 
-Names become tuples of substitutions (nested dicts: joined by a dot). A value is a bool, int, float, bytes, a string that is meant as
-it is, a tuple of substitutions (one text that YAML reads), a tuple of bools, ints or floats, a tuple of lists of substitutions
-(one text per item), or a `ParameterValue`.
+Names become tuples of substitutions (nested dicts: joined by a dot). A value is a bool, int, float, bytes, a string that is
+meant as it is, a tuple of substitutions (one text that YAML reads), a tuple of bools, ints or floats, a tuple of lists of
+substitutions (one text per item), or a `ParameterValue`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
 from launch.substitutions.text_substitution import TextSubstitution
 from launch.utilities import ensure_argument_type, normalize_to_list_of_substitutions
+
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launch.utilities import ensure_argument_type, normalize_to_list_of_substitutions
+
 from launch_ros.remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
 
 

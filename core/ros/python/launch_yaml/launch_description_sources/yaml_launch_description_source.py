@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from launch.launch_description_sources import FrontendLaunchDescriptionSource
 from launch.some_substitutions_type import SomeSubstitutionsType
+
 from launch_yaml.parser import Parser
 
 

@@ -7,7 +7,9 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription(
         [
-            Node(package="turtlesim", executable="turtlesim_node", namespace=namespace, name="turtlesim", output="screen")
+            Node(
+                package="turtlesim", executable="turtlesim_node", namespace=namespace, name="turtlesim", output="screen"
+            )
             for namespace in ("turtlesim1", "turtlesim2")
         ]
     )
