@@ -15,7 +15,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
+from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.display import Display
 from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
@@ -32,6 +34,7 @@ class RealOutput(OutputStream):
     def __init__(self, file: TextIO) -> None:
         self._file = file
         self._muted = False
+        self._backlog: Backlog | None = None
         self.encoding = file.encoding or "utf-8"
         with contextlib.suppress(AttributeError, ValueError):
             file.reconfigure(errors="replace", line_buffering=True)  # type: ignore[attr-defined]
@@ -46,6 +49,9 @@ class RealOutput(OutputStream):
     def write(self, text: str) -> int:
         if self._muted:
             return len(text)
+        if self._backlog is not None:
+            self._backlog.write(self, text)
+            return len(text)
         try:
             return self._file.write(text)
         except BrokenPipeError:
@@ -58,6 +64,12 @@ class RealOutput(OutputStream):
     def flush(self) -> None:
         if not self._muted:
             self._file.flush()
+
+    def hold(self, backlog: Backlog | None) -> None:
+        """Give what is written to `backlog`, if this is a terminal (a file goes on growing); None ends that."""
+        if backlog is None or self.isatty():
+            self.flush_quietly()
+            self._backlog = backlog
 
     def mute(self) -> None:
         """Write nothing any more."""
@@ -210,10 +222,46 @@ class RealInput(InputStream):
             self._saved = None
 
 
-def run_local(main: Main, argv: list[str], *, one_shot: bool = False) -> int:
+class Foreground:
+    """A program that has opened a window, while that window has the terminal for itself."""
+
+    def __init__(self, scheduler: Scheduler, program: Program, display: Display) -> None:
+        self.scheduler = scheduler
+        """Runs in a thread of its own meanwhile."""
+        self.program = program
+        self.display = display
+        self.backlog = Backlog()
+        """What the program writes; the terminal gets it afterwards."""
+
+    @property
+    def over(self) -> bool:
+        """Whether the terminal is to be given back: the program has ended or closed its last window."""
+        return self.program.status is not None or not self.display.windows
+
+
+Show = Callable[[Foreground], None]
+"""Draws the windows of a program until `Foreground.over`; called on the main thread."""
+
+
+def has_terminal() -> bool:
+    """Say whether a window can be drawn: on a terminal, and not by a job in the background (`&`)."""
+    if sys.stdin is None or sys.stderr is None or not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return False
+    if os.environ.get("TERM") == "dumb":
+        return False
+    if sys.platform == "win32":
+        return True
+    try:
+        return os.tcgetpgrp(sys.stderr.fileno()) == os.getpgrp()
+    except OSError:
+        return False
+
+
+def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show | None = None) -> int:
     """Run one program on the real terminal, on this machine's graph, in this thread. Returns its exit status.
 
-    `one_shot` is for a command that asks and goes (see `core.link.join`).
+    `one_shot` is for a command that asks and goes (see `core.link.join`). With `show` the program has a display, and that
+    draws its windows on the terminal; without it, it does without windows.
     Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen.
     """
     from day6_tui.core.graph import graph_for_domain
@@ -223,12 +271,13 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False) -> int:
     clock = WorldClock()
     scheduler = Scheduler(clock)
     graph = graph_for_domain(_domain())
+    display = Display() if show is not None else None
 
     def linked_graph() -> Graph:
         if os.environ.get("DAY6_LINK") != "off":
             from day6_tui.core.link import join
 
-            join(graph, one_shot=one_shot)
+            join(graph, one_shot=one_shot, never_wait=display is not None)
         return graph
 
     stdin, stdout, stderr = RealInput(), RealOutput(sys.stdout), RealOutput(sys.stderr)
@@ -242,12 +291,16 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False) -> int:
         stdin=stdin,
         stdout=stdout,
         stderr=stderr,
+        display=display,
     )
     session.python = _python_in_place
     program = Program(session, main)
     restore = _handle_signals(scheduler, program)
     try:
-        scheduler.run(lambda: program.status is not None)
+        while program.status is None:
+            scheduler.run(lambda: program.status is not None or (display is not None and bool(display.windows)))
+            if program.status is None and display is not None and show is not None:
+                _show(show, Foreground(scheduler, program, display), (stdout, stderr))
     finally:
         restore()
         stdin.restore()
@@ -257,6 +310,21 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False) -> int:
 
             leave(graph)
     return program.status or 0
+
+
+def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -> None:
+    """Let the program's windows have the terminal; what it writes meanwhile is printed afterwards."""
+    for output in outputs:
+        output.hold(foreground.backlog)
+    foreground.scheduler.start()
+    try:
+        show(foreground)
+    finally:
+        foreground.scheduler.stop()
+        for output in outputs:
+            output.hold(None)
+        with contextlib.suppress(BrokenPipeError):
+            foreground.backlog.release()
 
 
 def _domain() -> int:

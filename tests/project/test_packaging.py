@@ -19,7 +19,8 @@ else:  # the same parser under its old name comes with mypy's dependency
 ROOT = Path(__file__).resolve().parents[2]
 TOPS = ("core", "tui", "urdf")
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
-"""Package data, not sub-packages: programs find it on sys.path."""
+SHARE = ROOT / "core" / "ros" / "share"
+"""Package data, not sub-packages: programs find the first on sys.path, launch files and configurations in the second."""
 
 
 def sources() -> list[Path]:
@@ -50,7 +51,9 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
     bare = {
         str(path.parent.relative_to(ROOT))
         for path in sources()
-        if path.suffix == ".py" and ON_THE_PATH not in path.parents and not (path.parent / "__init__.py").exists()
+        if path.suffix == ".py"
+        and not {ON_THE_PATH, SHARE} & set(path.parents)
+        and not (path.parent / "__init__.py").exists()
     }
     assert bare == set()
 

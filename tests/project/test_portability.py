@@ -26,6 +26,7 @@ from day6_tui.core.shell.desk import Desk
 ROOT = Path(__file__).resolve().parents[2]
 TOPS = ("core", "tui", "urdf")
 ON_THE_PATH = ROOT / "core" / "ros" / "python"
+SHARE = ROOT / "core" / "ros" / "share"
 
 WITHOUT_UNIX = """
 import asyncio, concurrent.futures, ctypes, importlib, json, logging.handlers, os, shutil, signal, subprocess, sys, tempfile
@@ -54,7 +55,7 @@ def module_names() -> list[str]:
         on_the_path = ON_THE_PATH in path.parents
         parts = path.relative_to(ON_THE_PATH if on_the_path else ROOT).with_suffix("").parts
         parts = parts[:-1] if parts[-1] == "__init__" else parts
-        if parts and parts[-1] != "__main__":
+        if parts and parts[-1] != "__main__" and SHARE not in path.parents:
             names.append(".".join(parts if on_the_path else ("day6_tui", *parts)))
     return names
 

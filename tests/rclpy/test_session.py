@@ -58,11 +58,9 @@ def test_two_contexts_of_one_graph_see_each_other_and_end_alone(world: Any) -> N
     assert listener.get_node_names() == ["listener"]
 
 
-def test_session_arguments_remap_and_set_parameters() -> None:
-    from conftest import SteppedTime
-
+def test_session_arguments_remap_and_set_parameters(world: Any) -> None:
     args = ["prog", "--ros-args", "-r", "__node:=bob", "-r", "chatter:=news", "-p", "speed:=3"]
-    context = Context._for_session(Graph(), SteppedTime(), args, env={})
+    context = Context._for_session(Graph(), world.time, args, env={})
     node = rclpy.create_node("talker", context=context)
     assert node.get_fully_qualified_name() == "/bob"
     assert node.resolve_topic_name("chatter") == "/news"

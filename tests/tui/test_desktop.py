@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 
 import pytest
-from conftest import opened, screen_lines, screen_text, step
 from fakes import FakeSimulation, turtle
+from screens import opened, screen_lines, screen_text, step
 
 from day6_tui.tui.scenes import SCENES, Player
 
@@ -280,7 +280,7 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
     from types import SimpleNamespace
 
-    from conftest import UTF8, make_look
+    from screens import UTF8, make_look
 
     from day6_tui.tui.app import Day6App
 

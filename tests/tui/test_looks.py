@@ -10,11 +10,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from conftest import make_look
 from rich.cells import cell_len
 
 from day6_tui.tui import actions, glyphs, locale
-from day6_tui.tui.app import Day6App
+from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.cells import clip, fit, wrap
 from day6_tui.tui.colours import colours
 from day6_tui.tui.windows import KINDS

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from conftest import UTF8, make_look, screen_lines, screen_text
+from screens import UTF8, make_look, screen_lines, screen_text
 
 from day6_tui.core.shell.desk import Desk
 from day6_tui.tui.app import Day6App

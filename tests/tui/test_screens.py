@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from conftest import opened, screen_lines, screen_text, step
 from fakes import FakeDesk, FakeSimulation, turtle
 from rich.cells import cell_len
+from screens import opened, screen_lines, screen_text, step
 
 ASCII = {"LANG": "C", "TERM": "xterm"}
 CONSOLE = {"LANG": "C.UTF-8", "TERM": "linux"}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from conftest import opened, screen_lines, screen_text, step
 from fakes import FakeTerminal
+from screens import opened, screen_lines, screen_text, step
 from textual import events
 
 from day6_tui.tui.colours import colours

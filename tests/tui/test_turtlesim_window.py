@@ -6,8 +6,8 @@ import math
 from types import SimpleNamespace
 
 import pytest
-from conftest import UTF8, make_look, opened, screen_text, step
 from fakes import FakeSimulation, turtle
+from screens import UTF8, make_look, opened, screen_text, step
 from textual.geometry import Size
 
 from day6_tui.core.session.display import Display
