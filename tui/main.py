@@ -8,6 +8,10 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.local import Foreground
 
 _DESCRIPTION = "ROS 2 for people who have no ROS 2. Without a command, opens the desktop."
 _COMMANDS = """\
@@ -15,9 +19,12 @@ commands:
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
   python FILE [ARG ...]       run a Python file unmodified as a ROS program
   ros2 ...                    the ros2 command, on the graph of this machine
+  rqt_graph, rqt_topic ...    a program with a window; takes this terminal
   check_urdf FILE             check a robot description
   urdf_to_graphviz FILE       draw a robot description
-  shell                       a real sub-shell in which ros2 and python3 are these
+  colcon ...                  build a workspace
+  export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
+  shell                       a real sub-shell in which ros2, colcon and python3 are these
   env                         print the variables that do the same for this shell or an IDE
 
 day6-tui COMMAND --help says more."""
@@ -74,7 +81,7 @@ def _endpoint(text: str) -> str:
 def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
-    command = _TABLE.get(words[0]) if words else None
+    command = (_TABLE.get(words[0]) or _window_command(words[0])) if words else None
     if command is not None:
         return command(words[1:])
     if words and not words[0].startswith("-"):
@@ -120,10 +127,48 @@ def _python(words: list[str]) -> int:
 def _ros2(words: list[str]) -> int:
     import importlib
 
-    from day6_tui.core.session.local import run_local
+    from day6_tui.core.session.local import has_terminal, run_local
 
     lasting = words[:1] in (["run"], ["launch"], ["daemon"]) or "echo" in words or "hz" in words
-    return run_local(importlib.import_module("day6_tui.core.ros.ros2").main, ["ros2", *words], one_shot=not lasting)
+    show = _show_window if words[:1] == ["run"] and has_terminal() else None
+    main = importlib.import_module("day6_tui.core.ros.ros2").main
+    return run_local(main, ["ros2", *words], one_shot=not lasting, show=show)
+
+
+def _show_window(foreground: Foreground) -> None:
+    """Draw the program's window; a program without one never gets here, and Textual is not imported for it."""
+    from day6_tui.tui.window_app import show
+
+    show(foreground)
+
+
+def _window_command(name: str) -> Callable[[list[str]], int] | None:
+    """rqt_graph, rviz2 …: a command that is the program with a window of the package of the same name."""
+    if not name.startswith(("rqt_", "rviz")):
+        return None
+    from day6_tui.core.ros.programs import executables
+
+    return partial(_window, name) if name in executables(name) else None
+
+
+def _window(name: str, words: list[str]) -> int:
+    from day6_tui.core.ros.programs import load
+    from day6_tui.core.session.local import has_terminal, run_local
+
+    return run_local(load(name, name), [name, *words], show=_show_window if has_terminal() else None)
+
+
+def _colcon(words: list[str]) -> int:
+    from day6_tui.core.session.local import run_local
+    from day6_tui.core.workspace.command import main as colcon
+
+    return run_local(colcon, ["colcon", *words], one_shot=True)
+
+
+def _export(words: list[str]) -> int:
+    from day6_tui.core.workspace.export import main as export
+
+    return export(words)
 
 
 def _urdf_tool(name: str, words: list[str]) -> int:
@@ -149,6 +194,8 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "exec": _exec,
     "python": _python,
     "ros2": _ros2,
+    "colcon": _colcon,
+    "export": _export,
     "check_urdf": partial(_urdf_tool, "check_urdf"),
     "urdf_to_graphviz": partial(_urdf_tool, "urdf_to_graphviz"),
     "shell": _shell,

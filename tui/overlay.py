@@ -39,10 +39,9 @@ class Overlay(Pane):
 
     def dismiss(self) -> None:
         """Go away."""
-        from day6_tui.tui.desktop import Desktop
-
-        if isinstance(self.parent, Desktop):
-            self.parent.close_overlay()
+        close = getattr(self.parent, "close_overlay", None)
+        if close is not None:
+            close()
 
     def on_key(self, event: events.Key) -> None:
         event.stop()

@@ -173,7 +173,7 @@ class _Drawing:
             return
         # How far half a cell reaches along the wheel: a mark belongs to the cell it lies in.
         reach = max(abs(hx) * self._column, abs(hy) * self._row) / 2
-        marks = _tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach)
+        marks = tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach)
         for index, (row, inside) in enumerate(rows):
             character, back = _tread(index - (len(rows) - 1) / 2, hx)
             rims = {}
@@ -279,7 +279,7 @@ def _part_of_cell(share: float, hx: float) -> str:
     return "[" if (share < 0) == (hx > 0) else "]"
 
 
-def _tread_marks(radius: float, spin: float, cell: float) -> list[tuple[float, bool]]:
+def tread_marks(radius: float, spin: float, cell: float) -> list[tuple[float, bool]]:
     """Return where the tread marks of the upper half stand, metres along the wheel from its centre; True for the first.
 
     The first one is painted, so that whole turns can be counted. There are as many as leave three cells between two.

@@ -12,8 +12,11 @@ from enum import Enum
 from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, LeaseWatch, Watch
+from day6_tui.core.graph.events import EventKind as EventKind
+from day6_tui.core.graph.events import EventStatus as EventStatus
 from day6_tui.core.graph.names import full_name
-from day6_tui.core.graph.qos import Durability, PolicyKind, QoS
+from day6_tui.core.graph.qos import Durability, Liveliness, QoS, is_finite
 
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
@@ -28,41 +31,6 @@ class EndpointKind(str, Enum):
     SUBSCRIPTION = "MS"
     SERVICE = "SS"
     CLIENT = "SC"
-
-
-class EventKind(Enum):
-    """What can happen to an endpoint beside messages (rmw_event_type_t, those this graph raises)."""
-
-    INCOMPATIBLE_QOS = "incompatible_qos"
-    INCOMPATIBLE_TYPE = "incompatible_type"
-    MATCHED = "matched"
-    MESSAGE_LOST = "message_lost"
-
-
-class EventStatus:
-    """Counters of one kind of event, as rmw's status structures hold them; `take_event` resets the changes."""
-
-    __slots__ = ("current_count", "current_count_change", "last_policy_kind", "total_count", "total_count_change")
-
-    def __init__(self) -> None:
-        self.total_count = 0
-        self.total_count_change = 0
-        self.current_count = 0
-        self.current_count_change = 0
-        self.last_policy_kind = PolicyKind.INVALID
-
-    def add(self) -> None:
-        """Count one more occurrence."""
-        self.total_count += 1
-        self.total_count_change += 1
-
-    def take(self) -> EventStatus:
-        """Return a copy and start counting changes anew."""
-        taken = EventStatus()
-        for name in self.__slots__:
-            setattr(taken, name, getattr(self, name))
-        self.total_count_change = self.current_count_change = 0
-        return taken
 
 
 class MessageInfo(NamedTuple):
@@ -103,6 +71,8 @@ class Endpoint:
         self.destroyed = False
         self.events: dict[EventKind, EventStatus] = {kind: EventStatus() for kind in EventKind}
         self.on_event: Callable[[Endpoint, EventKind], None] | None = None
+        self.watches: dict[EventKind, Watch] = {}
+        """What the passing of time can raise, for the few endpoints whose QoS has a deadline or a lease."""
 
     @property
     def gid(self) -> bytes:
@@ -116,9 +86,25 @@ class Endpoint:
         """The link's mark of the process this endpoint lives in; None for one of this process."""
         return self.node.origin
 
+    def status(self, kind: EventKind) -> EventStatus:
+        """Return the counters of one kind of event as they are now."""
+        watch = self.watches.get(kind)
+        if watch is not None:
+            watch.settle(self.node.graph.now_ns())
+        return self.events[kind]
+
+    def due(self, kind: EventKind) -> int | None:
+        """Return when the passing of time raises an event of that kind (the graph's time), None if it will not."""
+        watch = self.watches.get(kind)
+        return None if watch is None or self.destroyed else watch.due
+
     def take_event(self, kind: EventKind) -> EventStatus:
         """Return the counters of one kind of event and reset their changes."""
-        return self.events[kind].take()
+        return self.status(kind).take()
+
+    def _tell(self, kind: EventKind) -> None:
+        if self.on_event is not None:
+            self.on_event(self, kind)
 
     def destroy(self) -> None:
         """Take the endpoint out of the graph; a second call does nothing."""
@@ -146,6 +132,14 @@ class Publisher(Endpoint):
         self._numbers = count(1)
         latched = self.qos.durability == Durability.TRANSIENT_LOCAL
         self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
+        self._deadline: DeadlineWatch | None = None
+        self._lease: LeaseWatch | None = None
+        if is_finite(self.qos.deadline):
+            self._deadline = DeadlineWatch(self.qos.deadline, self.events[EventKind.DEADLINE_MISSED])
+            self.watches[EventKind.DEADLINE_MISSED] = self._deadline
+        if self.qos.liveliness == Liveliness.MANUAL_BY_TOPIC and is_finite(self.qos.liveliness_lease_duration):
+            self._lease = LeaseWatch(self.qos.liveliness_lease_duration, self.events[EventKind.LIVELINESS_LOST])
+            self.watches[EventKind.LIVELINESS_LOST] = self._lease
 
     @property
     def subscription_count(self) -> int:
@@ -157,6 +151,8 @@ class Publisher(Endpoint):
         graph = self.node.graph
         source_timestamp = graph.now_ns()
         number = next(self._numbers)
+        if self.watches:
+            self._sent(source_timestamp)
         self.deliver(message, source_timestamp, number)
         if graph.transport is not None and (self.remote_matched or self.cache is not None):
             graph.transport.publish(self, message, source_timestamp, number)
@@ -170,12 +166,36 @@ class Publisher(Endpoint):
         for subscription in self.matched:
             subscription.receive((copy(message), source_timestamp, number, self))
 
+    def kept(self) -> list[tuple[Any, int, int]]:
+        """Return what a late joiner may still get: (message, source time, number), without what outlived its lifespan."""
+        return [each for each in list(self.cache or ()) if not self.expired(each[1])]
+
+    def expired(self, source_timestamp: int) -> bool:
+        """Say whether a message of that time has outlived the publisher's lifespan."""
+        lifespan = self.qos.lifespan
+        return is_finite(lifespan) and self.node.graph.now_ns() - source_timestamp > lifespan
+
     def replay(self, subscription: Subscription) -> None:
         """Give a late-joining transient-local subscription what this publisher kept."""
         if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return
-        for message, source_timestamp, number in list(self.cache)[-subscription.qos.capacity :]:
+        for message, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
             subscription.receive((self.copy(message), source_timestamp, number, self))
+
+    def assert_liveliness(self) -> None:
+        """Show that the publisher lives, without a message."""
+        now = self.node.graph.now_ns()
+        if self._lease is not None and self._lease.asserted(now):
+            self._tell(EventKind.LIVELINESS_LOST)
+        for subscription in self.matched:
+            if subscription.heard_of(self, now):
+                subscription._tell(EventKind.LIVELINESS_CHANGED)
+
+    def _sent(self, now: int) -> None:
+        if self._deadline is not None and self._deadline.message(now):
+            self._tell(EventKind.DEADLINE_MISSED)
+        if self._lease is not None and self._lease.asserted(now):
+            self._tell(EventKind.LIVELINESS_LOST)
 
 
 Sample = tuple[Any, int, int, Publisher]
@@ -196,7 +216,19 @@ class Subscription(Endpoint):
         self.matched: tuple[Publisher, ...] = ()
         self.on_ready: Callable[[Subscription], None] | None = None
         self.dropped = 0
+        self.accepts: Callable[[Any], bool] | None = None
+        """A content filter: messages for which it is false are not received."""
         self._received = 0
+        self._lifespan = self.qos.lifespan if is_finite(self.qos.lifespan) else 0
+        self._deadline: DeadlineWatch | None = None
+        self._alive: AliveWatch | None = None
+        if is_finite(self.qos.deadline):
+            self._deadline = DeadlineWatch(self.qos.deadline, self.events[EventKind.DEADLINE_MISSED])
+            self.watches[EventKind.DEADLINE_MISSED] = self._deadline
+        if is_finite(self.qos.liveliness_lease_duration):
+            self._alive = AliveWatch(self.qos.liveliness_lease_duration, self.events[EventKind.LIVELINESS_CHANGED])
+            self.watches[EventKind.LIVELINESS_CHANGED] = self._alive
+        self._plain = not self.watches
 
     @property
     def publisher_count(self) -> int:
@@ -205,6 +237,8 @@ class Subscription(Endpoint):
 
     def receive(self, sample: Sample) -> None:
         """Queue one sample (called by publishers)."""
+        if not self._plain and not self._admit(sample):
+            return
         queue = self.queue
         if len(queue) == queue.maxlen:
             self.dropped += 1
@@ -213,15 +247,43 @@ class Subscription(Endpoint):
         if on_ready is not None:
             on_ready(self)
 
+    def filter_by(self, accepts: Callable[[Any], bool] | None) -> None:
+        """Receive only messages for which `accepts(message)` is true; None ends that."""
+        self.accepts = accepts
+        self._plain = accepts is None and not self.watches
+
+    def _admit(self, sample: Sample) -> bool:
+        """Look at a sample for those who filter or watch; False if it is not to be received."""
+        now = self.node.graph.now_ns()
+        if self._alive is not None and sample[3].qos.liveliness == Liveliness.MANUAL_BY_TOPIC:
+            if self.heard_of(sample[3], now):
+                self._tell(EventKind.LIVELINESS_CHANGED)
+        if self.accepts is not None and not self.accepts(sample[0]):
+            return False
+        if self._deadline is not None and self._deadline.message(now):
+            self._tell(EventKind.DEADLINE_MISSED)
+        return True
+
+    def heard_of(self, publisher: Publisher, now: int) -> bool:
+        """Note that a publisher has shown that it lives; True if that is news."""
+        for_ever = publisher.qos.liveliness != Liveliness.MANUAL_BY_TOPIC
+        return self._alive is not None and self._alive.asserted(publisher, now, for_ever=for_ever)
+
+    def lost(self, publisher: Publisher) -> bool:
+        """Note that a publisher is gone; True if that is news."""
+        return self._alive is not None and self._alive.gone(publisher, self.node.graph.now_ns())
+
     def take(self) -> Sample | None:
-        """Return the oldest queued sample, or None. Samples older than their publisher's lifespan are skipped."""
+        """Return the oldest queued sample, or None. Samples older than the subscription's lifespan are skipped.
+
+        (The publisher's lifespan is about what it keeps for late joiners; so it is with Fast DDS.)
+        """
         while True:
             try:
                 sample = self.queue.popleft()
             except IndexError:
                 return None
-            lifespan = sample[3].qos.lifespan
-            if lifespan and self.node.graph.now_ns() - sample[1] > lifespan:
+            if self._lifespan and self.node.graph.now_ns() - sample[1] > self._lifespan:
                 continue
             self._received += 1
             return sample

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, EventKind, Publisher, Service, Subscription
-from day6_tui.core.graph.qos import incompatible_policies
+from day6_tui.core.graph.qos import Liveliness, incompatible_policies
 
 Told = list[tuple[Endpoint, EventKind]]
 
@@ -31,6 +31,8 @@ def disconnect(endpoint: Endpoint, told: Told) -> None:
     if isinstance(endpoint, Publisher):
         for subscription in (*endpoint.matched, *endpoint.remote_matched):
             subscription.matched = tuple(each for each in subscription.matched if each is not endpoint)
+            if subscription.lost(endpoint):
+                told.append((subscription, EventKind.LIVELINESS_CHANGED))
             _count(subscription, -1, told)
         endpoint.matched = endpoint.remote_matched = ()
     elif isinstance(endpoint, Subscription):
@@ -67,6 +69,10 @@ def _pair(publisher: Publisher, subscription: Subscription, told: Told) -> None:
     _count(publisher, 1, told)
     _count(subscription, 1, told)
     if subscription.origin is None:
+        if publisher.origin is not None and publisher.qos.liveliness == Liveliness.AUTOMATIC:
+            # Its process shows that it lives; inside one process Fast DDS tells nothing.
+            if subscription.heard_of(publisher, publisher.node.graph.now_ns()):
+                told.append((subscription, EventKind.LIVELINESS_CHANGED))
         publisher.replay(subscription)
 
 

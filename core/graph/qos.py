@@ -12,6 +12,8 @@ from typing import NamedTuple
 DURATION_UNSPECIFIED = 0
 """0 ns in a profile means "not said", which DDS takes as infinite."""
 INFINITE_NS = 9223372036854775807
+BEST_AVAILABLE_NS = INFINITE_NS - 1
+"""RMW_QOS_DEADLINE_BEST_AVAILABLE: whatever the other side has, which is no limit of one's own."""
 
 KEEP_ALL_LIMIT = 5000
 """Fast DDS's default resource limit: what KEEP_ALL really keeps."""
@@ -98,6 +100,11 @@ class QoS(NamedTuple):
     def capacity(self) -> int:
         """How many messages a queue or cache with this profile holds; the oldest goes first."""
         return KEEP_ALL_LIMIT if self.history == History.KEEP_ALL else max(1, self.depth)
+
+
+def is_finite(duration: int) -> bool:
+    """Say whether a duration of a profile is a limit at all."""
+    return DURATION_UNSPECIFIED < duration < BEST_AVAILABLE_NS
 
 
 def _finite(duration: int) -> int:

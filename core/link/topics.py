@@ -84,7 +84,7 @@ class Topics:
             outlet = self._outlets.get(publisher)
             if outlet is None:
                 outlet = _Outlet(self._declare(publisher), gid_of(endpoint_token(publisher, self._zid)), 0)
-                for message, source_timestamp, number in list(publisher.cache or ()):
+                for message, source_timestamp, number in publisher.kept():
                     # Through `copy`: a publisher may keep something smaller than messages (rclpy's /rosout does).
                     outlet.put(publisher.copy(message), source_timestamp, number)
                     outlet = outlet._replace(replayed=number)
@@ -164,7 +164,7 @@ class Topics:
                     return
                 number, source_timestamp, gid = unpack(sample.attachment.to_bytes())
                 publisher = self._remote.publisher_for(gid, subscription)
-                if publisher is None:
+                if publisher is None or (publisher.cache is not None and publisher.expired(source_timestamp)):
                     return
                 if wanted is None:
                     wanted = message_class(subscription.type_name)

@@ -21,18 +21,19 @@ class Sink(Protocol):
 class Backlog:
     """Lines for one or more outputs, in the order in which they were written. Any thread may write and look."""
 
-    def __init__(self, on_change: Callable[[], None] = lambda: None) -> None:
-        self._lines: deque[tuple[Sink, str]] = deque(maxlen=MOST_LINES)
-        self._open: dict[Sink, str] = {}
+    def __init__(self) -> None:
+        self._lines: deque[tuple[Sink | None, str]] = deque(maxlen=MOST_LINES)
+        self._open: dict[Sink | None, str] = {}
         """The unfinished line of each output."""
         self._lock = threading.Lock()
-        self._on_change = on_change
+        self.on_change: Callable[[], None] = lambda: None
+        """Called after every line, on the thread that wrote it."""
         self.dropped = 0
         self.version = 0
         """Grows with every line."""
 
-    def write(self, sink: Sink, text: str) -> None:
-        """Keep `text` for `sink`."""
+    def write(self, sink: Sink | None, text: str) -> None:
+        """Keep `text` for `sink`; with None it has been written already, and is kept only to be looked at."""
         with self._lock:
             *lines, rest = (self._open.pop(sink, "") + text).split("\n")
             if len(rest) > _LONGEST_LINE:
@@ -41,12 +42,12 @@ class Backlog:
             if rest:
                 self._open[sink] = rest
             for line in lines:
-                if len(self._lines) == MOST_LINES:
+                if len(self._lines) == MOST_LINES and self._lines[0][0] is not None:
                     self.dropped += 1
                 self._lines.append((sink, line + "\n"))
             self.version += len(lines)
         if lines:
-            self._on_change()
+            self.on_change()
 
     def lines(self) -> list[str]:
         """The lines that are kept, oldest first, without their ends."""
@@ -62,10 +63,11 @@ class Backlog:
     def release(self) -> None:
         """Write everything to where it was meant for, and begin anew."""
         with self._lock:
-            lines = [*self._lines, *self._open.items()]
+            kept = [*self._lines, *self._open.items()]
             dropped, self.dropped = self.dropped, 0
             self._lines.clear()
             self._open.clear()
+        lines = [(sink, line) for sink, line in kept if sink is not None]
         if dropped and lines:
             lines[0][0].write(f"… {dropped} lines dropped\n")
         for sink, line in lines:

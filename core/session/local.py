@@ -21,11 +21,15 @@ from day6_tui.core.session.display import Display
 from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
-from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.session import KilledBySignal, Main, Session
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
+
+
+GRACE = 2.0
+"""Seconds that a child has to end after SIGTERM."""
 
 
 class RealOutput(OutputStream):
@@ -35,6 +39,7 @@ class RealOutput(OutputStream):
         self._file = file
         self._muted = False
         self._backlog: Backlog | None = None
+        self._held = False
         self.encoding = file.encoding or "utf-8"
         with contextlib.suppress(AttributeError, ValueError):
             file.reconfigure(errors="replace", line_buffering=True)  # type: ignore[attr-defined]
@@ -50,8 +55,9 @@ class RealOutput(OutputStream):
         if self._muted:
             return len(text)
         if self._backlog is not None:
-            self._backlog.write(self, text)
-            return len(text)
+            self._backlog.write(self if self._held else None, text)
+            if self._held:
+                return len(text)
         try:
             return self._file.write(text)
         except BrokenPipeError:
@@ -65,11 +71,16 @@ class RealOutput(OutputStream):
         if not self._muted:
             self._file.flush()
 
-    def hold(self, backlog: Backlog | None) -> None:
-        """Give what is written to `backlog`, if this is a terminal (a file goes on growing); None ends that."""
-        if backlog is None or self.isatty():
-            self.flush_quietly()
+    def copy_to(self, backlog: Backlog) -> None:
+        """Let `backlog` know everything that is written, if this is a terminal (a file need not be watched)."""
+        if self.isatty():
             self._backlog = backlog
+
+    def hold(self, held: bool) -> None:
+        """Write nothing for the present: the backlog has it."""
+        if self._backlog is not None:
+            self.flush_quietly()
+            self._held = held
 
     def mute(self) -> None:
         """Write nothing any more."""
@@ -225,13 +236,13 @@ class RealInput(InputStream):
 class Foreground:
     """A program that has opened a window, while that window has the terminal for itself."""
 
-    def __init__(self, scheduler: Scheduler, program: Program, display: Display) -> None:
+    def __init__(self, scheduler: Scheduler, program: Program, display: Display, backlog: Backlog) -> None:
         self.scheduler = scheduler
         """Runs in a thread of its own meanwhile."""
         self.program = program
         self.display = display
-        self.backlog = Backlog()
-        """What the program writes; the terminal gets it afterwards."""
+        self.backlog = backlog
+        """What the program has written and writes; the terminal gets afterwards what it has not got yet."""
 
     @property
     def over(self) -> bool:
@@ -281,6 +292,10 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
         return graph
 
     stdin, stdout, stderr = RealInput(), RealOutput(sys.stdout), RealOutput(sys.stderr)
+    backlog = Backlog()
+    if show is not None:
+        stdout.copy_to(backlog)
+        stderr.copy_to(backlog)
     session = Session(
         scheduler,
         linked_graph,
@@ -300,7 +315,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
         while program.status is None:
             scheduler.run(lambda: program.status is not None or (display is not None and bool(display.windows)))
             if program.status is None and display is not None and show is not None:
-                _show(show, Foreground(scheduler, program, display), (stdout, stderr))
+                _show(show, Foreground(scheduler, program, display, backlog), (stdout, stderr))
     finally:
         restore()
         stdin.restore()
@@ -315,14 +330,14 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -> None:
     """Let the program's windows have the terminal; what it writes meanwhile is printed afterwards."""
     for output in outputs:
-        output.hold(foreground.backlog)
+        output.hold(True)
     foreground.scheduler.start()
     try:
         show(foreground)
     finally:
         foreground.scheduler.stop()
         for output in outputs:
-            output.hold(None)
+            output.hold(False)
         with contextlib.suppress(BrokenPipeError):
             foreground.backlog.release()
 
@@ -358,22 +373,40 @@ def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None
 
 
 async def _python_in_place(session: Session, args: list[str]) -> int:
-    """`python3 ARGS` as a child on the same terminal; the terminal's Ctrl-C reaches it without us."""
+    """`python3 ARGS` as a child on the same terminal, whose Ctrl-C reaches it without us; else as `shell.process.run_python`.
+
+    It stays in our process group, so it is ours to end: also by its guardian, when we are killed ourselves.
+    """
+    from day6_tui.core.shell.guardian import guard_process, release_process
+    from day6_tui.core.shell.signals import from_system, to_system
+
     done = Signal()
     popen = subprocess.Popen([sys.executable, *args], env=session.env, cwd=session.cwd)
+    guard_process(popen.pid)
 
     def wait() -> None:
         popen.wait()
         done.set()
 
-    threading.Thread(target=wait, name="day6-process", daemon=True).start()
-
     def end() -> None:
         if popen.poll() is None:
-            popen.terminate()
+            popen.kill()
+            popen.wait()
+        release_process(popen.pid)
 
     session.defer(end)
+    threading.Thread(target=wait, name="day6-process", daemon=True).start()
     while not done.is_set():
-        with contextlib.suppress(KeyboardInterrupt):
+        try:
             await wait_for(done)
-    return popen.returncode if popen.returncode >= 0 else 128 - popen.returncode
+        except KeyboardInterrupt:
+            continue  # the terminal told it too, and it may have something to finish
+        except KilledBySignal as order:
+            popen.send_signal(to_system(order.number))
+            await session.wait(done, GRACE)
+            end()
+    if popen.returncode == -signal.SIGINT:
+        raise KeyboardInterrupt
+    if popen.returncode < 0:
+        raise KilledBySignal(from_system(-popen.returncode))
+    return popen.returncode

@@ -1,7 +1,8 @@
-"""Becomes a student's process: `python -I -S launch_process.py tty|no-tty NICE PROGRAM ARG…`.
+"""Becomes a student's process: `python -I -S launch_process.py tty|no-tty NICE MEMORY PROGRAM ARG…`.
 
 Run as a file, before the program, because between fork and exec of a process with threads nothing may be done in Python. It leads
-a session already; here it takes its standard input as controlling terminal, lowers its priority and undoes ignored signals.
+a session already; here it takes its standard input as controlling terminal, lowers its priority, limits its memory (bytes,
+0: not) and undoes ignored signals.
 """
 
 import os
@@ -12,7 +13,7 @@ import sys
 def main() -> None:
     if sys.platform == "win32":
         raise NotImplementedError("processes are started without this there")
-    mode, nice, *argv = sys.argv[1:]
+    mode, nice, memory, *argv = sys.argv[1:]
     if mode == "tty":
         import fcntl
         import termios
@@ -21,7 +22,25 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
     os.nice(int(nice))
+    if int(memory):
+        limit_memory(int(memory))
     os.execv(argv[0], argv)
+
+
+def limit_memory(size: int) -> None:
+    """Limit the data, not the addresses: threads and mapped files reserve many of those that they never use."""
+    if sys.platform == "win32":
+        raise NotImplementedError("not there")
+    import resource
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+    if hard != resource.RLIM_INFINITY:
+        size = min(size, hard)
+    if soft == resource.RLIM_INFINITY or size < soft:
+        try:
+            resource.setrlimit(resource.RLIMIT_DATA, (size, hard))
+        except (ValueError, OSError):
+            return  # a system that does not limit data
 
 
 if __name__ == "__main__":

@@ -21,7 +21,8 @@ from typing import IO
 from day6_tui.core.session.scheduler import Signal, TaskCancelled, wait_for
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
-from day6_tui.core.shell.guardian import guard, release
+from day6_tui.core.shell.guardian import MARK, end_marked, guard, new_mark, release
+from day6_tui.core.shell.memory import memory_limit
 from day6_tui.core.shell.signals import NUMBERS, from_system, to_system
 
 LAUNCHER = Path(__file__).with_name("launch_process.py")
@@ -83,6 +84,7 @@ class Process:
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
         self._killed = False
+        self._mark = ""
         self._stopped_for: set[str] = set()
 
     @property
@@ -186,6 +188,7 @@ class Process:
                 _running.discard(self)
             release(popen.pid)
             _end_group(popen.pid)
+            end_marked(self._mark)
             self._close_master()
             self.ended.set()
 
@@ -193,6 +196,7 @@ class Process:
         session = self.session
         terminal = session.stdin.terminal_of(session.stdout, session.stderr)
         env = dict(session.env)
+        self._mark = env[MARK] = new_mark()
         argv = [sys.executable, *self.args]
         if sys.platform == "win32":
             self._launch_with_pipes(argv, env)
@@ -280,7 +284,7 @@ class Process:
 
 
 def _launcher(mode: str) -> list[str]:
-    return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE)]
+    return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
 
 
 def _pump(source: int | IO[bytes], target: OutputStream) -> None:

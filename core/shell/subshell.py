@@ -9,8 +9,16 @@ import sys
 import tempfile
 from pathlib import Path
 
-COMMANDS = ("ros2", "check_urdf", "urdf_to_graphviz")
+COMMANDS = ("ros2", "colcon", "check_urdf", "urdf_to_graphviz", "rqt_graph")
 """Commands of ours that get a small script of their own."""
+
+
+def commands() -> list[str]:
+    """Every command that gets a script: those above, and rviz2 and the like as far as they are there."""
+    from day6_tui.core.ros.programs import packages
+
+    windows = [name for name in packages() if name.startswith(("rqt_", "rviz"))]
+    return list(dict.fromkeys([*COMMANDS, *windows]))
 
 
 def environment(folder: Path) -> dict[str, str]:
@@ -29,7 +37,7 @@ def write_scripts(folder: Path) -> None:
     """Put a script for each command of ours, and `python3`, into `folder`. Raises OSError."""
     folder.mkdir(parents=True, exist_ok=True)
     start = f"{shlex.quote(sys.executable)} -m day6_tui.tui.main"
-    for name in COMMANDS:
+    for name in commands():
         if os.name == "nt":
             _write_batch(folder / f"{name}.bat", f"-m day6_tui.tui.main {name}")
         else:

@@ -107,12 +107,26 @@ def test_a_late_joiner_hears_nothing_old_from_a_volatile_topic(node: Node) -> No
 def test_a_message_older_than_its_lifespan_is_not_taken(graph: Graph, node: Node) -> None:
     now = [0]
     graph.now_ns = lambda: now[0]
-    pub, sub = publisher(node, qos=QoS(lifespan=1000)), subscription(node)
+    pub, sub = publisher(node), subscription(node, qos=QoS(lifespan=1000))
     pub.publish(["stale"])
     now[0] = 500
     pub.publish(["fresh"])
     now[0] = 1200
     assert received(sub) == [["fresh"]]
+
+
+def test_a_late_joiner_gets_nothing_that_outlived_the_publishers_lifespan(graph: Graph, node: Node) -> None:
+    now = [0]
+    graph.now_ns = lambda: now[0]
+    latched = QoS(durability=Durability.TRANSIENT_LOCAL)
+    pub = publisher(node, qos=latched._replace(lifespan=1000))
+    early = subscription(node)
+    pub.publish(["stale"])
+    now[0] = 500
+    pub.publish(["fresh"])
+    now[0] = 1200
+    assert received(early) == [["stale"], ["fresh"]], "what has been delivered stays"
+    assert received(subscription(node, qos=latched)) == [["fresh"]]
 
 
 OFFER_AND_REQUEST = [
@@ -129,7 +143,7 @@ OFFER_AND_REQUEST = [
     ({"liveliness": Liveliness.MANUAL_BY_TOPIC}, {}, []),
     ({}, {"liveliness_lease_duration": 5}, [PolicyKind.LIVELINESS]),
     ({"liveliness_lease_duration": 5}, {"liveliness_lease_duration": 6}, []),
-    ({"lifespan": 10**12}, {"lifespan": 1}, []),
+    ({"lifespan": 10**12}, {"lifespan": 10**11}, []),
     ({"history": History.KEEP_ALL}, {"depth": 1}, []),
 ]
 

@@ -54,7 +54,7 @@ def said(lines: list[str]) -> list[str]:
 
 
 def without_numbers(lines: list[str]) -> list[str]:
-    return [re.sub(r"\bp-\d+", "p-N", re.sub(r"pid \[?\d+\]?", "pid", line)) for line in lines]
+    return [re.sub(r"\bp-\d+", "p-N", re.sub(r"pid (\d+|\[\d+\])", "pid", line)) for line in lines]
 
 
 def test_actions_are_executed_in_their_order(launch_these: Callable[..., Any]) -> None:
@@ -237,7 +237,7 @@ def test_a_process_that_does_not_listen_is_ended_step_by_step(launch_these: Call
         RegisterEventHandler(OnProcessIO(target_action=process, on_stdout=lambda event: EmitEvent(event=order))),
         process,
     )
-    ends = [line for line in without_numbers(result.lines) if "signal" in line or "escalating" in line]
+    ends = [line for line in without_numbers(result.lines) if "sending signal" in line or "escalating" in line]
     assert ends == [
         "[INFO] [p-N]: sending signal 'SIGINT' to process[p-N]",
         "[ERROR] [p-N]: process[p-N] failed to terminate '0.2' seconds after receiving 'SIGINT', escalating to 'SIGTERM'",

@@ -8,7 +8,8 @@ import pytest
 
 from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw, draw_pulse, measure
 from day6_tui.core.ros.programs.rqt_graph._fit import elide, fitted
-from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge, Picture, Rect, layout
+from day6_tui.core.ros.programs.rqt_graph._layout import layout
+from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge, Picture, Rect
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
 LESSON = (
@@ -115,3 +116,50 @@ def test_an_empty_graph_is_an_empty_picture() -> None:
     picture = layout([], [], measure)
     assert (picture.width, picture.height) == (0, 0)
     assert fitted([], [], 10, 10).width == 0
+
+
+def clustered(names: list[tuple[str, str]], edges: list[tuple[int, int]]) -> Picture:
+    boxes = [Box(name, (name,), "node", cluster) for name, cluster in names]
+    return layout(boxes, [Edge(boxes[a].key, boxes[b].key, "", f"/t{a}{b}") for a, b in edges], measure)
+
+
+def holds(rect: Rect, frame: Rect) -> bool:
+    return (
+        frame.x < rect.x
+        and rect.x + rect.width < frame.x + frame.width
+        and frame.y < rect.y
+        and rect.y + rect.height < frame.y + frame.height
+    )
+
+
+def apart(rect: Rect, frame: Rect) -> bool:
+    return (
+        rect.x + rect.width <= frame.x
+        or frame.x + frame.width <= rect.x
+        or rect.y + rect.height <= frame.y
+        or frame.y + frame.height <= rect.y
+    )
+
+
+def test_namespace_boxes_hold_their_members_and_nobody_else() -> None:
+    names = [(f"/{space}/n{number}", f"/{space}".rstrip("/")) for space in ("a", "a/b", "c") for number in range(4)] + [
+        (f"/n{number}", "") for number in range(4)
+    ]
+    random.seed(6)
+    for _ in range(20):
+        edges = [tuple(random.sample(range(len(names)), 2)) for _ in range(18)]
+        picture = clustered(names, edges)  # type: ignore[arg-type]
+        for frame_name, frame in picture.clusters:
+            for box, rect in picture.boxes.values():
+                if box.cluster == frame_name or box.cluster.startswith(frame_name + "/"):
+                    assert holds(rect, frame), (frame_name, box.key)
+                else:
+                    assert apart(rect, frame), (frame_name, box.key)
+
+
+def test_two_robots_get_a_frame_each() -> None:
+    names = [(f"/{robot}/{node}", f"/{robot}") for robot in ("r1", "r2") for node in ("lidar", "slam", "nav")]
+    picture = clustered([*names, ("/fleet", "")], [(0, 1), (1, 2), (3, 4), (4, 5), (2, 6), (5, 6)])
+    assert [name for name, _ in picture.clusters] == ["/r1", "/r2"]
+    text = "\n".join("".join(part for part, _ in row) for row in draw(picture, ASCII).rows())
+    assert "+ /r1 -" in text and "+ /r2 -" in text

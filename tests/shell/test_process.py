@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from typing import Any
 import pytest
 
 from day6_tui.core.shell.process import running_processes
+from day6_tui.core.shell.rows import row_text
 
 PROMPT = "student@day6:~$"
 posix = pytest.mark.skipif(os.name != "posix", reason="needs ptys and process groups")
@@ -276,3 +278,93 @@ def test_a_file_with_a_python_first_line_runs_as_a_command(machine: Any) -> None
     assert machine.run("chmod +x a.py; ./a.py 1 2").out == "ran ['1', '2']\n"
     write(machine.desk.home, "b.sh", "#!/bin/bash\necho script $1\nexit 5\n")
     assert machine.run("chmod +x b.sh; ./b.sh x") == (5, "script x\n", "")
+
+
+DAEMON = """\
+import os, sys, time
+for _ in range(3):
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() == 0:
+            open('pids', 'a').write(f'{os.getpid()}\\n')
+            time.sleep(1000)
+        os._exit(0)
+while len(open('pids').readlines() if os.path.exists('pids') else []) < 3:
+    time.sleep(0.01)
+print('ready', flush=True)
+time.sleep(1000)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing tells whose a daemon is")
+def test_daemons_of_a_program_end_with_it_though_they_left_its_group(machine: Any) -> None:
+    write(machine.desk.home, "a.py", DAEMON)
+    program = machine.start("python3 a.py")
+    machine.wait(lambda: "ready" in machine.out.text)
+    daemons = [int(line) for line in (machine.desk.home / "pids").read_text().split()]
+    assert len(daemons) == 3 and not any(gone(pid) for pid in daemons)
+    program.interrupt()
+    machine.wait(lambda: program.status is not None)
+    assert until(lambda: all(gone(pid) for pid in daemons))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing tells whose a daemon is")
+def test_daemons_do_not_outlive_a_day6_that_was_killed(tmp_path: Path) -> None:
+    write(tmp_path, "a.py", DAEMON)
+    write(
+        tmp_path,
+        "desk.py",
+        "from pathlib import Path\nfrom day6_tui.core.shell.desk import Desk\nimport threading\n"
+        f"desk = Desk(Path({str(tmp_path)!r}), join_link=False)\n"
+        "desk.open_terminal(80, 24).run_line('python3 a.py')\ndesk.start()\nthreading.Event().wait()\n",
+    )
+    ours = subprocess.Popen([sys.executable, str(tmp_path / "desk.py")])
+    pids = tmp_path / "pids"
+    try:
+        assert until(lambda: pids.exists() and len(pids.read_text().split()) == 3)
+    finally:
+        ours.kill()
+        ours.wait(10)
+    assert until(lambda: all(gone(int(pid)) for pid in pids.read_text().split()))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere data is not limited")
+def test_a_program_that_eats_memory_gets_a_memory_error(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DAY6_MEMORY_LIMIT", "300")
+    write(machine.desk.home, "a.py", "kept = []\nwhile True:\n    kept.append(bytearray(10_000_000))\n")
+    result = machine.run("python3 a.py; echo $?")
+    assert result.out == "1\n"
+    assert result.err.splitlines()[-1] == "MemoryError"
+
+
+def test_the_memory_of_a_program_is_limited_by_the_machine_and_by_wish(monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.shell.memory import LEAST, memory_limit
+
+    monkeypatch.delenv("DAY6_MEMORY_LIMIT", raising=False)
+    assert memory_limit() == 0 or memory_limit() >= LEAST
+    monkeypatch.setenv("DAY6_MEMORY_LIMIT", "0")
+    assert memory_limit() == 0
+    monkeypatch.setenv("DAY6_MEMORY_LIMIT", "256")
+    assert memory_limit() == 256 * 2**20
+
+
+@posix
+def test_what_nobody_looked_at_is_dropped_and_the_terminal_says_how_much(
+    seat: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("day6_tui.core.shell.terminal.PAUSE", 0.0)
+    write(seat.desk.home, "a.py", "for number in range(20_000): print(f'line {number:70}')\nopen('done', 'w')\n")
+    seat.terminal.send("python3 a.py\r")
+
+    def printed() -> bool:
+        seat.desk.scheduler.advance()
+        return (seat.desk.home / "done").exists() and not running_processes()
+
+    assert until(printed)
+    assert seat.terminal._size <= 256 * 1024
+    said: list[str] = []
+    while seat.terminal.has_more:
+        seat.terminal.update()
+        said += [row for row in map(row_text, seat.terminal.screen.scrollback) if "dropped" in row]
+    assert re.fullmatch(r"… \d{5} lines dropped *", said[0])
+    assert "19999" in seat.wait_prompt()

@@ -33,7 +33,7 @@ def rough(value: object) -> object:
 
 def test_the_shipped_car_has_the_articles_figures() -> None:
     car = parse_robot(shipped_model())
-    assert shipped_models() == ["day6_bot"]
+    assert shipped_models() == ["day6_bot", "day6_bot_gazebo"]
     assert [link.name for link in car.links] == ["base_link", "left_wheel", "right_wheel", "caster"]
     chassis, left, right, caster = (link.visuals[0] for link in car.links)
     assert (chassis.geometry, chassis.origin.xyz) == (Box((0.4, 0.25, 0.08)), (0.0, 0.0, 0.04))

@@ -65,6 +65,18 @@ TEXTS = {
     "bar.starting": "starting …",
     "bar.playing": "typing for you … Esc stops it",
     "bar.external": "student processes run at normal speed",
+    # one window on a real terminal
+    "single.end": "End",
+    "single.help": "Help",
+    "single.log": "Log",
+    "single.no_log": "The program has written nothing yet.",
+    "help.single.end": "ends the program",
+    "help.single.help": "explains this window",
+    "help.single.log": "shows what the program has written; it is on the terminal afterwards too",
+    "help.single.next": "goes to the program's next window, if it has more than one",
+    "help.single.glyphs": "changes how pictures are drawn",
+    "help.single.language": "changes the language: 中文",
+    "help.single.suspend": "stops the program and goes back to the shell; fg goes on",
     # terminal
     "terminal.hint": "Arrow keys work only in here: click or {key}",
     "terminal.scrolled": "{count} lines further down · any key goes there",
@@ -109,6 +121,44 @@ TEXTS = {
     "car.many_publishers": "{count} publishers on {topic}: {nodes}",
     "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
+    # world
+    "world.pose": "x {x:.2f}  y {y:.2f}  {degrees}°  v {v:.2f} m/s",
+    "world.line": "line",
+    "world.zoom": "zoom",
+    "world.follow": "follow",
+    "world.lidar": "lidar",
+    "world.step": "step",
+    "world.reset": "back to the start",
+    "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
+    "world.refused": "{robot} may not enter this world:",
+    "world.bad_description": "the robot description is broken: {text}",
+    "world.no_inertial": "{links}: no <inertial>. What has no mass cannot be moved by forces; it would be a ghost",
+    "world.bad_mass": "{link}: a mass of {mass} kg is none",
+    "world.bad_inertia": "{link}: the inertia is not greater than 0 about every axis",
+    "world.bad_number": "{link}: a size or place is no number",
+    "world.no_drive": "no two wheels, left and right, that could drive it",
+    "world.stands_in_wall": "at ({x:.2f}, {y:.2f}) it would stand in a wall",
+    "world.no_collision": "{links}: no <collision>. They go through walls like ghosts",
+    "world.wheels_without_collision": "{links}: wheels without <collision> do not touch the floor. They turn and push nothing",
+    "world.nobody_drives": "nobody publishes {topic}: ros2 run teleop_twist_keyboard teleop_twist_keyboard drives",
+    "world.keeps_going": "nobody publishes {topic} any more: the last order goes on until another one comes",
+    "world.wrong_type": "{topic} has type {type}, this world hears {wanted}: start it with stamped:={stamped}",
+    "world.two_joint_states": (
+        "{nodes} publishes {topic} as well. That topic tells where wheels are, it is no order; so nothing rolls. "
+        "With -r joint_states:=joint_commands it becomes one"
+    ),
+    "world.bumped": "it touches a wall: the wheels slip, and /odom does not notice",
+    "world.sideways": "linear.y is ignored: two wheels cannot go sideways",
+    # joint sliders
+    "sliders.waiting": "Waiting for a robot on /robot_description: is robot_state_publisher running?",
+    "sliders.none": "This robot has no joint that can be moved.",
+    "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two orders. One of the two has to stop.",
+    "sliders.degrees": "degrees",
+    "sliders.move": "move",
+    "sliders.value": "number",
+    "sliders.zero": "zero",
+    "sliders.accept": "take it",
+    "sliders.cancel": "leave it",
     # rqt_graph
     "rqt.hidden": "{count} hidden:",
     "rqt.hides": "{option} hides {names}",
@@ -118,6 +168,24 @@ TEXTS = {
     "rqt.type": "type",
     "rqt.hide": "Hide",
     "rqt.refresh": "refresh",
+    "prompt.keys": "Enter take   Esc back",
+    "rqt.choose": "choose",
+    "rqt.filter": "filter nodes, topics",
+    "rqt.namespaces": "namespaces",
+    "rqt.group": "Group",
+    "rqt.view": "Highlight, Fit",
+    "rqt.files": "save, open",
+    "rqt.auto": "auto refresh",
+    "rqt.node_filter": "Filter of nodes",
+    "rqt.topic_filter": "Filter of topics",
+    "rqt.filter_note": "Names or regular expressions with commas between them; - in front leaves out, / is all. Example: -/rqt.*",
+    "rqt.save": "Save the graph as",
+    "rqt.save_note": ".dot for Graphviz, .svg or .png for a picture",
+    "rqt.load": "Open a DOT file",
+    "rqt.load_note": "It is shown instead of the live graph, until r refreshes.",
+    "rqt.loaded": "from the file {name}; r shows the live graph",
+    "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
+    "rqt.topic": "{name}: published by {arriving}, heard by {leaving}",
     # topics
     "topics.columns.topic": "topic",
     "topics.columns.rate": "rate",
@@ -131,6 +199,88 @@ TEXTS = {
     "topics.waiting": "listening, nothing came yet",
     "topics.listen": "listen",
     "topics.stop": "stop",
+    # rviz2
+    "rviz.key.view": "view",
+    "rviz.key.panel": "panel",
+    "rviz.key.edit": "change",
+    "rviz.key.add": "add",
+    "rviz.key.focus": "look at it",
+    "rviz.key.turn": "turn",
+    "rviz.key.zoom": "zoom",
+    "rviz.key.above": "45° from above",
+    "rviz.loading": "reading {what}",
+    "rviz.hint.topic": "This display has no topic yet. {name} could be {options}: Enter on {name} lets you choose.",
+    "rviz.hint.no_topic": "This display has no topic yet, and nobody publishes one that fits {name}: is the node running?",
+    "rviz.hint.description": "the robot description is broken: {reason}",
+    "rviz.hint.config": "{file} could not be read: {reason}",
+    "rviz.hint.no_config": "there is no file {file}; this is the default view",
+    "rviz.bad.bool": "true or false, please",
+    "rviz.bad.int": "a whole number, please",
+    "rviz.bad.float": "a number, please",
+    "rviz.bad.finite": "this number is not finite",
+    "rviz.bad.vector": "three numbers, please: 0; 0; 0.5",
+    "rviz.bad.quaternion": "four numbers, please: x; y; z; w",
+    "rviz.bad.colour": "three numbers from 0 to 255, please: red; green; blue",
+    "rviz.bad.enum": "one of these, please: {options}",
+    "rviz.bad.name": "a name, please",
+    "rviz.bad.picture": "the name must end in .png or .svg",
+    "rviz.choose": "Choose",
+    "rviz.type_it": "type another …",
+    "rviz.add.title": "Add",
+    "rviz.add.by_type": "by display type",
+    "rviz.add.by_topic": "by topic",
+    "rviz.rename": "Rename",
+    "rviz.save_as": "Save as",
+    "rviz.load": "Open a .rviz file",
+    "rviz.saved": "saved: {file}",
+    "rviz.not_saved": "{file} could not be saved: {reason}",
+    "rviz.not_loaded": "{file} could not be loaded: {reason}",
+    "rviz.picture": "Save a picture",
+    "rviz.picture_note": ".png or .svg",
+    "rviz.quality": "quality: {name}",
+    "rviz.nothing_to_focus": "there is nothing to look at yet",
+    "rviz.type.Axes": "the axes of a frame",
+    "rviz.type.Grid": "lines on the ground",
+    "rviz.type.LaserScan": "points of a laser scanner",
+    "rviz.type.Map": "an occupancy grid",
+    "rviz.type.Marker": "a program's own shapes",
+    "rviz.type.MarkerArray": "many of them",
+    "rviz.type.Odometry": "where a robot has been",
+    "rviz.type.Path": "a planned way",
+    "rviz.type.PointStamped": "single points",
+    "rviz.type.Pose": "a place and direction",
+    "rviz.type.PoseArray": "many of them",
+    "rviz.type.RobotModel": "a robot by its URDF",
+    "rviz.type.TF": "all frames",
+    "rviz.colour.black": "black",
+    "rviz.colour.dark": "dark",
+    "rviz.colour.grey": "grey",
+    "rviz.colour.white": "white",
+    "rviz.colour.red": "red",
+    "rviz.colour.orange": "orange",
+    "rviz.colour.yellow": "yellow",
+    "rviz.colour.green": "green",
+    "rviz.colour.cyan": "cyan",
+    "rviz.colour.blue": "blue",
+    "rviz.colour.purple": "purple",
+    "rviz.kind.box": "box",
+    "rviz.kind.cylinder": "cylinder",
+    "rviz.kind.sphere": "ball",
+    "rviz.kind.mesh": "mesh",
+    "rviz.seen.grid": "a grid of {cells}×{cells} cells of {size} m",
+    "rviz.seen.frames": "the axes of {count} frames",
+    "rviz.seen.no_frames": "no frames: nobody publishes /tf",
+    "rviz.seen.axes": "the axes of {frame}",
+    "rviz.seen.messages": "{name}: {count} messages",
+    "rviz.seen.separator": "; ",
+    "rviz.seen.comma": ", ",
+    "rviz.seen.nothing": "nothing: no display is enabled",
+    "rviz.seen.no_robot": "no robot yet",
+    "rviz.seen.robot": "robot {name}: {parts}",
+    "rviz.seen.link": "{colour} {kind} {name} {size}",
+    "rviz.seen.lost": " (no transform: white, not in its place)",
+    "rviz.seen.turned": ", turned {degrees}°",
+    "rviz.seen.more": "and {count} more links",
     # menus
     "menu.palette": "Commands",
     "menu.windows": "Windows and terminals",
@@ -167,6 +317,19 @@ TEXTS = {
         "Your robot from above, drawn from its URDF. The wheels turn as /joint_states and /tf say: nobody publishes, nothing "
         "turns. In this picture the car stays where it is; turning wheels move nothing, just as in RViz."
     ),
+    "help.rviz2": (
+        "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the panel Displays, on the "
+        "right the 3-D view.\n\n"
+        "Three settings show your robot: Fixed Frame (a frame that exists, such as base_link), Add RobotModel, and in it "
+        "Description Topic /robot_description. Red and yellow lines say what is missing; the line at the bottom says it in "
+        "full.\n\n"
+        "Tab\tpanel or view\nEnter\tchange a value, open a branch\nSpace\tcheck box\n^N or a\tadd a display\n"
+        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\tpanel away or back\n"
+        "arrows\tturn the view, with Shift push it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
+        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nq\tquality: less detail is faster\nr\treset\n"
+        "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
+        "Mouse: drag turns, Shift or Ctrl and drag pushes, the wheel zooms."
+    ),
     "help.rqt_graph": (
         "Which node talks to which. Ellipses are nodes, arrows are topics. A pulse runs along an arrow when messages pass. "
         "The line below says what the filters hide."
@@ -174,6 +337,22 @@ TEXTS = {
     "help.topics": (
         "All topics, with their type and how many publish and subscribe. Enter listens to the chosen topic and measures its "
         "rate and bandwidth; the last message is shown below. Listening is a subscription, so it counts as one."
+    ),
+    "help.world": (
+        "A small world with physics, where Gazebo stands in a real lesson. The wheels touch the floor, so when they turn the "
+        "robot rolls: /cmd_vel or /joint_commands turns them. It tells its place on /odom as the wheels count it, and sees "
+        "with /scan and /line_sensor.\n\n"
+        "To come in, every link needs <inertial>; what has no <collision> goes through walls.\n\n"
+        "+ and - zoom, arrows move the view, f follows the robot, 0 shows everything. l shows the lidar, t wipes the trail. "
+        "Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start."
+    ),
+    "help.joint_state_publisher": (
+        "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
+        "robot_state_publisher turns it into the places of the links.\n\n"
+        "Up and down choose a joint, left and right move it (with Shift: finely), PageUp and PageDown move it far, Home and "
+        "End go to its limits, z to its zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
+        "between radians and degrees. With the mouse: drag the knob.\n\n"
+        "If another node publishes the same joints, the robot jitters: both give orders, and the last one counts."
     ),
     "help.welcome": (
         "Choose with the arrow keys and Enter, with a number, or with the mouse. The first choices type their commands into "

@@ -65,6 +65,18 @@ TEXTS = {
     "bar.starting": "正在启动……",
     "bar.playing": "正在替你输入…… 按 Esc 停下",
     "bar.external": "学生进程仍按正常速度运行",
+    # one window on a real terminal
+    "single.end": "结束",
+    "single.help": "帮助",
+    "single.log": "日志",
+    "single.no_log": "程序还没有输出任何内容。",
+    "help.single.end": "结束程序",
+    "help.single.help": "说明这个窗口",
+    "help.single.log": "查看程序的输出；程序结束后这些内容也会打印在终端里",
+    "help.single.next": "切换到该程序的下一个窗口（如果有多个）",
+    "help.single.glyphs": "换一套字符来画图",
+    "help.single.language": "切换语言：English",
+    "help.single.suspend": "暂停程序并回到命令行，用 fg 继续",
     # terminal
     "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
@@ -109,6 +121,44 @@ TEXTS = {
     "car.many_publishers": "{topic} 上有 {count} 个发布者：{nodes}",
     "car.slow": "{topic} 每秒只来 {rate} 次：眼睛需要大约 20 次",
     "car.silent": "{topic} 已经 {seconds} 秒没有消息",
+    # world
+    "world.pose": "x {x:.2f}  y {y:.2f}  {degrees}°  v {v:.2f} m/s",
+    "world.line": "巡线",
+    "world.zoom": "缩放",
+    "world.follow": "跟随",
+    "world.lidar": "激光雷达",
+    "world.step": "一步",
+    "world.reset": "回到起点",
+    "world.waiting_for_robot": "世界里还没有机器人：还没有人发布 /robot_description",
+    "world.refused": "{robot} 不能进入这个世界：",
+    "world.bad_description": "机器人描述有错：{text}",
+    "world.no_inertial": "{links}：没有 <inertial>。没有质量的东西，力推不动它，它就是个“幽灵”",
+    "world.bad_mass": "{link}：质量不能是 {mass} 千克",
+    "world.bad_inertia": "{link}：绕每根轴的转动惯量都要大于 0",
+    "world.bad_number": "{link}：有个尺寸或位置不是数",
+    "world.no_drive": "找不到一左一右两个能驱动它的轮子",
+    "world.stands_in_wall": "在 ({x:.2f}, {y:.2f}) 它会站到墙里",
+    "world.no_collision": "{links}：没有 <collision>，会像幽灵一样穿墙",
+    "world.wheels_without_collision": "{links}：轮子没有 <collision>，碰不到地面，只会空转，推不动车",
+    "world.nobody_drives": "没有人发布 {topic}：运行 ros2 run teleop_twist_keyboard teleop_twist_keyboard 就能开车",
+    "world.keeps_going": "{topic} 上已经没有人发布了：最后一条命令一直有效，直到有新的命令",
+    "world.wrong_type": "{topic} 的类型是 {type}，这个世界听的是 {wanted}：启动时加上 stamped:={stamped}",
+    "world.two_joint_states": (
+        "{nodes} 也在发布 {topic}。这个话题只报告轮子在哪里，不是命令，所以车不会走。"
+        "加上 -r joint_states:=joint_commands，它就成了命令"
+    ),
+    "world.bumped": "碰到墙了：轮子在打滑，而 /odom 不知道",
+    "world.sideways": "linear.y 没有用：两个轮子的车不能横着走",
+    # joint sliders
+    "sliders.waiting": "正在等 /robot_description 上的机器人：robot_state_publisher 在运行吗？",
+    "sliders.none": "这个机器人没有可以动的关节。",
+    "sliders.conflict": "{nodes} 也在发布这些关节：两边各说各的，机器人就会抖动。同一时刻只留一个发布者。",
+    "sliders.degrees": "角度制",
+    "sliders.move": "拖动",
+    "sliders.value": "输入数值",
+    "sliders.zero": "归零",
+    "sliders.accept": "确定",
+    "sliders.cancel": "取消",
     # rqt_graph
     "rqt.hidden": "藏起了 {count} 个：",
     "rqt.hides": "{option} 藏起 {names}",
@@ -118,6 +168,24 @@ TEXTS = {
     "rqt.type": "类型",
     "rqt.hide": "隐藏",
     "rqt.refresh": "刷新",
+    "prompt.keys": "Enter 确定   Esc 返回",
+    "rqt.choose": "选择",
+    "rqt.filter": "过滤节点、话题",
+    "rqt.namespaces": "命名空间",
+    "rqt.group": "合并",
+    "rqt.view": "高亮、适应窗口",
+    "rqt.files": "保存、打开",
+    "rqt.auto": "自动刷新",
+    "rqt.node_filter": "节点过滤",
+    "rqt.topic_filter": "话题过滤",
+    "rqt.filter_note": "写名字或正则表达式，用逗号隔开；前面加 - 表示排除，/ 表示全部。例如：-/rqt.*",
+    "rqt.save": "把图保存为",
+    "rqt.save_note": ".dot 给 Graphviz 用，.svg 或 .png 是图片",
+    "rqt.load": "打开 DOT 文件",
+    "rqt.load_note": "会代替现在的图显示出来，按 r 刷新后恢复。",
+    "rqt.loaded": "来自文件 {name}；按 r 回到现在的图",
+    "rqt.node": "{name}：{arriving} 个箭头进来，{leaving} 个出去",
+    "rqt.topic": "{name}：{arriving} 个发布者，{leaving} 个订阅者",
     # topics
     "topics.columns.topic": "话题",
     "topics.columns.rate": "频率",
@@ -131,6 +199,88 @@ TEXTS = {
     "topics.waiting": "正在听，还没有消息",
     "topics.listen": "听",
     "topics.stop": "不听",
+    # rviz2
+    "rviz.key.view": "去视图",
+    "rviz.key.panel": "去面板",
+    "rviz.key.edit": "修改",
+    "rviz.key.add": "添加",
+    "rviz.key.focus": "对准",
+    "rviz.key.turn": "旋转",
+    "rviz.key.zoom": "缩放",
+    "rviz.key.above": "斜上方45°",
+    "rviz.loading": "正在读取 {what}",
+    "rviz.hint.topic": "这个显示项还没有话题。{name} 可以选 {options}：在 {name} 上按 Enter 来选择。",
+    "rviz.hint.no_topic": "这个显示项还没有话题，也没有人在发布合适的话题：节点启动了吗？启动以后再设置 {name}。",
+    "rviz.hint.description": "机器人描述有错：{reason}",
+    "rviz.hint.config": "{file} 读不了：{reason}",
+    "rviz.hint.no_config": "没有文件 {file}；现在是默认的视图",
+    "rviz.bad.bool": "请输入 true 或 false",
+    "rviz.bad.int": "请输入一个整数",
+    "rviz.bad.float": "请输入一个数",
+    "rviz.bad.finite": "这个数不是有限的数",
+    "rviz.bad.vector": "请输入三个数：0; 0; 0.5",
+    "rviz.bad.quaternion": "请输入四个数：x; y; z; w",
+    "rviz.bad.colour": "请输入三个 0 到 255 的数：红; 绿; 蓝",
+    "rviz.bad.enum": "请从这些里面选：{options}",
+    "rviz.bad.name": "请输入名字",
+    "rviz.bad.picture": "文件名要以 .png 或 .svg 结尾",
+    "rviz.choose": "选择",
+    "rviz.type_it": "自己输入 …",
+    "rviz.add.title": "添加（Add）",
+    "rviz.add.by_type": "按显示类型",
+    "rviz.add.by_topic": "按话题",
+    "rviz.rename": "改名",
+    "rviz.save_as": "另存为",
+    "rviz.load": "打开 .rviz 文件",
+    "rviz.saved": "已保存：{file}",
+    "rviz.not_saved": "{file} 保存不了：{reason}",
+    "rviz.not_loaded": "{file} 打不开：{reason}",
+    "rviz.picture": "保存图片",
+    "rviz.picture_note": ".png 或 .svg",
+    "rviz.quality": "画质：{name}",
+    "rviz.nothing_to_focus": "现在还没有可以对准的东西",
+    "rviz.type.Axes": "一个坐标系的坐标轴",
+    "rviz.type.Grid": "地面网格",
+    "rviz.type.LaserScan": "激光雷达的点",
+    "rviz.type.Map": "占据栅格地图",
+    "rviz.type.Marker": "程序自己画的图形",
+    "rviz.type.MarkerArray": "一组图形",
+    "rviz.type.Odometry": "机器人走过的路",
+    "rviz.type.Path": "规划好的路径",
+    "rviz.type.PointStamped": "单个的点",
+    "rviz.type.Pose": "一个位置和朝向",
+    "rviz.type.PoseArray": "一组位置和朝向",
+    "rviz.type.RobotModel": "按 URDF 画出的机器人",
+    "rviz.type.TF": "所有坐标系",
+    "rviz.colour.black": "黑色",
+    "rviz.colour.dark": "深色",
+    "rviz.colour.grey": "灰色",
+    "rviz.colour.white": "白色",
+    "rviz.colour.red": "红色",
+    "rviz.colour.orange": "橙色",
+    "rviz.colour.yellow": "黄色",
+    "rviz.colour.green": "绿色",
+    "rviz.colour.cyan": "青色",
+    "rviz.colour.blue": "蓝色",
+    "rviz.colour.purple": "紫色",
+    "rviz.kind.box": "长方体",
+    "rviz.kind.cylinder": "圆柱",
+    "rviz.kind.sphere": "球",
+    "rviz.kind.mesh": "网格模型",
+    "rviz.seen.grid": "{cells}×{cells} 格的网格，每格 {size} m",
+    "rviz.seen.frames": "{count} 个坐标系的坐标轴",
+    "rviz.seen.no_frames": "没有坐标系：没有人在发布 /tf",
+    "rviz.seen.axes": "{frame} 的坐标轴",
+    "rviz.seen.messages": "{name}：{count} 条消息",
+    "rviz.seen.separator": "；",
+    "rviz.seen.comma": "，",
+    "rviz.seen.nothing": "什么也没有：没有打开任何显示项",
+    "rviz.seen.no_robot": "还没有机器人",
+    "rviz.seen.robot": "机器人 {name}：{parts}",
+    "rviz.seen.link": "{colour}{kind} {name} {size}",
+    "rviz.seen.lost": "（没有坐标变换：变成白色，位置不对）",
+    "rviz.seen.turned": "，转了 {degrees}°",
+    "rviz.seen.more": "还有 {count} 个 link",
     # menus
     "menu.palette": "命令",
     "menu.windows": "窗口和终端",
@@ -164,12 +314,39 @@ TEXTS = {
         "从上往下看你的机器人，按它的 URDF 画出来。轮子按 /joint_states 和 /tf 转动：没有人发布，就没有东西转。"
         "在这幅图里小车不会走开；轮子转了车也不动，和 RViz 里一样。"
     ),
+    "help.rviz2": (
+        "RViz 把 ROS 知道的东西画出来：机器人、坐标系、传感器数据。它自己不会让任何东西动。"
+        "左边是 Displays 面板，右边是三维视图。\n\n"
+        "三个设置就能看到机器人：Fixed Frame 选一个真实存在的坐标系（比如 base_link），用 Add 添加 RobotModel，再把它的 "
+        "Description Topic 设成 /robot_description。红色和黄色的行说明缺了什么，最下面一行是完整的话。\n\n"
+        "Tab\t面板或视图\nEnter\t修改数值，展开一项\n空格\t打勾\n^N 或 a\t添加显示项\n"
+        "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板\n"
+        "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nq\t画质：细节少一些就快一些\nr\t重置\n"
+        "^S w ^O\t保存、另存为、打开\ng\t保存图片\n\n"
+        "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
+    ),
     "help.rqt_graph": (
         "谁在和谁说话。椭圆是节点，箭头是话题。有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。"
     ),
     "help.topics": (
         "所有的话题：类型、几个发布者、几个订阅者。按 Enter 开始听选中的话题，测量它的频率和带宽，下面显示最新的一条消息。"
         "听就是订阅，所以订阅者会多一个。"
+    ),
+    "help.world": (
+        "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
+        "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
+        "想进来，每个 link 都要有 <inertial>；没有 <collision> 的部分会穿墙。\n\n"
+        "+ 和 - 缩放，方向键移动画面，f 跟着车，0 看全图。l 显示激光雷达，t 擦掉轨迹。"
+        "空格暂停，n 走一步，[ 和 ] 让时间变慢变快，r 回到起点。"
+    ),
+    "help.joint_state_publisher": (
+        "每个能动的关节一根滑条。你在这里设的角度，每秒十次发到 /joint_states；robot_state_publisher 再把它变成"
+        "各个 link 的位置。\n\n"
+        "↑ ↓ 选关节，← → 拖动（按住 Shift 更细），PageUp、PageDown 大步走，Home、End 到极限，z 回到零位。"
+        "按数字键或 Enter 输入准确的值。"
+        "r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
+        "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
     ),
     "help.welcome": "用方向键和 Enter 选择，也可以按数字或点鼠标。前两项会像老师一样，把命令一条一条地输入到终端里。",
     # errors

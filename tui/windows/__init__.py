@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual.geometry import Region
@@ -13,11 +15,17 @@ from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
 
+if TYPE_CHECKING:
+    from day6_tui.tui.overlay import Overlay
+
 KINDS: dict[str, tuple[str, str]] = {
     "turtlesim": ("turtlesim", "TurtleSimPane"),
     "car": ("car", "CarPane"),
     "rqt_graph": ("rqt_graph", "RqtGraphPane"),
     "topics": ("topics", "TopicsPane"),
+    "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
+    "world": ("world", "WorldPane"),
+    "rviz2": ("rviz2", "RVizPane"),
 }
 """Kind of window -> module in this package and class in it."""
 
@@ -58,6 +66,18 @@ class WindowPane(Pane):
         others = desktop.other_tabs(self) if isinstance(desktop, Desktop) and desktop.active == self.number else []
         close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.window.close_by_user)
         return [*others, close]
+
+    def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
+        """Ask for a line of text: `taken` gets it and returns what is wrong with it, or None."""
+        from day6_tui.tui.prompt import Prompt
+
+        self.lay_over(Prompt(self.look, title, value, taken, note=note))
+
+    def lay_over(self, overlay: Overlay) -> None:
+        """Lay a prompt or menu over the desktop."""
+        open_overlay = getattr(self.parent, "open_overlay", None)
+        if open_overlay is not None:
+            open_overlay(overlay)
 
 
 class BrokenPane(WindowPane):

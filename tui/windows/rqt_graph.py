@@ -4,21 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_graph._content import GraphType, Options
-from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, CONSOLE, UNICODE, Canvas, Glyphs, Run, draw, draw_pulse
-from day6_tui.core.ros.programs.rqt_graph._fit import fitted
-from day6_tui.core.ros.programs.rqt_graph._layout import Picture, Route
+from day6_tui.core.ros.programs.rqt_graph._content import Options
+from day6_tui.core.ros.programs.rqt_graph._drawing import (
+    ASCII,
+    CONSOLE,
+    UNICODE,
+    Canvas,
+    Glyphs,
+    Highlight,
+    Run,
+    draw,
+    draw_pulse,
+)
+from day6_tui.core.ros.programs.rqt_graph._fit import fitted, unfitted
 from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+from day6_tui.core.ros.programs.rqt_graph._shapes import Picture, Route
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.rqt_graph_options import GROUP, HIDE, SWITCHES, VIEW, is_on, switched
 
 PULSE_SECONDS = 1.2
 """How long a pulse takes along an edge."""
@@ -30,15 +40,6 @@ LOOK_SECONDS = 0.25
 """How often the message counters are read."""
 
 _GLYPHS: dict[str, Glyphs] = {"half": UNICODE, "braille": UNICODE, "cell": CONSOLE, "ascii": ASCII}
-
-_SWITCHES: dict[str, tuple[str, str]] = {
-    "d": ("hide_debug", "Debug"),
-    "s": ("hide_dead_sinks", "Dead sinks"),
-    "l": ("hide_leaf_topics", "Leaf topics"),
-    "p": ("hide_params", "Params"),
-    "f": ("hide_tf", "tf"),
-}
-"""Key -> option and the label of rqt_graph's check box. A checked box hides."""
 
 _SCROLL: dict[str, tuple[int, int]] = {
     "left": (-8, 0),
@@ -64,17 +65,21 @@ class RqtGraphPane(WindowPane):
         self._counts: dict[str, int] = {}
         self._counted = 0.0
         self._pulses: dict[Route, float] = {}
+        self._chosen = ""
+        """Key of the box whose edges are highlighted, '' for none."""
 
     # -- frame ---------------------------------------------------------------------------------------------------------
 
     def title(self) -> list[Piece]:
         options = self.graph.options
-        kind = Piece(
-            f" {options.graph_type.value} {self.look.glyphs.chevron}", self.look.colours.muted, self._next_type
-        )
-        return [*super().title(), kind]
+        text = self.graph.loaded or f"{options.graph_type.value} {self.look.glyphs.chevron}"
+        return [*super().title(), Piece(f" {text}", self.look.colours.muted, lambda: self._switch("t"))]
 
     def status(self) -> list[Piece]:
+        if self.graph.loaded:
+            return [Piece(f" {self.look.texts('rqt.loaded', name=self.graph.loaded)} ", self.look.colours.muted)]
+        if self._chosen:
+            return [Piece(f" {self._about_chosen()} ", self.look.colours.text)]
         hidden = self.graph.content.hidden
         count = sum(len(each.names) for each in hidden)
         if not count:
@@ -88,8 +93,15 @@ class RqtGraphPane(WindowPane):
     def key_hints(self) -> list[tuple[str, str]]:
         return [
             ("t", self.look.texts("rqt.type")),
-            ("d s l p f", self.look.texts("rqt.hide")),
+            ("d s l p f u", self.look.texts("rqt.hide")),
+            ("j k", self.look.texts("rqt.choose")),
+            ("/ :", self.look.texts("rqt.filter")),
+            ("n", self.look.texts("rqt.namespaces")),
+            ("1 2 3", self.look.texts("rqt.group")),
+            ("h v", self.look.texts("rqt.view")),
+            ("w o", self.look.texts("rqt.files")),
             ("r", self.look.texts("rqt.refresh")),
+            ("a", self.look.texts("rqt.auto")),
         ]
 
     # -- content -------------------------------------------------------------------------------------------------------
@@ -105,15 +117,22 @@ class RqtGraphPane(WindowPane):
 
     def _lay_out(self) -> None:
         content = self.graph.content
-        picture_height = max(1, self.inner_height - 1)
-        ellipsis = self.look.glyphs.ellipsis
-        self._picture = fitted(content.boxes, content.edges, self.inner_width, picture_height, ellipsis=ellipsis)
+        if self.graph.options.fit:
+            height = max(1, self.inner_height - self._switch_rows())
+            ellipsis = self.look.glyphs.ellipsis
+            self._picture = fitted(content.boxes, content.edges, self.inner_width, height, ellipsis=ellipsis)
+        else:
+            self._picture = unfitted(content.boxes, content.edges)
+        if self._chosen not in self._picture.boxes:
+            self._chosen = ""
         self._pulses = {}
+        self._scroll(0, 0)
         self._paint()
 
     def _paint(self) -> None:
         glyphs = _GLYPHS[self.look.glyphs.canvas]
-        self._canvas = draw(self._picture, glyphs, self.graph.content.trouble)
+        highlight = Highlight(self._chosen, self.graph.content.edges) if self._chosen else None
+        self._canvas = draw(self._picture, glyphs, self.graph.content.trouble, highlight)
         for route, began in self._pulses.items():
             draw_pulse(self._canvas, route, (self._counted_now - began) / PULSE_SECONDS, glyphs)
         self._rows = self._canvas.rows()
@@ -150,7 +169,7 @@ class RqtGraphPane(WindowPane):
     @property
     def _top(self) -> int:
         """The inside line of the picture's first row: it is centred while it fits."""
-        spare = self.inner_height - 1 - self._picture.height
+        spare = self.inner_height - self._switch_rows() - self._picture.height
         return max(0, spare // 2) - (self._offset[1] if spare < 0 else 0)
 
     @property
@@ -159,8 +178,9 @@ class RqtGraphPane(WindowPane):
         return max(0, spare // 2) - (self._offset[0] if spare < 0 else 0)
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if y == self.inner_height - 1:
-            return self._switch_line(width)
+        below = y - self.inner_height + self._switch_rows()
+        if below >= 0:
+            return self._switch_line(below, width)
         if not self.graph.content.boxes and y == self.inner_height // 2:
             text = clip(self.look.texts("rqt.empty"), width, self.look.glyphs.ellipsis)
             return [Segment(text, self.look.colours.muted)]
@@ -186,45 +206,144 @@ class RqtGraphPane(WindowPane):
             "group": colours.topic,
             "label": colours.topic,
             "edge": colours.muted,
+            "cluster": colours.frame,
             "pulse": colours.accent,
             "warning": colours.warning,
+            "chosen": colours.choice,
+            "incoming": colours.publisher,
+            "outgoing": colours.accent,
+            "faded": colours.frame,
         }
         return table.get(name, self.background)
 
-    def _switch_line(self, width: int) -> list[Segment]:
+    def _switch_rows(self) -> int:
+        """Lines for the check boxes: what hides, and where there is room what groups."""
+        return 2 if self.inner_height >= 14 else 1
+
+    def _switch_line(self, row: int, width: int) -> list[Segment]:
         """Trouble with QoS or types first, else the check boxes."""
-        colours, options = self.look.colours, self.graph.options
-        if self.graph.content.trouble:
-            topic, lines = next(iter(self.graph.content.trouble.items()))
-            text = f"{self.look.glyphs.warning} {topic.strip()}: {' '.join(lines[:2])}"
+        colours, options, texts = self.look.colours, self.graph.options, self.look.texts
+        trouble = self.graph.content.trouble
+        if trouble and row == 0:
+            topic = self._chosen if self._chosen in trouble else next(iter(trouble))
+            text = f"{self.look.glyphs.warning} {topic.strip()}: {' '.join(trouble[topic])}"
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), colours.warning)]
-        segments = [Segment(f"{self.look.texts('rqt.hide')}: ", colours.muted)]
-        for key, (option, label) in _SWITCHES.items():
-            mark = "x" if getattr(options, option) else " "
-            segments.append(Segment(f"[{mark}] ", colours.muted))
-            segments.append(Segment(f"{label}({key})  ", colours.text if mark == "x" else colours.muted))
+        switches = (*GROUP, *VIEW) if row else HIDE
+        segments = [Segment(f"{texts('rqt.group' if row else 'rqt.hide')}: ", colours.muted)]
+        if row:
+            segments.append(Segment(f"{options.namespaces} Namespaces(n)  ", colours.text))
+        for switch in switches:
+            on = is_on(options, switch)
+            segments.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
+            segments.append(Segment(f"{switch.label}({switch.key})  ", colours.text if on else colours.muted))
         return segments
+
+    def _about_chosen(self) -> str:
+        """Say in one line what is around the chosen box."""
+        box, _ = self._picture.boxes[self._chosen]
+        edges = self.graph.content.edges
+        arriving = [edge for edge in edges if edge.end == self._chosen]
+        leaving = [edge for edge in edges if edge.start == self._chosen]
+        key = "rqt.node" if box.shape == "node" else "rqt.topic"
+        return self.look.texts(key, name=box.lines[0], arriving=len(arriving), leaving=len(leaving))
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def on_key(self, event: events.Key) -> None:
-        key = event.key
-        if key in _SWITCHES:
-            option = _SWITCHES[key][0]
-            switched: dict[str, Any] = {option: not getattr(self.graph.options, option)}
-            self._change(replace(self.graph.options, **switched))
-        elif key == "t":
-            self._next_type()
+        key = event.character if event.character in ("/", ":") else event.key
+        if key in SWITCHES or key in ("t", "n"):
+            self._switch(key)
         elif key == "r":
             self.graph.request_refresh()
         elif key == "a":
             self.graph.auto_refresh = not self.graph.auto_refresh
+            if self.graph.auto_refresh:
+                self.graph.request_refresh()
+        elif key in ("j", "k"):
+            self._choose_next(1 if key == "j" else -1)
+        elif key == "escape" and self._chosen:
+            self._choose("")
+        elif key in ("/", ":"):
+            self._ask_filter("node_filter" if key == "/" else "topic_filter")
+        elif key in ("w", "o"):
+            self._ask_file(saving=key == "w")
         elif key in _SCROLL:
             self._scroll(*_SCROLL[key])
         else:
             return
         event.stop()
         event.prevent_default()
+
+    def on_click(self, event: events.Click) -> None:
+        """A click on a box chooses it, beside the boxes none."""
+        super().on_click(event)
+        x, y = event.x - 1 - self._left, event.y - 1 - self._top
+        for key, (_, rect) in self._picture.boxes.items():
+            if rect.x <= x < rect.x + rect.width and rect.y <= y < rect.y + rect.height:
+                self._choose("" if key == self._chosen else key)
+                return
+        self._choose("")
+
+    def _switch(self, key: str) -> None:
+        self._change(switched(self.graph.options, key))
+
+    def _choose_next(self, step: int) -> None:
+        """Choose the next box: column by column, from above."""
+        places = sorted(
+            self._picture.boxes, key=lambda key: (lambda rect: (rect.x, rect.y))(self._picture.boxes[key][1])
+        )
+        if places:
+            at = places.index(self._chosen) + step if self._chosen in places else (0 if step > 0 else -1)
+            self._choose(places[at % len(places)])
+
+    def _choose(self, key: str) -> None:
+        if not self.graph.options.highlight:
+            key = ""
+        if key != self._chosen:
+            self._chosen = key
+            self._show_chosen()
+            self._paint()
+            self.touch()
+
+    def _show_chosen(self) -> None:
+        """Scroll so that the chosen box is in sight."""
+        if self._chosen:
+            _, rect = self._picture.boxes[self._chosen]
+            left, top = rect.x + self._left, rect.y + self._top
+            right, bottom = (
+                left + rect.width - self.inner_width,
+                top + rect.height - self.inner_height + self._switch_rows(),
+            )
+            self._scroll(max(0, right) + min(0, left), max(0, bottom) + min(0, top))
+
+    def _ask_filter(self, option: str) -> None:
+        """Ask for a filter as the fields of the real window take them."""
+
+        def taken(text: str) -> None:
+            changed: dict[str, str] = {option: text or "/"}
+            self._change(replace(self.graph.options, **changed))  # type: ignore[arg-type]
+
+        texts = self.look.texts
+        value = getattr(self.graph.options, option)
+        self.ask(texts(f"rqt.{option}"), value, taken, note=texts("rqt.filter_note"))
+
+    def _ask_file(self, *, saving: bool) -> None:
+        """Ask where to save the picture (the suffix says as what), or which DOT file to show."""
+
+        def taken(name: str) -> str | None:
+            try:
+                if saving:
+                    self.graph.save(name)
+                else:
+                    self.graph.load(name)
+            except (OSError, ValueError) as error:
+                return str(error)
+            self.look.wake()
+            return None
+
+        texts = self.look.texts
+        title, note = ("rqt.save", "rqt.save_note") if saving else ("rqt.load", "rqt.load_note")
+        self.ask(texts(title), "rosgraph.dot", taken, note=texts(note))
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         self._scroll(0, 2)
@@ -238,14 +357,9 @@ class RqtGraphPane(WindowPane):
         self.graph.change_options(options)
         self.pull(self._counted_now)
 
-    def _next_type(self) -> None:
-        kinds = list(GraphType)
-        following = kinds[(kinds.index(self.graph.options.graph_type) + 1) % len(kinds)]
-        self._change(replace(self.graph.options, graph_type=following))
-
     def _scroll(self, columns: int, rows: int) -> None:
         x = min(max(0, self._offset[0] + columns), max(0, self._picture.width - self.inner_width))
-        y = min(max(0, self._offset[1] + rows), max(0, self._picture.height - self.inner_height + 1))
+        y = min(max(0, self._offset[1] + rows), max(0, self._picture.height - self.inner_height + self._switch_rows()))
         if (x, y) != self._offset:
             self._offset = (x, y)
             self.touch()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import shlex
 from argparse import REMAINDER, ArgumentParser, Namespace
 from typing import TYPE_CHECKING
@@ -46,7 +47,23 @@ async def main(session: Session, args: Namespace) -> int | str:
         return await _run_prefixed(session, shlex.split(args.prefix), fitting[0], args.argv)
     if fitting[0].built_in:
         return await _run_built_in(session, args.package_name, fitting[0], args.argv)
-    return _told(session, await session.run_python([str(fitting[0].path), *args.argv]))
+    return await _run_process(session, [str(fitting[0].path), *args.argv])
+
+
+async def _run_process(session: Session, argv: list[str]) -> int:
+    """Run a file of a workspace. A signal that ended it is told, and makes the status minus its number, as of `sys.exit(-2)`."""
+    from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+    from day6_tui.core.session.session import KilledBySignal
+
+    if str(PYTHON_PATH) not in session.env.get("PYTHONPATH", "").split(os.pathsep):
+        session.env = program_environment(session.env)  # a real terminal in which only the workspace was sourced
+    try:
+        return _told(session, await session.run_python(argv))
+    except KeyboardInterrupt:
+        number = 2
+    except KilledBySignal as end:
+        number = end.number
+    return _told(session, -number)
 
 
 async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
@@ -73,15 +90,14 @@ async def _run_prefixed(session: Session, prefix: list[str], executable: Executa
     run_line = getattr(session.shell, "run_line", None)
     if run_line is None:
         return f"--prefix needs the shell of day6-tui, which did not start this command: {line}"
-    return _told(session, int(await run_line(line, session)))
+    status = int(await run_line(line, session))
+    return _told(session, 128 - status if status > 128 else status)
 
 
 def _told(session: Session, status: int) -> int:
-    if status > 128:
-        import signal
+    """Say how a program failed that did; `status` is as in subprocess, the result what a shell sees."""
+    if status:
+        from day6_tui.core.shell.signals import TEXTS
 
-        name = signal.strsignal(status - 128) if status - 128 in signal.valid_signals() else None
-        session.print(_PREFIX, name or f"Process exited with failure {status}")
-    elif status:
-        session.print(_PREFIX, f"Process exited with failure {status}")
-    return status
+        session.print(_PREFIX, TEXTS.get(-status) or f"Process exited with failure {status}")
+    return status & 0xFF

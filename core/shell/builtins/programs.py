@@ -20,6 +20,11 @@ async def ros2(session: Session) -> int:
     return (await main(session)) or 0
 
 
+async def colcon(session: Session) -> int:
+    main: Main = importlib.import_module("day6_tui.core.workspace.command").main
+    return (await main(session)) or 0
+
+
 def _program(package: str, executable: str) -> Main:
     """A command that is an executable of one of our packages."""
 
@@ -101,7 +106,9 @@ COMMANDS: dict[str, Main] = {
     "python3": python3,
     "python": python3,
     "ros2": ros2,
+    "colcon": colcon,
     "rqt_graph": _program("rqt_graph", "rqt_graph"),
+    "rviz2": _program("rviz2", "rviz2"),
     "check_urdf": _program("urdfdom", "check_urdf"),
     "urdf_to_graphviz": _program("urdfdom", "urdf_to_graphviz"),
     "sudo": sudo,

@@ -181,6 +181,8 @@ async def source(session: Session) -> int:
         session.print_error(f"{session.name}: usage: {session.name} filename [arguments]")
         return 2
     name = session.argv[1]
+    if _sourced_setup(session, name):
+        return 0
     try:
         text = (shell.cwd / name).read_text(encoding="utf-8", errors="replace")
     except OSError as error:
@@ -196,6 +198,24 @@ async def source(session: Session) -> int:
         return await _run_here(session, text)
     finally:
         shell.arguments = before
+
+
+def _sourced_setup(session: Session, name: str) -> bool:
+    """Source the setup script of a workspace or of ROS; False if `name` is none (or is missing: then the caller says so)."""
+    from day6_tui.core.interfaces import add_prefixes
+    from day6_tui.core.workspace.sourcing import source_setup
+
+    shell: Shell = session.shell
+    try:
+        changed = source_setup(Path(os.path.normpath(shell.cwd / name)), shell.environment)
+    except (OSError, ValueError):
+        return False
+    if changed is None:
+        return False
+    shell.variables.update(changed)
+    shell.exported.update(changed)
+    add_prefixes([path for path in changed.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if path])
+    return True
 
 
 async def eval_(session: Session) -> int:

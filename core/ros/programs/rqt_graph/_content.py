@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
-from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge
+from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge
 
 QUIET_NAMES = (
     "/diag_agg",
@@ -55,6 +55,8 @@ class Options:
     graph_type: GraphType = GraphType.NODES
     node_filter: str = "/"
     topic_filter: str = "/"
+    namespaces: int = 2
+    """Boxes around namespaces, nested up to this depth; 0 draws none."""
     group_actions: bool = True
     group_tf: bool = True
     group_images: bool = True
@@ -62,7 +64,11 @@ class Options:
     hide_leaf_topics: bool = True
     hide_debug: bool = True
     hide_tf: bool = False
+    hide_unreachable: bool = True
+    """As in the real tool, where ROS 2 has no master that could call a node unreachable: it changes nothing."""
     hide_params: bool = True
+    highlight: bool = True
+    fit: bool = True
 
 
 @dataclass(frozen=True)
@@ -155,7 +161,15 @@ def _node_view(facts: Facts, options: Options, nodes: list[str], topics: set[str
     for edge in edges:
         if edge.start == edge.end:
             loops.setdefault(edge.start, []).append(edge.label)
-    boxes = tuple(Box(name, (name, *(f"↺ {topic}" for topic in loops.get(name, ()))), "node") for name in nodes)
+    boxes = tuple(
+        Box(
+            name,
+            (name, *(f"↺ {topic}" for topic in loops.get(name, ()))),
+            "node",
+            namespace_of(name, options.namespaces),
+        )
+        for name in nodes
+    )
     trouble = {topic: lines for topic, lines in facts.incompatible.items() if any(e.key == topic for e in edges)}
     return Content(boxes, tuple(edges), hidden.found(), trouble)
 
@@ -176,13 +190,23 @@ def _topic_view(
     shown = topics | set(nodes)
     links = {link for link in links if link[0] in shown and link[1] in shown}
     connected = {name for link in links for name in link}
-    boxes = [Box(name, (name,), "node") for name in nodes]
-    boxes += [Box(name, (name[1:],), "topic") for name in sorted(topics) if name in connected and name not in groups]
-    boxes += [Box(name, (name[1:],), "group") for name in sorted({groups[t] for t in topics & connected & set(groups)})]
+    grouped = sorted({groups[topic] for topic in topics & connected & set(groups)})
+    alone = sorted(topic for topic in topics & connected if topic not in groups)
+    boxes = [
+        Box(name, (name.strip(),), shape, namespace_of(name.strip(), options.namespaces))
+        for shape, names in (("node", nodes), ("topic", alone), ("group", grouped))
+        for name in names
+    ]
     pairs = dict.fromkeys((groups.get(start, start), groups.get(end, end)) for start, end in sorted(links))
     edges = tuple(Edge(start, end, "", (start if start.startswith(" ") else end)[1:]) for start, end in pairs)
     trouble = {" " + topic: lines for topic, lines in facts.incompatible.items()}
     return Content(tuple(boxes), edges, hidden.found(), trouble)
+
+
+def namespace_of(name: str, depth: int) -> str:
+    """Return the namespace in whose box a name is drawn when boxes nest up to `depth`, '' if in none."""
+    parts = name.split("/")
+    return "/".join(parts[: min(depth + 1, len(parts) - 1)]) if depth > 0 and len(parts) > 2 else ""
 
 
 def _groups(topics: set[str], mark: str, suffixes: tuple[str, ...], least: int, group: str) -> dict[str, str]:

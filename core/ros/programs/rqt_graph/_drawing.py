@@ -8,10 +8,13 @@ from itertools import pairwise
 
 from wcwidth import wcwidth
 
-from day6_tui.core.ros.programs.rqt_graph._layout import Box, Cell, Picture, Rect, Route
+from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Cell, Edge, Picture, Rect, Route
 
 Run = tuple[str, str]
-"""A piece of text and the name of its style: node, topic, group, warning, edge, label, pulse or ''."""
+"""A piece of text and the name of its style: node, topic, group, cluster, warning, edge, label, pulse or ''.
+
+With a highlight on, what does not belong to it is "faded", and the rest "chosen", "incoming" or "outgoing".
+"""
 
 _NORTH, _EAST, _SOUTH, _WEST = 1, 2, 4, 8
 _DIRECTION = {(0, -1): _NORTH, (1, 0): _EAST, (0, 1): _SOUTH, (-1, 0): _WEST}
@@ -96,19 +99,50 @@ def measure(text: str) -> int:
     return sum(max(0, wcwidth(character)) for character in text)
 
 
-def draw(picture: Picture, glyphs: Glyphs, warnings: Iterable[str] = ()) -> Canvas:
-    """Draw boxes and edges; boxes whose key is in `warnings` are drawn in the warning style."""
+def draw(picture: Picture, glyphs: Glyphs, warnings: Iterable[str] = (), highlight: Highlight | None = None) -> Canvas:
+    """Draw frames, boxes and edges.
+
+    What has its key in `warnings` is drawn in the warning style; with a `highlight` the rest of the picture is faded.
+    """
     canvas = Canvas(picture.width, picture.height)
-    _draw_lines(canvas, picture.routes, glyphs)
-    for route in picture.routes:
-        if route.label_at is not None:
-            canvas.put(*route.label_at, route.edge.label, "label")
-        if route.cells:
-            canvas.put(*route.cells[-1], _arrow(route, glyphs), "edge")
     marked = set(warnings)
+    for name, rect in picture.clusters:
+        _draw_frame(canvas, name, rect, glyphs)
+    styles = {route: highlight.edge(route.edge) if highlight else "edge" for route in picture.routes}
+    routes = sorted(picture.routes, key=lambda route: styles[route] != "faded")
+    for style in dict.fromkeys(styles[route] for route in routes):
+        _draw_lines(canvas, [route for route in routes if styles[route] == style], glyphs, style)
+    for route in routes:
+        style = styles[route]
+        if route.label_at is not None:
+            label = style if highlight else "warning" if route.edge.key in marked else "label"
+            canvas.put(*route.label_at, route.edge.label, label)
+        if route.cells:
+            canvas.put(*route.cells[-1], _arrow(route, glyphs), style)
     for box, rect in picture.boxes.values():
-        _draw_box(canvas, box, rect, glyphs, "warning" if box.key in marked else box.shape)
+        style = highlight.box(box.key) if highlight else "warning" if box.key in marked else box.shape
+        _draw_box(canvas, box, rect, glyphs, style)
     return canvas
+
+
+class Highlight:
+    """What belongs to one box: the edges that arrive and leave, and the boxes at their other ends."""
+
+    def __init__(self, key: str, edges: Iterable[Edge]) -> None:
+        self._key = key
+        edges = list(edges)
+        self._before = {edge.start for edge in edges if edge.end == key}
+        self._after = {edge.end for edge in edges if edge.start == key}
+
+    def edge(self, edge: Edge) -> str:
+        """Return the style of an edge."""
+        return "outgoing" if edge.start == self._key else "incoming" if edge.end == self._key else "faded"
+
+    def box(self, key: str) -> str:
+        """Return the style of a box."""
+        if key == self._key:
+            return "chosen"
+        return "outgoing" if key in self._after else "incoming" if key in self._before else "faded"
 
 
 def draw_pulse(canvas: Canvas, route: Route, progress: float, glyphs: Glyphs) -> None:
@@ -119,7 +153,19 @@ def draw_pulse(canvas: Canvas, route: Route, progress: float, glyphs: Glyphs) ->
             canvas.put(x, y, glyphs.pulse, "pulse")
 
 
-def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs) -> None:
+def _draw_frame(canvas: Canvas, name: str, rect: Rect, glyphs: Glyphs) -> None:
+    """Draw a namespace's frame with its name in the upper edge."""
+    right, bottom = rect.x + rect.width - 1, rect.y + rect.height - 1
+    corners = glyphs.square_corners
+    canvas.put(rect.x, rect.y, corners[0] + glyphs.across * (rect.width - 2) + corners[1], "cluster")
+    canvas.put(rect.x, bottom, corners[2] + glyphs.across * (rect.width - 2) + corners[3], "cluster")
+    for row in range(rect.y + 1, bottom):
+        canvas.put(rect.x, row, glyphs.upright, "cluster")
+        canvas.put(right, row, glyphs.upright, "cluster")
+    canvas.put(rect.x + 1, rect.y, f" {name} ", "cluster")
+
+
+def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs, style: str) -> None:
     masks: dict[Cell, int] = {}
     for route in routes:
         for first, second in pairwise(route.cells):
@@ -131,7 +177,7 @@ def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs) -> None
             if len(route.cells) > 1 and route.cells[end][1] == route.cells[beside][1]:
                 masks[route.cells[end]] = masks.get(route.cells[end], 0) | _EAST | _WEST
     for (x, y), mask in masks.items():
-        canvas.put(x, y, glyphs.lines[mask], "edge")
+        canvas.put(x, y, glyphs.lines[mask], style)
 
 
 def _arrow(route: Route, glyphs: Glyphs) -> str:

@@ -6,20 +6,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from day6_tui.core.ros.programs.rqt_graph._drawing import measure
-from day6_tui.core.ros.programs.rqt_graph._layout import Box, Edge, Picture, layout
+from day6_tui.core.ros.programs.rqt_graph._layout import layout
+from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge, Picture
 
 _ATTEMPTS = ((True, 0), (True, 26), (True, 16), (False, 0), (False, 26), (False, 16), (False, 11))
 """What is tried in turn: frames around boxes or not, and the longest label (0: any)."""
+
+_LARGE = 60
+"""Of so many boxes only the smallest form is worth trying: none fits a terminal, and layouts take time."""
 
 
 def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…") -> Picture:
     """Lay out a graph for a window of `width` x `height` cells.
 
-    Long labels are shortened in their middle, then frames go. When nothing fits, the smallest attempt is returned
-    and the window scrolls.
+    Long labels are shortened in their middle, then frames go, then the boxes around namespaces. When nothing fits, the
+    smallest attempt is returned and the window scrolls.
     """
     smallest: Picture | None = None
-    for roomy, longest in _ATTEMPTS:
+    for roomy, longest in _ATTEMPTS if len(boxes) < _LARGE else _ATTEMPTS[-1:]:
         shortened = [replace(edge, label=elide(edge.label, longest, ellipsis)) for edge in edges] if longest else edges
         picture = layout(list(boxes), list(shortened), measure, roomy=roomy)
         if picture.width <= width and picture.height <= height:
@@ -27,7 +31,16 @@ def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int,
         if smallest is None or picture.width * picture.height < smallest.width * smallest.height:
             smallest = picture
     assert smallest is not None
+    if any(box.cluster for box in boxes):
+        bare = fitted([replace(box, cluster="") for box in boxes], edges, width, height, ellipsis=ellipsis)
+        if bare.width <= width and bare.height <= height:
+            return bare
     return smallest
+
+
+def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> Picture:
+    """Lay out a graph with everything in full; the window scrolls."""
+    return layout(list(boxes), list(edges), measure)
 
 
 def elide(name: str, longest: int, ellipsis: str) -> str:

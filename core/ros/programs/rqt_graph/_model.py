@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.graph import EndpointKind, Graph, Publisher
 from day6_tui.core.graph.names import full_name
 from day6_tui.core.ros.programs.rqt_graph._content import Content, Facts, Options, select
+from day6_tui.core.ros.programs.rqt_graph._dot import read_dot, write_dot
+from day6_tui.core.ros.programs.rqt_graph._fit import unfitted
+from day6_tui.core.ros.programs.rqt_graph._image import write_image
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -21,10 +25,13 @@ class RqtGraph:
     threads read both. `options` and `auto_refresh` are set by the window through `change_options`.
     """
 
-    def __init__(self, node: Node, graph: Graph) -> None:
+    def __init__(self, node: Node, graph: Graph, folder: Path) -> None:
         self._node = node
         self._graph = graph
+        self._folder = folder
         self._facts = Facts({}, {})
+        self.loaded = ""
+        """Name of the DOT file that is shown instead of the live graph, '' normally."""
         self.options = Options()
         self.auto_refresh = True
         self.version = 0
@@ -34,14 +41,24 @@ class RqtGraph:
 
     def refresh(self) -> None:
         """Look at the graph again (on the program's thread)."""
-        self._show(read_facts(self._node), self.options)
+        facts = read_facts(self._node)
+        if self.loaded:
+            self._facts = facts
+        else:
+            self._show(facts, self.options)
 
     def change_options(self, options: Options) -> None:
-        """Use other options from now on."""
-        self._show(self._facts, options)
+        """Use other options from now on. What only concerns looking also holds for a graph from a file."""
+        if self.loaded:
+            self.options = options
+        else:
+            self._show(self._facts, options)
 
     def request_refresh(self) -> None:
-        """The button "Refresh ROS graph"."""
+        """The button "Refresh ROS graph": the live graph again."""
+        if self.loaded:
+            self.loaded = ""
+            self._show(self._facts, self.options)
         if self.on_request is not None:
             self.on_request()
 
@@ -52,6 +69,29 @@ class RqtGraph:
             if isinstance(endpoint, Publisher):
                 found[endpoint.topic] = found.get(endpoint.topic, 0) + endpoint.delivered
         return found
+
+    def save(self, name: str) -> Path:
+        """Write what is shown to a file, a relative name where the program was started; the suffix says what kind.
+
+        `.dot` is the graph for Graphviz, `.svg`, `.png` and others are the picture. Raises OSError and ValueError.
+        """
+        path = self._path(name)
+        if path.suffix.lower() == ".dot":
+            path.write_text(write_dot(self.content.boxes, self.content.edges), encoding="utf-8")
+        else:
+            write_image(unfitted(self.content.boxes, self.content.edges), path, tuple(self.content.trouble))
+        return path
+
+    def load(self, name: str) -> None:
+        """Show the graph of a DOT file until the next refresh. Raises OSError and ValueError."""
+        path = self._path(name)
+        boxes, edges = read_dot(path.read_text(encoding="utf-8"))
+        self.loaded = path.name
+        self.content = Content(tuple(boxes), tuple(edges), (), {})
+        self.version += 1
+
+    def _path(self, name: str) -> Path:
+        return self._folder / Path(name).expanduser()
 
     def _show(self, facts: Facts, options: Options) -> None:
         content = select(facts, options)

@@ -21,7 +21,7 @@ async def main(session: Session) -> int | None:
     graph = session.graph
     assert graph is not None
     node = session.create_node(f"rqt_gui_py_node_{session.pid}")
-    model = RqtGraph(node, graph)
+    model = RqtGraph(node, graph, session.cwd)
     if session.display is None:
         await session.sleep(SETTLE_SECONDS)
         model.refresh()

@@ -49,6 +49,7 @@ class LaunchContext:
         self.__environment_at_start: Mapping[str, str] = dict(os.environ)
         self.__environment_stack: list[Mapping[str, str]] = []
         self.__is_shutdown = False
+        self._is_broken = False
         self.__loop: Loop | None = None
         self.__logger = launch.logging.get_logger(__name__)
 

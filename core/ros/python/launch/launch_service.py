@@ -105,6 +105,7 @@ class LaunchService:
                     problem = f"Caught exception in launch (see debug for traceback): {error}"
                     self.__logger.debug(traceback.format_exc())
                     self.__logger.error(problem)
+                    self.__context._is_broken = True  # what was to start does not
                     self._shutdown(problem, False)
                     status = 1
         finally:

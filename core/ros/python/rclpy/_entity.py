@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.event_handler import EventHandler
     from rclpy.executors import Executor
 
 # The order in which real rclpy's executor runs what is ready at the same time: first waitables of all nodes, then node by node.
@@ -32,13 +33,15 @@ _numbers = count()
 class Scope:
     """One node as executors see it; all its entities share it, so that moving a node is one assignment."""
 
-    __slots__ = ("executor", "home", "number", "stash")
+    __slots__ = ("executor", "home", "number", "stash", "timed")
 
     def __init__(self) -> None:
         self.executor: Executor | None = None
         self.home: Executor | None = None
         """The executor the node was in last; entities may still lie in its round."""
         self.stash: deque[Entity] = deque()
+        self.timed: list[EventHandler] = []
+        """Handlers of deadlines and leases: what beside the node's timers the passing of time makes ready."""
         self.number = next(_numbers)
 
     def put_aside(self, entity: Entity) -> None:

@@ -22,6 +22,7 @@ from rclpy.task import Future, Task
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
+    from rclpy.event_handler import EventHandler
     from rclpy.node import Node
     from rclpy.timer import Timer
 
@@ -171,7 +172,7 @@ class Executor:
                     scope.home._give_up(scope, scope.home._round)
                 scope.executor = scope.home = self
                 self._new_nodes.popleft()
-                for timer in (*node._timers, *node._hidden_timers):
+                for timer in (*node._timers, *node._hidden_timers, *scope.timed):
                     timer._schedule()
                 if scope.stash:
                     scope.hand_over()
@@ -210,7 +211,7 @@ class Executor:
         if hook is not None:
             hook()
 
-    def _add_timer(self, timer: Timer) -> None:
+    def _add_timer(self, timer: Timer | EventHandler) -> None:
         if self._timers.add(timer):
             hook = self._hook
             if hook is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from day6_tui.core.graph import Endpoint, names
 from day6_tui.core.graph import Node as GraphNode
@@ -14,8 +14,22 @@ if TYPE_CHECKING:
     from rclpy.context import Context
     from rclpy.impl.rcutils_logger import RcutilsLogger
 
+_Handle = TypeVar("_Handle", bound="EndpointHandle")
+
 INVALID_NODE = "rcl node's context is invalid, at /project/src/rcl/node.c:401"
 _INVALID_PUBLISHER = "publisher's context is invalid, at /project/src/rcl/publisher.c:427"
+
+
+def rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
+    """Return the rules that count for topics or for services; `rostopic://` and `rosservice://` limit a rule."""
+    if not any("://" in rule.match for rule in rules):
+        return rules
+    wanted, other = ("rosservice://", "rostopic://") if is_service else ("rostopic://", "rosservice://")
+    return [
+        type(rule)(rule.kind, rule.match.removeprefix(wanted), rule.replacement, rule.node)
+        for rule in rules
+        if not rule.match.startswith(other)
+    ]
 
 
 class NodeHandle(Destroyable):
@@ -65,6 +79,22 @@ class NodeHandle(Destroyable):
         """Return the name of the node's logger."""
         return self.logger.name
 
+    def resolve(self, name: str, *, is_service: bool, only_expand: bool = False) -> str:
+        """Return the full name of a topic or service, remapped unless `only_expand`. RCLError for a bad name."""
+        flaw = names.flaw_of_topic_name(name)
+        if flaw is not None:
+            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/expand_topic_name.c:73")
+        try:
+            full = names.expand(name, self.name, self.namespace)
+        except names.UnknownSubstitution as error:
+            raise RCLError(f"failed to resolve name: {error}, at /project/src/rcl/expand_topic_name.c:164") from None
+        if self.rules and not only_expand:
+            full = names.remap_topic(full, self.name, self.namespace, rules_for(self.rules, is_service))
+        flaw = names.flaw_of_full_topic_name(full)
+        if flaw is not None:
+            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/node_resolve_name.c:102")
+        return full
+
     def claim_topic(self, topic: str, type_name: str, what: str, place: str) -> None:
         """Note that the context uses a topic with a type; RCLError if it does so with another type already.
 
@@ -105,6 +135,13 @@ class EndpointHandle(Destroyable):
         self._node = node
         self._endpoint: Any = endpoint
         self._is_topic = is_topic
+
+    @classmethod
+    def _of(cls: type[_Handle], node: NodeHandle, endpoint: Any, *, is_topic: bool) -> _Handle:
+        """Return the handle of an endpoint that is there already."""
+        made = cls.__new__(cls)
+        EndpointHandle.__init__(made, node, endpoint, is_topic=is_topic)
+        return made
 
     def get_logger(self) -> RcutilsLogger:
         """Return the logger of the endpoint's node."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, cast
 
 from rclpy._entity import Scope
-from rclpy._handles import EndpointHandle
+from rclpy._endpoint_handles import ClientHandle, PublisherHandle, ServiceHandle, SubscriptionHandle
 from rclpy._node_names import NodeNames
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
@@ -147,18 +147,7 @@ class NodeEntities(NodeNames):
         if qos_overriding_options is not None:
             self._override_qos(Publisher, full, qos_profile, qos_overriding_options)
         check_is_valid_msg_type(msg_type)
-        handle = self.handle
-        handle.check_valid("Failed to create publisher")
-        type_name, type_hash = _type_of(msg_type)
-        handle.claim_topic(
-            full, type_name, "publisher", "/project/src/publisher.cpp:145, at /project/src/rcl/publisher.c:118"
-        )
-        from day6_tui.core.interfaces import copy_message
-
-        endpoint = handle.node.create_publisher(
-            full, type_name, type_hash, qos_profile.get_c_qos_profile(), copy_message
-        )
-        endpoint_handle = EndpointHandle(handle, endpoint, is_topic=True)
+        endpoint_handle = PublisherHandle(self.handle, msg_type, full, qos_profile.get_c_qos_profile(), resolved=True)
         try:
             publisher = publisher_class(endpoint_handle, msg_type, topic, qos_profile, event_callbacks, group)
         except Exception:
@@ -184,7 +173,7 @@ class NodeEntities(NodeNames):
         """Make a subscription: `callback(message)` or `callback(message, info)` is called for each message.
 
         With `raw` the message comes as CDR bytes. Raises as `create_publisher`, and RuntimeError for a callback that takes
-        neither one nor two arguments. `content_filter_options` are accepted, but nothing is filtered.
+        neither one nor two arguments, RCLError for a content filter that does not fit.
         """
         qos_profile = self._validate_qos_or_depth_parameter(qos_profile)
         group = callback_group or self.default_callback_group
@@ -192,14 +181,9 @@ class NodeEntities(NodeNames):
         if qos_overriding_options is not None:
             self._override_qos(Subscription, full, qos_profile, qos_overriding_options)
         check_is_valid_msg_type(msg_type)
-        handle = self.handle
-        handle.check_valid("Failed to create subscription")
-        type_name, type_hash = _type_of(msg_type)
-        handle.claim_topic(
-            full, type_name, "subscription", "/project/src/subscription.cpp:526, at /project/src/rcl/subscription.c:116"
+        endpoint_handle = SubscriptionHandle(
+            self.handle, msg_type, full, qos_profile.get_c_qos_profile(), content_filter_options, resolved=True
         )
-        endpoint = handle.node.create_subscription(full, type_name, type_hash, qos_profile.get_c_qos_profile())
-        endpoint_handle = EndpointHandle(handle, endpoint, is_topic=True)
         try:
             subscription: Subscription[Any] = Subscription(
                 endpoint_handle, msg_type, topic, callback, group, qos_profile, raw, event_callbacks
@@ -229,15 +213,8 @@ class NodeEntities(NodeNames):
         group = self.default_callback_group if callback_group is None else callback_group
         check_is_valid_srv_type(srv_type)
         full = self._service_name_for("Client", srv_type, srv_name, qos_profile)
-        handle = self.handle
-        handle.check_valid("failed to create client")
-        type_name, type_hash = _type_of(srv_type)
-        from day6_tui.core.interfaces import copy_message
-
-        endpoint = handle.node.create_client(full, type_name, type_hash, qos_profile.get_c_qos_profile(), copy_message)
-        client: Client[Any, Any] = Client(
-            self._context, EndpointHandle(handle, endpoint, is_topic=False), srv_type, srv_name, qos_profile, group
-        )
+        handle = ClientHandle(self.handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
+        client: Client[Any, Any] = Client(self._context, handle, srv_type, srv_name, qos_profile, group)
         self._add(client, self._clients, group)
         return client
 
@@ -254,15 +231,8 @@ class NodeEntities(NodeNames):
         group = self.default_callback_group if callback_group is None else callback_group
         check_is_valid_srv_type(srv_type)
         full = self._service_name_for("Service", srv_type, srv_name, qos_profile)
-        handle = self.handle
-        handle.check_valid("failed to create service")
-        type_name, type_hash = _type_of(srv_type)
-        from day6_tui.core.interfaces import copy_message
-
-        endpoint = handle.node.create_service(full, type_name, type_hash, qos_profile.get_c_qos_profile(), copy_message)
-        service: Service[Any, Any] = Service(
-            EndpointHandle(handle, endpoint, is_topic=False), srv_type, srv_name, callback, group, qos_profile
-        )
+        handle = ServiceHandle(self.handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
+        service: Service[Any, Any] = Service(handle, srv_type, srv_name, callback, group, qos_profile)
         self._add(service, self._services, group)
         return service
 
@@ -364,9 +334,3 @@ class NodeEntities(NodeNames):
         success = self.destroy_timer(rate._timer)
         rate.destroy()
         return success
-
-
-def _type_of(interface: type[Any]) -> tuple[str, str]:
-    from day6_tui.core.interfaces import type_hash, type_name
-
-    return type_name(interface), type_hash(interface)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import names
+from rclpy._handles import rules_for
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._resolve import expand, raise_for_namespace, raise_for_node, raise_for_topic, require_text
 
 if TYPE_CHECKING:
-    from day6_tui.core.graph.names import RemapRule
     from rclpy._handles import NodeHandle
 
 _WRONG_NAME_TYPE = (
@@ -29,19 +29,7 @@ class NodeNames:
         if not isinstance(name, str):
             require_text(name)
             raise TypeError(_WRONG_NAME_TYPE.format(handle, name, only_expand, is_service))
-        flaw = names.flaw_of_topic_name(name)
-        if flaw is not None:
-            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/expand_topic_name.c:73")
-        try:
-            full = names.expand(name, handle.name, handle.namespace)
-        except names.UnknownSubstitution as error:
-            raise RCLError(f"failed to resolve name: {error}, at /project/src/rcl/expand_topic_name.c:164") from None
-        if handle.rules and not only_expand:
-            full = names.remap_topic(full, handle.name, handle.namespace, _rules_for(handle.rules, is_service))
-        flaw = names.flaw_of_full_topic_name(full)
-        if flaw is not None:
-            raise RCLError(f"failed to resolve name: {flaw.message}, at /project/src/rcl/node_resolve_name.c:102")
-        return full
+        return handle.resolve(name, is_service=is_service, only_expand=only_expand)
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic, remapped unless `only_expand`. RCLError for a bad name."""
@@ -66,7 +54,7 @@ class NodeNames:
         raise_for_topic(names.flaw_of_topic_name(service), service, is_service=True)
         full = expand(service, handle.name, handle.namespace)
         if handle.rules:
-            full = names.remap_topic(full, handle.name, handle.namespace, _rules_for(handle.rules, True))
+            full = names.remap_topic(full, handle.name, handle.namespace, rules_for(handle.rules, True))
         raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=True)
         return full
 
@@ -76,18 +64,6 @@ class NodeNames:
         raise_for_topic(names.flaw_of_topic_name(topic_or_service_name), topic_or_service_name, is_service=is_service)
         full = expand(topic_or_service_name, self.handle.name, self.handle.namespace)
         raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=is_service)
-
-
-def _rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
-    """Return the rules that count for topics or for services; `rostopic://` and `rosservice://` limit a rule."""
-    if not any("://" in rule.match for rule in rules):
-        return rules
-    wanted, other = ("rosservice://", "rostopic://") if is_service else ("rostopic://", "rosservice://")
-    return [
-        type(rule)(rule.kind, rule.match.removeprefix(wanted), rule.replacement, rule.node)
-        for rule in rules
-        if not rule.match.startswith(other)
-    ]
 
 
 def checked_namespace(node_name: Any, namespace: Any, context: object, node: object) -> str:

@@ -75,5 +75,5 @@ class RosoutPublisher(Publisher):
         """Give a late joiner what was kept."""
         if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return
-        for record, source_timestamp, number in list(self.cache)[-subscription.qos.capacity :]:
+        for record, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
             subscription.receive((to_message(record), source_timestamp, number, self))

@@ -9,6 +9,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rclpy.event_handler import EventHandler
     from rclpy.executors import Executor
     from rclpy.timer import Timer
 
@@ -21,9 +22,9 @@ class TimerHeap:
     def __init__(self, executor: Executor) -> None:
         self._executor = executor
         self._numbers = count()
-        self.entries: list[tuple[int, int, Timer]] = []
+        self.entries: list[tuple[int, int, Timer | EventHandler]] = []
 
-    def add(self, timer: Timer) -> bool:
+    def add(self, timer: Timer | EventHandler) -> bool:
         """Note the timer's next call; says whether it is the earliest of all."""
         deadline = timer._next
         if timer._heap is self and timer._heap_deadline == deadline:

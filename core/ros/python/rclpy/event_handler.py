@@ -10,15 +10,21 @@ from day6_tui.core.graph.endpoints import Endpoint, EventKind, EventStatus
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING
 from rclpy._incidental import also
+from rclpy._logging_settings import PROCESS
+from rclpy._rclpy_pybind11 import Destroyable, rmw_qos_policy_kind_t
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
-from rclpy._rclpy_pybind11 import rcl_publisher_event_type_t, rcl_subscription_event_type_t, rmw_qos_policy_kind_t
+from rclpy._rclpy_pybind11 import rcl_publisher_event_type_t, rcl_subscription_event_type_t
+from rclpy.logging import get_logger as get_logger
 from rclpy.qos import qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from rclpy._entity import Scope
+    from rclpy._handles import EndpointHandle
+    from rclpy._timer_heap import TimerHeap
     from rclpy.callback_groups import CallbackGroup
 
-__getattr__ = also(__name__, "CallbackGroup get_logger")
+__getattr__ = also(__name__, "CallbackGroup")
 
 
 QoSPublisherEventType = rcl_publisher_event_type_t
@@ -49,8 +55,8 @@ class QoSLivelinessChangedInfo:
     def __init__(self, status: EventStatus | None = None) -> None:
         self.alive_count = 0 if status is None else status.current_count
         self.alive_count_change = 0 if status is None else status.current_count_change
-        self.not_alive_count = 0
-        self.not_alive_count_change = 0
+        self.not_alive_count = 0 if status is None else status.not_alive_count
+        self.not_alive_count_change = 0 if status is None else status.not_alive_count_change
 
 
 class QoSMessageLostInfo(_Info):
@@ -102,29 +108,59 @@ QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo
 QoSPublisherMatchedInfo = QoSSubscriptionMatchedInfo
 EventHandlerData = Any
 
-# What the graph raises, by type of event; the others never happen here (messages are neither lost nor late on this graph).
-_KINDS: dict[Any, tuple[EventKind | None, type[Any]]] = {
-    rcl_publisher_event_type_t.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: (None, QoSOfferedDeadlineMissedInfo),
-    rcl_publisher_event_type_t.RCL_PUBLISHER_LIVELINESS_LOST: (None, QoSLivelinessLostInfo),
-    rcl_publisher_event_type_t.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: (
-        EventKind.INCOMPATIBLE_QOS,
-        QoSOfferedIncompatibleQoSInfo,
+_PUBLISHER, _SUBSCRIPTION = rcl_publisher_event_type_t, rcl_subscription_event_type_t
+_KINDS: dict[Any, tuple[EventKind, type[Any]]] = {
+    _PUBLISHER.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: (EventKind.DEADLINE_MISSED, QoSOfferedDeadlineMissedInfo),
+    _PUBLISHER.RCL_PUBLISHER_LIVELINESS_LOST: (EventKind.LIVELINESS_LOST, QoSLivelinessLostInfo),
+    _PUBLISHER.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: (EventKind.INCOMPATIBLE_QOS, QoSOfferedIncompatibleQoSInfo),
+    _PUBLISHER.RCL_PUBLISHER_INCOMPATIBLE_TYPE: (EventKind.INCOMPATIBLE_TYPE, IncompatibleTypeInfo),
+    _PUBLISHER.RCL_PUBLISHER_MATCHED: (EventKind.MATCHED, QoSPublisherMatchedInfo),
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: (
+        EventKind.DEADLINE_MISSED,
+        QoSRequestedDeadlineMissedInfo,
     ),
-    rcl_publisher_event_type_t.RCL_PUBLISHER_INCOMPATIBLE_TYPE: (EventKind.INCOMPATIBLE_TYPE, IncompatibleTypeInfo),
-    rcl_publisher_event_type_t.RCL_PUBLISHER_MATCHED: (EventKind.MATCHED, QoSPublisherMatchedInfo),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: (None, QoSRequestedDeadlineMissedInfo),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: (EventKind.MATCHED, QoSLivelinessChangedInfo),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: (
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: (EventKind.LIVELINESS_CHANGED, QoSLivelinessChangedInfo),
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: (
         EventKind.INCOMPATIBLE_QOS,
         QoSRequestedIncompatibleQoSInfo,
     ),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MESSAGE_LOST: (EventKind.MESSAGE_LOST, QoSMessageLostInfo),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: (
-        EventKind.INCOMPATIBLE_TYPE,
-        IncompatibleTypeInfo,
-    ),
-    rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MATCHED: (EventKind.MATCHED, QoSSubscriptionMatchedInfo),
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_MESSAGE_LOST: (EventKind.MESSAGE_LOST, QoSMessageLostInfo),
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: (EventKind.INCOMPATIBLE_TYPE, IncompatibleTypeInfo),
+    _SUBSCRIPTION.RCL_SUBSCRIPTION_MATCHED: (EventKind.MATCHED, QoSSubscriptionMatchedInfo),
 }
+
+
+class EventHandle(Destroyable):
+    """One kind of event of a publisher or subscription: whether it happened, and its counters."""
+
+    def __init__(self, parent: EndpointHandle, event_type: Any) -> None:
+        super().__init__()
+        self._kind, self._info_class = _KINDS[event_type]
+        self._endpoint: Endpoint = parent._endpoint
+        self._seen = EventStatus()
+
+    def _pending(self) -> bool:
+        status, seen = self._endpoint.status(self._kind), self._seen
+        return (
+            status.total_count != seen.total_count
+            or status.current_count != seen.current_count
+            or status.not_alive_count != seen.not_alive_count
+        )
+
+    def _due_in(self) -> int | None:
+        """Nanoseconds until the passing of time raises the event, None if it will not."""
+        due = self._endpoint.due(self._kind)
+        return None if due is None else max(0, due - self._endpoint.node.graph.now_ns())
+
+    def take_event(self) -> Any:
+        """Return the counters; their changes are those since the last time."""
+        status, seen = self._endpoint.status(self._kind), self._seen
+        # Several handles may look at the same counters, so each has its own idea of what is new.
+        status.total_count_change = status.total_count - seen.total_count
+        status.current_count_change = status.current_count - seen.current_count
+        status.not_alive_count_change = status.not_alive_count - seen.not_alive_count
+        self._seen = status.take()
+        return self._info_class(self._seen)
 
 
 class EventHandler(Waitable[Any]):
@@ -139,27 +175,42 @@ class EventHandler(Waitable[Any]):
         super().__init__(callback_group)
         self.event_type = event_type
         self.callback = callback
-        self._event_kind, self._info_class = _KINDS[event_type]
-        self._endpoint: Endpoint = parent_impl._endpoint
-        self._seen = EventStatus()
-        self._destroyed = False
+        self._event = EventHandle(parent_impl, event_type)
+        self._event_kind = self._event._kind
+        self._timed = self._event_kind in self._event._endpoint.watches
+        # What the executor's heap of deadlines asks of a timer.
+        self._heap: TimerHeap | None = None
+        self._heap_deadline = self._next = 0
+        self._canceled = False
+
+    def _enter(self, scope: Scope) -> None:
+        super()._enter(scope)
+        if self._timed:
+            scope.timed.append(self)
+            self._schedule()
+
+    def _schedule(self) -> None:
+        """Have the executor look here when the passing of time raises the event."""
+        executor = None if self._scope is None else self._scope.executor
+        wait = self._event._due_in()
+        if wait is None or executor is None or self._canceled:
+            return
+        self._next = executor._steady_ns() + wait
+        if self._heap is None or self._heap_deadline > self._next:
+            executor._add_timer(self)
 
     def _pending(self) -> bool:
-        if self._event_kind is None:
-            return False
-        status, seen = self._endpoint.events[self._event_kind], self._seen
-        return status.total_count != seen.total_count or status.current_count != seen.current_count
+        return self._event._pending()
 
     def _process(self) -> Any:
         self._queued = False
-        if self._destroyed or self._event_kind is None or not self._pending():
+        if self._canceled:
             return NOTHING
-        status, seen = self._endpoint.events[self._event_kind], self._seen
-        # Several handlers may look at the same counters, so each has its own idea of what is new.
-        status.total_count_change = status.total_count - seen.total_count
-        status.current_count_change = status.current_count - seen.current_count
-        self._seen = status.take()
-        result = self.callback(self._info_class(self._seen))
+        if self._timed:
+            self._schedule()
+        if not self._event._pending():
+            return NOTHING
+        result = self.callback(self._event.take_event())
         return result if is_coroutine_function(self.callback) else None
 
     def get_num_entities(self) -> NumberOfEntities:
@@ -168,7 +219,10 @@ class EventHandler(Waitable[Any]):
 
     def destroy(self) -> None:
         """Call back no more."""
-        self._destroyed = True
+        self._canceled = True
+        self._event.destroy_when_not_in_use()
+        if self._timed and self._scope is not None and self in self._scope.timed:
+            self._scope.timed.remove(self)
 
 
 class QoSEventHandler(EventHandler):
@@ -274,16 +328,24 @@ class PublisherEventCallbacks:
         )
 
 
+def _warn(parent: EndpointHandle, text: str) -> None:
+    logger = parent.get_logger()
+    if logger._settings is PROCESS:
+        # By name, as real rclpy does it: programs replace the root logger to catch these.
+        logger = get_logger(logger.name)
+    logger.warn(text)
+
+
 def _qos_warning(parent: Any, text: str) -> Callable[[QoSRequestedIncompatibleQoSInfo], None]:
     def warn(event: QoSRequestedIncompatibleQoSInfo) -> None:
-        parent.get_logger().warning(text + qos_policy_name_from_kind(event.last_policy_kind))
+        _warn(parent, text + qos_policy_name_from_kind(event.last_policy_kind))
 
     return warn
 
 
 def _type_warning(parent: Any, topic_name: str) -> Callable[[IncompatibleTypeInfo], None]:
     def warn(_event: IncompatibleTypeInfo) -> None:
-        parent.get_logger().warning(f"Incompatible type on topic '{topic_name}', no messages will be sent to it.")
+        _warn(parent, f"Incompatible type on topic '{topic_name}', no messages will be sent to it.")
 
     return warn
 

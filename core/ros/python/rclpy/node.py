@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from day6_tui.core.graph import names
 from rclpy._arguments import parse_arguments
-from rclpy._handles import EndpointHandle, NodeHandle
+from rclpy._endpoint_handles import PublisherHandle, ServiceHandle
+from rclpy._handles import NodeHandle
 from rclpy._incidental import also
 from rclpy._logging_settings import LoggingSettings
 from rclpy._node_declarations import NodeDeclarations
@@ -175,7 +176,7 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
             topic, PARAMETER_EVENT, HASHES[PARAMETER_EVENT], qos.get_c_qos_profile(), copy_any
         )
         publisher: Publisher[Any] = _OwnPublisher(
-            EndpointHandle(handle, endpoint, is_topic=True),
+            PublisherHandle._of(handle, endpoint, is_topic=True),
             object,
             "/parameter_events",
             qos,
@@ -197,7 +198,7 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
             full_name, type_name, HASHES[type_name], qos.get_c_qos_profile(), copy_any
         )
         service: Service[Any, Any] = Service(
-            EndpointHandle(handle, endpoint, is_topic=False),
+            ServiceHandle._of(handle, endpoint, is_topic=False),
             type_name,
             srv_name,
             callback,

@@ -83,6 +83,7 @@ class Publisher(EventSource, Generic[MsgT]):
     def assert_liveliness(self) -> None:
         """Show that the publisher lives (for the liveliness MANUAL_BY_TOPIC)."""
         self._handle.check_publisher("Failed to assert liveliness on the Publisher")
+        self._handle._endpoint.assert_liveliness()
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008
         """Wait until every subscription has every message: they have it when `publish` returns."""

@@ -14,9 +14,10 @@ from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:
-    from rclpy._handles import EndpointHandle
+    from rclpy._endpoint_handles import SubscriptionHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
+    from rclpy.subscription_content_filter_options import ContentFilterOptions
 
 __getattr__ = also(__name__, "CallbackGroup ContentFilterOptions SubscriptionEventCallbacks")
 
@@ -39,6 +40,7 @@ class Subscription(EventSource, Generic[MsgT]):
     """Calls a function for every message of a topic; made by `Node.create_subscription`."""
 
     _kind = SUBSCRIPTION
+    _handle: SubscriptionHandle
 
     class CallbackType(Enum):
         """What a callback wants."""
@@ -48,7 +50,7 @@ class Subscription(EventSource, Generic[MsgT]):
 
     def __init__(
         self,
-        subscription_impl: EndpointHandle,
+        subscription_impl: SubscriptionHandle,
         msg_type: type[MsgT],
         topic: str,
         callback: Callable[[MsgT], Any] | Callable[[MsgT, MessageInfo], Any],
@@ -67,7 +69,6 @@ class Subscription(EventSource, Generic[MsgT]):
         self.callback_group = callback_group
         self._executor_event = False
         self.qos_profile = qos_profile
-        self._filter: tuple[str, list[str]] = ("", [])
         self._set_up_events(subscription_impl, event_callbacks, callback_group, topic, "SubscriptionEventCallbacks")
         self._endpoint.on_ready = self._notify
 
@@ -93,20 +94,10 @@ class Subscription(EventSource, Generic[MsgT]):
 
             message = serialize_message(message)
         if self._callback_type is Subscription.CallbackType.WithMessageInfo:
-            result = self._callback(message, self._info(sample))
+            result = self._callback(message, self._handle.info(sample))
         else:
             result = self._callback(message)
         return result if self._is_async else None
-
-    def _info(self, sample: Any) -> MessageInfo:
-        info = self._endpoint.message_info(sample)
-        return {
-            "source_timestamp": info.source_timestamp,
-            "received_timestamp": info.received_timestamp,
-            "publication_sequence_number": info.publication_sequence_number,
-            "reception_sequence_number": info.reception_sequence_number,
-            "publisher_gid": {"implementation_identifier": "rmw_fastrtps_cpp", "data": info.publisher_gid},
-        }
 
     def get_publisher_count(self) -> int:
         """Return how many publishers match."""
@@ -149,15 +140,15 @@ class Subscription(EventSource, Generic[MsgT]):
     @property
     def is_cft_enabled(self) -> bool:
         """Whether a content filter works."""
-        self._handle.check()
-        return False
+        return self._handle.is_cft_enabled()
 
     def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
-        """Raise RCLError: this middleware has no content filters, as rmw_zenoh has none."""
-        self._handle.check()
-        raise RCLError("Failed to set content filter options: content filter is unsupported")
+        """Receive only messages for which an SQL-like expression is true (`x > %0 AND name LIKE 'a%'`); '' ends that.
 
-    def get_content_filter(self) -> Any:
-        """Raise RCLError: this middleware has no content filters."""
-        self._handle.check()
-        raise RCLError("Failed to get content filter options: content filter is unsupported")
+        `%0`, `%1` … stand for the parameters. RCLError for an expression that does not fit.
+        """
+        self._handle.set_content_filter(filter_expression, expression_parameters)
+
+    def get_content_filter(self) -> ContentFilterOptions:
+        """Return expression and parameters of the filter; RCLError if there is none."""
+        return self._handle.get_content_filter()

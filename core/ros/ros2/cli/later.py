@@ -13,7 +13,6 @@ class Later(NamedTuple):
 
 
 LATER: dict[str, Later] = {
-    "bag": Later("Various rosbag related sub-commands"),
     "component": Later(
         "Various component related sub-commands",
         {
@@ -45,7 +44,6 @@ LATER: dict[str, Later] = {
 }
 
 VERBS: dict[str, dict[str, str]] = {
-    "pkg": {"create": "Create a new ROS 2 package"},
     "service": {"echo": "Echo a service"},
 }
 """Verbs that are missing from commands that are there."""

@@ -25,6 +25,8 @@ RELIABILITIES = ("system_default", "reliable", "best_effort", "unknown", "best_a
 DURABILITIES = ("system_default", "transient_local", "volatile", "unknown", "best_available")
 LIVELINESSES = ("system_default", "automatic", "manual_by_topic", "unknown", "best_available")
 
+TRUNCATE_LENGTH = 128
+
 
 def completed(action: Action, completer: Completer) -> Action:
     """Say how the values of an argument are completed."""
@@ -89,6 +91,31 @@ def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
         "--qos-liveliness-lease-duration-seconds",
         type=float,
         help=overriding(f"{quality} liveliness lease duration", "liveliness lease duration", ""),
+    )
+
+
+def add_length_options(parser: ArgumentParser) -> None:
+    """Add the options that say how much of a message is printed (`service echo` has them too)."""
+    parser.add_argument(
+        "--full-length",
+        "-f",
+        action="store_true",
+        help="Output all elements for arrays, bytes, and string with a length > '--truncate-length', by default they are "
+        "truncated after '--truncate-length' elements with '...''",
+    )
+    parser.add_argument(
+        "--truncate-length",
+        "-l",
+        type=unsigned_int,
+        default=TRUNCATE_LENGTH,
+        help=f"The length to truncate arrays, bytes, and string to (default: {TRUNCATE_LENGTH})",
+    )
+    parser.add_argument("--no-arr", action="store_true", help="Don't print array fields of messages")
+    parser.add_argument("--no-str", action="store_true", help="Don't print string fields of messages")
+    parser.add_argument(
+        "--flow-style",
+        action="store_true",
+        help="Print collections in the block style (not available with csv format)",
     )
 
 

@@ -1,17 +1,19 @@
 """`ros2 launch`: finds the launch file, checks the arguments, and starts the launch as a process of its own.
 
 The process is `core/ros/python/launch/_process`: a launch file is its author's program, and neither it nor what it launches may
-hold up this one. Programs of ours that it launches come back here to be run; see `_host`.
+hold up this one. Programs of ours that it launches come back here to be run, with their windows, if this is in the desktop (or
+`day6-tui exec`); see `_host`. In a real terminal they are processes like all others.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from day6_tui.core.ros.environment import PYTHON_PATH
 from day6_tui.core.ros.ros2.cli.completion import Typed, package_names
@@ -85,18 +87,18 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> int:
-    path, words = _path_and_words(session, args)
+    path, arguments = _path_and_words(session, args)
     if args.launch_prefix is None and args.launch_prefix_filter is not None:
         raise RuntimeError("--launch-prefix must be specified if --launch-prefix-filter is provided")
     if args.launch_prefix:
-        words.append(f"launch-prefix:={args.launch_prefix}")
+        arguments.append(f"launch-prefix:={args.launch_prefix}")
     if args.launch_prefix_filter:
-        words.append(f"launch-prefix-filter:={args.launch_prefix_filter}")
+        arguments.append(f"launch-prefix-filter:={args.launch_prefix_filter}")
     show = "description" if args.print else "arguments" if args.show_args else ""
     options = {
         "path": path,
-        "argv": words,
-        "arguments": [] if show else list(parsed_arguments(words).items()),
+        "argv": arguments,
+        "arguments": [] if show else list(parsed_arguments(arguments).items()),
         "debug": args.debug,
         "noninteractive": args.noninteractive,
         "show": show,
@@ -104,14 +106,25 @@ async def main(session: Session, args: Namespace) -> int:
     env = dict(session.env)
     if args.show_all_subprocesses_output:
         env["OVERRIDE_LAUNCH_PROCESS_OUTPUT"] = "both"
-    if not show:
+    words = [str(_PROCESS), "launch", json.dumps(options)]
+    if session.shell is None and os.name == "posix":
+        _become_python(session, words, env)
+    if not show and hasattr(session.shell, "desk"):
         from day6_tui.core.ros.ros2.launch._host import VARIABLE, Host
 
         host = Host(session)
         session.defer(host.close)
         env[VARIABLE] = host.address
     session.env = env
-    return await session.run_python([str(_PROCESS), "launch", json.dumps(options)])
+    return await session.run_python(words)
+
+
+def _become_python(session: Session, words: list[str], env: dict[str, str]) -> NoReturn:
+    """Go on as the launch in this very process: that of `ros2` in a real terminal has nothing left to do."""
+    session.stdout.flush()
+    session.stderr.flush()
+    os.chdir(session.cwd)
+    os.execve(sys.executable, [sys.executable, *words], env)
 
 
 def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:

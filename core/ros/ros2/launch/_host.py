@@ -1,6 +1,6 @@
 """Runs programs of ours for a launch, which is a process of its own. The other end, and what is said, is `launch/_host.py`.
 
-In the desktop they are programs like all others there, with their windows; in `day6-tui exec` and a real terminal they log.
+They are programs of the desk like all others, with their windows; in `day6-tui exec`, which has no screen, they log.
 """
 
 from __future__ import annotations
@@ -169,26 +169,13 @@ class Host:
         argv, cwd = message["argv"], Path(message["cwd"])
         main, argv = self._main_of(message["kind"], argv)
         out, err = (HostedOutput(partial(self._tell, number, fd)) for fd in (1, 2))
-        desk = getattr(session.shell, "desk", None)
-        if desk is not None:
-            from day6_tui.core.shell.redirection import Streams
+        desk = session.shell.desk
+        from day6_tui.core.shell.redirection import Streams
 
-            program: Program = desk.start_program(
-                argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell
-            )
-            return program
-        inner = Session(
-            session.scheduler,
-            lambda: session.graph,  # type: ignore[arg-type, return-value]  # None only where there is no ROS
-            argv,
-            env=message["env"],
-            cwd=cwd,
-            pid=session.pid,
-            stdout=out,
-            stderr=err,
+        program: Program = desk.start_program(
+            argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell
         )
-        inner.python = session.python
-        return Program(inner, main)
+        return program
 
     def _main_of(self, kind: str, argv: list[str]) -> tuple[Main, list[str]]:
         """Return the program for a request, and its argv. LookupError if there is none."""
@@ -200,8 +187,6 @@ class Host:
             package, name = Path(argv[0]).parts[-2:]
             return load(package, name), argv
         if kind == "line":
-            if not hasattr(self._session.shell, "clone"):
-                raise LookupError(f"no shell here for: {argv[0]}")
             argv = ["bash", "-c", argv[0]]
         command = builtin(argv[0].rpartition("/")[2])
         if command is None:

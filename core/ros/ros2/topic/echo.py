@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.ros.ros2.cli.completion import topic_names, topic_types
 from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
 from day6_tui.core.ros.ros2.cli.options import (
+    add_length_options,
     add_qos_options,
     add_strategy_options,
     completed,
     positive_float,
-    unsigned_int,
 )
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 SUMMARY = "Output messages from a topic"
 CLEAR = "\x1b[H\x1b[2J"
-TRUNCATE_LENGTH = 128
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -61,31 +60,6 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--clear", "-c", action="store_true", help="Clear screen before printing next message")
     parser.add_argument(
         "-n", "--node-name", help="The name of the echoing node; by default, will be a hidden node name"
-    )
-
-
-def add_length_options(parser: ArgumentParser) -> None:
-    """Add the options that say how much of a message is printed (`service echo` has them too)."""
-    parser.add_argument(
-        "--full-length",
-        "-f",
-        action="store_true",
-        help="Output all elements for arrays, bytes, and string with a length > '--truncate-length', by default they are "
-        "truncated after '--truncate-length' elements with '...''",
-    )
-    parser.add_argument(
-        "--truncate-length",
-        "-l",
-        type=unsigned_int,
-        default=TRUNCATE_LENGTH,
-        help=f"The length to truncate arrays, bytes, and string to (default: {TRUNCATE_LENGTH})",
-    )
-    parser.add_argument("--no-arr", action="store_true", help="Don't print array fields of messages")
-    parser.add_argument("--no-str", action="store_true", help="Don't print string fields of messages")
-    parser.add_argument(
-        "--flow-style",
-        action="store_true",
-        help="Print collections in the block style (not available with csv format)",
     )
 
 

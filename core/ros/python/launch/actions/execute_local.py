@@ -219,6 +219,9 @@ class ExecuteLocal(Action):
         details = self.__details
         assert details is not None
         self.__started = False
+        if context._is_broken:
+            self.__clean_up()
+            return
         if self.__log_cmd:
             has_env = details["env"] is not None
             line = _line(details["cmd"])
@@ -226,7 +229,7 @@ class ExecuteLocal(Action):
         try:
             self.__process = self.__start_process(context, details)
         except (OSError, ValueError) as error:
-            self.__failed("".join(traceback.format_exception_only(type(error), error)).rstrip())
+            self.__failed("".join(traceback.format_exception_only(type(error), error)))
             return
         if not self.__process.hosted:
             self.__has_started(context)

@@ -30,5 +30,5 @@ class RegisterEventHandler(Action):
         return None
 
     def describe_conditional_sub_entities(self) -> Sequence[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        text, entities = self.__event_handler.describe()
+        text, entities, *_ = self.__event_handler.describe()
         return [(text, normalize_to_list_of_entities(entities))] if entities else []

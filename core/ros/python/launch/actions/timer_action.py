@@ -51,7 +51,7 @@ class TimerAction(Action):
         self.__cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
         self.__locals: dict[str, Any] = {}
         self.__canceled = False
-        self.__timer: Timer | None = None
+        self.__running: list[tuple[Timer, Future]] = []
         self._completed_future: Future | None = None
 
     @classmethod
@@ -86,10 +86,10 @@ class TimerAction(Action):
     def cancel(self) -> None:
         """Do not visit the actions."""
         self.__canceled = True
-        if self.__timer is not None:
-            self.__timer.cancel()
-        if self._completed_future is not None and not self._completed_future.done():
-            self._completed_future.set_result(None)
+        for timer, future in self.__running:
+            timer.cancel()
+            future.set_result(None)
+        self.__running = []
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         self._completed_future = context.asyncio_loop.create_future()
@@ -105,7 +105,8 @@ class TimerAction(Action):
                 )
             )
         self.__locals = dict(context.get_locals_as_dict())
-        self.__timer = self._start(context, perform_typed_substitution(context, self.__period, float))
+        timer = self._start(context, perform_typed_substitution(context, self.__period, float))
+        self.__running.append((timer, self._completed_future))  # an action may be visited again before it is done
         if perform_typed_substitution(context, self.__cancel_on_shutdown, bool):
             context.register_event_handler(
                 EventHandler(
@@ -120,10 +121,11 @@ class TimerAction(Action):
         return timer
 
     def _fire(self, context: LaunchContext) -> None:
-        if self._completed_future is None or self._completed_future.done():
+        if not self.__running:
             return
+        _, future = self.__running.pop(0)
         context._emit_event(TimerEvent(timer_action=self))
-        self._completed_future.set_result(None)
+        future.set_result(None)
 
     def get_asyncio_future(self) -> Future | None:
         return self._completed_future

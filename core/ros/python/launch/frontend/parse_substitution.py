@@ -14,13 +14,40 @@ from launch.substitution import Substitution
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 
 
+_WANTED = {
+    "name": ["IDENTIFIER"],
+    "end of name": ["RPAR", "SPACE"],
+    "argument": ["DBLQUOTE", "DOLLAR", "QUOTE", "UNQUOTED_RSTRING"],
+    "end of argument": ["DOLLAR", "RPAR", "SPACE", "UNQUOTED_RSTRING"],
+    "'": ["DOLLAR", "QUOTE", "SINGLE_QUOTED_STRING"],
+    '"': ["DBLQUOTE", "DOLLAR", "DOUBLE_QUOTED_STRING"],
+}
+"""What may stand at a place, in the words of the real launch, which has them from its grammar."""
+
+
+class UnexpectedInput(ValueError):
+    """A text that is no text with substitutions."""
+
+
+class UnexpectedCharacters(UnexpectedInput):
+    """Something else should stand at a place."""
+
+
+class UnexpectedEOF(UnexpectedInput):
+    """The text ends inside a substitution."""
+
+
+class VisitError(RuntimeError):
+    """A substitution that does not exist, or not with these arguments."""
+
+
 def replace_escaped_characters(data: str) -> str:
     """Drop each backslash that takes a character's meaning away."""
     return re.sub(r"\\(.)", r"\1", data)
 
 
 def parse_substitution(string_value: str) -> list[Substitution]:
-    """Return the substitutions a text consists of; ValueError where it cannot be read."""
+    """Return the substitutions a text consists of. Raises UnexpectedInput and VisitError."""
     from launch.substitutions.text_substitution import TextSubstitution
 
     if not string_value:
@@ -74,28 +101,30 @@ class _Reader:
     def substitution(self) -> Substitution:
         from launch.frontend.expose import instantiate_substitution
 
-        start = self.at
         self.at += 2
         name = _NAME.match(self.text, self.at)
         if name is None:
-            raise self._problem(start, "there is no name of a substitution")
+            raise self._problem("name")
         self.at = name.end()
         arguments: list[list[Substitution]] = []
         while self._here() == " ":
             self.at += 1
-            arguments.append(self._argument(start))
+            arguments.append(self._argument())
         if self._here() != ")":
-            raise self._problem(start, "a closing bracket is missing")
+            raise self._problem("end of argument" if arguments else "end of name")
         self.at += 1
-        return instantiate_substitution(name.group(), arguments)
+        try:
+            return instantiate_substitution(name.group(), arguments)
+        except Exception as error:  # whatever the substitution's own `parse` does not like
+            raise VisitError(f'Error trying to process rule "substitution":\n\n{error}') from error
 
-    def _argument(self, start: int) -> list[Substitution]:
+    def _argument(self) -> list[Substitution]:
         quote = self._here()
         if quote and quote in "'\"":
             self.at += 1
             parts = self.template(quote)
             if self._here() != quote:
-                raise self._problem(start, f"a closing {quote} is missing")
+                raise self._problem(quote)
             self.at += 1
             return parts or _plain(" ")[:0]
         parts, plain = [], ""
@@ -108,7 +137,7 @@ class _Reader:
                 plain += self._character()
         parts += _plain(plain)
         if not parts:
-            raise self._problem(start, "an argument is missing")
+            raise self._problem("argument")
         return parts
 
     def _here(self) -> str:
@@ -123,8 +152,19 @@ class _Reader:
         self.at += 1
         return self.text[self.at - 1]
 
-    def _problem(self, start: int, what: str) -> ValueError:
-        return ValueError(f"{what} in {self.text[start : start + 40]!r}")
+    def _problem(self, wanted: str) -> UnexpectedInput:
+        """Say what is wanted where the reader stands."""
+        wishes = "".join(f"\t* {each}\n" for each in _WANTED[wanted])
+        if self.at >= len(self.text):
+            return UnexpectedEOF(f"Unexpected end-of-input. Expected one of: \n{wishes}")
+        before = self.text[: self.at].rpartition("\n")[2]
+        rest = self.text[self.at :].partition("\n")[0]
+        place = f"line {self.text.count(chr(10), 0, self.at) + 1} col {len(before) + 1}"
+        shown = f"{before[-40:]}{rest[:40]}\n{' ' * len(before[-40:])}^"
+        return UnexpectedCharacters(
+            f"No terminal matches {self._here()!r} in the current parser context, at {place}\n\n{shown}\n"
+            f"Expected one of: \n{wishes}"
+        )
 
 
 def _plain(text: str) -> list[Substitution]:

@@ -104,11 +104,20 @@ class LifecycleNode(Node):
 
     def __change_state(self, transition: int, context: LaunchContext) -> None:
         """Call the service, in a thread; gives up when the launch ends."""
+        from rclpy._rclpy_pybind11 import InvalidHandle
+
+        try:
+            self.__call_service(transition, context)
+        except InvalidHandle:
+            if not context.is_shutdown:  # the end of the launch takes its node away
+                raise
+
+    def __call_service(self, transition: int, context: LaunchContext) -> None:
         from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
         logger = launch.logging.get_logger("launch_ros.actions.lifecycle_node")
         service = self.__client.srv_name
-        while not self.__client.wait_for_service(timeout_sec=1.0):
+        while not self.__client.wait_for_service(timeout_sec=0.2):
             if context.is_shutdown:
                 logger.warning(f"Abandoning wait for the '{service}' service, due to shutdown.")
                 return
@@ -117,7 +126,7 @@ class LifecycleNode(Node):
         done = threading.Event()
         future = self.__client.call_async(request)
         future.add_done_callback(lambda _: done.set())
-        while not done.wait(1.0):
+        while not done.wait(0.2):
             if context.is_shutdown:
                 logger.warning(f"Abandoning wait for the '{service}' service response, due to shutdown.")
                 future.cancel()

@@ -1,0 +1,42 @@
+"""Nodes as rclcpp's components: a class that gets its node, run by an executable of its own or loaded into a container."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Protocol
+
+from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from rclpy.node import Node
+
+
+class Component(Protocol):
+    """What a node has and does. `NAME` is its name unless it is remapped, `OPTIONS` more keywords of `Node`."""
+
+    NAME: str
+    OPTIONS: dict[str, Any]
+
+    def __init__(self, node: Node) -> None: ...
+
+
+async def run(session: Session, kind: type[Component]) -> int:
+    """Be the executable of one component: spin until Ctrl-C, or until the component shuts its context down."""
+    node = create_node(session, kind.NAME, **kind.OPTIONS)
+    component = kind(node)
+    try:
+        await session.spin(node)
+    except KeyboardInterrupt:
+        log_interrupt(session)
+    del component
+    return 0
+
+
+async def ready(session: Session, look: Any, seconds: float) -> bool:
+    """Wait until `look()` is true, for at most so many seconds of world time; say whether it is."""
+    deadline = session.clock.steady_ns() + int(seconds * 1e9)
+    while not look():
+        if session.clock.steady_ns() >= deadline:
+            return False
+        await session.sleep(0.02)
+    return True

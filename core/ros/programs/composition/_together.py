@@ -1,0 +1,25 @@
+"""Runs four components in one process, as the executables of this package do."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.composition._components import Client, Listener, Server, Talker
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs._component import Component
+    from day6_tui.core.session.session import Session
+
+
+async def run_together(session: Session) -> int:
+    """Spin a talker, a listener, a server and a client until Ctrl-C."""
+    kinds: tuple[type[Component], ...] = (Talker, Listener, Server, Client)
+    nodes = [create_node(session, kind.NAME, **kind.OPTIONS) for kind in kinds]
+    components = [kind(node) for kind, node in zip(kinds, nodes, strict=True)]
+    try:
+        await session.spin(*nodes)
+    except KeyboardInterrupt:
+        log_interrupt(session)
+    del components
+    return 0

@@ -1,0 +1,31 @@
+"""Both clients of `add_two_ints`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from example_interfaces.srv import AddTwoInts
+
+from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.demo_nodes_cpp._calls import wait_for_service
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def ask(session: Session) -> int:
+    """Wait for the service, ask what 2 + 3 is, log the answer."""
+    node = create_node(session, "add_two_ints_client")
+    client = node.create_client(AddTwoInts, "add_two_ints")
+    if not await wait_for_service(session, node, client.service_is_ready):
+        return 0
+    session.executor.add_node(node)
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    try:
+        await session.spin_until(future)
+    except KeyboardInterrupt:
+        log_interrupt(session)
+        node.get_logger().error("Interrupted while waiting for response. Exiting.")
+        return 0
+    node.get_logger().info(f"Result of add_two_ints: {future.result().sum}")
+    return 0

@@ -1,0 +1,14 @@
+"""add_two_ints_client: asks once what 2 + 3 is."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs.demo_nodes_cpp._sum import ask
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    return await ask(session)

@@ -1,0 +1,35 @@
+"""talker_serialized_message: a talker that makes the bytes of its messages itself, and shows them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from std_msgs.msg import String
+
+from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, create_node, log_interrupt
+from rclpy.serialization import serialize_message
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    node = create_node(session, "serialized_message_talker")
+    publisher = node.create_publisher(String, "chatter", TOPIC_QOS)
+    count = 0
+
+    def publish() -> None:
+        nonlocal count
+        count += 1
+        message = String(data=f"Hello World:{count}")
+        data = serialize_message(message)
+        session.print(f"ROS message:\n{message.data}\nserialized message:")
+        session.print(data.hex(" "), "")
+        publisher.publish(data)
+
+    node.create_timer(1.0, publish)
+    try:
+        await session.spin(node)
+    except KeyboardInterrupt:
+        log_interrupt(session)
+    return 0

@@ -1,0 +1,1 @@
+"""Small action clients: the examples of real ROS, by their names."""

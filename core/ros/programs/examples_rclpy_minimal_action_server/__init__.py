@@ -1,0 +1,1 @@
+"""Small action servers: the examples of real ROS, by their names."""

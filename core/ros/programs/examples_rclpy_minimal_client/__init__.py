@@ -1,0 +1,1 @@
+"""The smallest clients: the examples of real ROS, by their names."""

@@ -1,0 +1,30 @@
+"""All four clients: from outside they differ in their names and in when they ask."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from example_interfaces.srv import AddTwoInts
+
+from day6_tui.core.ros.programs._waiting import wait_until
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def ask(session: Session, name: str, *, pause: float = 0.0) -> int:
+    """Wait for the server, `pause` seconds more, ask what 41 + 1 is and log the answer."""
+    node = session.create_node(name)
+    client = node.create_client(AddTwoInts, "add_two_ints")
+    session.executor.add_node(node)
+    info = node.get_logger().info
+    request = AddTwoInts.Request(a=41, b=1)
+    try:
+        await wait_until(session, client.service_is_ready, lambda: info("service not available, waiting again..."))
+        await session.sleep(pause)
+        future = client.call_async(request)
+        await session.spin_until(future)
+    except KeyboardInterrupt:
+        return 0
+    info(f"Result of add_two_ints: for {request.a} + {request.b} = {future.result().sum}")
+    return 0

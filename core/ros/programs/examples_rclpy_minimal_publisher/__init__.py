@@ -1,0 +1,1 @@
+"""The smallest publishers: the examples of real ROS, by their names."""

@@ -1,0 +1,1 @@
+"""The smallest servers: the examples of real ROS, by their names."""

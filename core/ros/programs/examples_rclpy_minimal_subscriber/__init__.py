@@ -1,0 +1,1 @@
+"""The smallest subscribers: the examples of real ROS, by their names."""

@@ -1,0 +1,1 @@
+"""The managed talker of real ROS's package lifecycle_py."""

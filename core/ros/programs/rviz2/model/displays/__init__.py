@@ -1,0 +1,40 @@
+"""The display types, one module each; a type's class is imported only when somebody adds it."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rviz2.model.display import Display
+
+PACKAGE = "rviz_default_plugins"
+
+TYPES: dict[str, tuple[str, str, str]] = {
+    "Axes": ("axes", "AxesDisplay", ""),
+    "Grid": ("grid", "GridDisplay", ""),
+    "LaserScan": ("laser_scan", "LaserScanDisplay", "sensor_msgs/msg/LaserScan"),
+    "Map": ("map", "MapDisplay", "nav_msgs/msg/OccupancyGrid"),
+    "Marker": ("marker", "MarkerDisplay", "visualization_msgs/msg/Marker"),
+    "MarkerArray": ("marker", "MarkerArrayDisplay", "visualization_msgs/msg/MarkerArray"),
+    "Odometry": ("odometry", "OdometryDisplay", "nav_msgs/msg/Odometry"),
+    "Path": ("path", "PathDisplay", "nav_msgs/msg/Path"),
+    "PointStamped": ("poses", "PointStampedDisplay", "geometry_msgs/msg/PointStamped"),
+    "Pose": ("poses", "PoseDisplay", "geometry_msgs/msg/PoseStamped"),
+    "PoseArray": ("poses", "PoseArrayDisplay", "geometry_msgs/msg/PoseArray"),
+    "RobotModel": ("robot_model", "RobotModelDisplay", ""),
+    "TF": ("tf", "TFDisplay", ""),
+}
+"""Type -> module, class, and the message type by which Add by topic finds it (RobotModel and TF are not found so)."""
+
+
+def display_class(type_name: str) -> type[Display]:
+    """The class of a type of `TYPES`. Raises KeyError."""
+    module, name, _ = TYPES[type_name]
+    found: type[Display] = getattr(import_module(f"{__name__}.{module}"), name)
+    return found
+
+
+def types_for(message_type: str) -> list[str]:
+    """The display types that show messages of this type."""
+    return [name for name, (_, _, shown) in TYPES.items() if shown == message_type]

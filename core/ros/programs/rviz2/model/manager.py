@@ -1,0 +1,414 @@
+"""RViz itself: the displays, the Fixed Frame, the view, the configuration (rviz_common/visualization_manager.cpp).
+
+All of it lives on the program's thread, where `tick` follows what changed. A user interface on another thread reads `scene`,
+`root` and `view`, changes the view directly, and everything else by `request`.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.programs.rviz2.model.config import read_config
+from day6_tui.core.ros.programs.rviz2.model.display import Display, FailedDisplay
+from day6_tui.core.ros.programs.rviz2.model.displays import PACKAGE, TYPES, display_class, types_for
+from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer, Frames
+from day6_tui.core.ros.programs.rviz2.model.properties import COLOUR, ENUM, FIXED_FRAME, FRAME, GROUP, INT, Property
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
+from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, View, copied, type_property
+from day6_tui.core.session.scheduler import Signal
+from rclpy.clock import ClockChange, JumpThreshold, TimeJump
+from rclpy.duration import Duration
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+QUALITIES = ("High", "Medium", "Low")
+
+RobotReader = Callable[[str, str, Callable[[Any], None], Callable[[], bool]], None]
+
+
+class RViz:
+    """One RViz. `log` writes a line of level 'info', 'warn' or 'error' as the logger rviz2."""
+
+    def __init__(self, node: Node, buffer: FrameBuffer) -> None:
+        self.node = node
+        self.frames = Frames(buffer)
+        self.scene = Scene()
+        self.version = 0
+        """Grows with every new scene or status."""
+        self.tree_version = 0
+        """Grows when lines of the panel come, go or change their words."""
+        self.wake: Callable[[], None] = lambda: None
+        """Asks for a tick soon; any thread."""
+        self.urgent = Signal()
+        """Set when a user asked for something."""
+        self.pace = 0.0
+        """Seconds between two pictures that the viewer can show."""
+        self.read_robot: RobotReader = lambda text, folder, done, cancelled: None
+        self.read_file: Callable[[str, Callable[[str], None]], None] = lambda path, done: None
+        self.path: Callable[[str], Path] = Path
+        """The file that a name means to the program."""
+        self.write_file: Callable[[Path, str], None] = lambda path, text: None
+        self.progress = ""
+        """What is being loaded, and how much of it."""
+        self.message: tuple[str, dict[str, Any]] | None = None
+        """A sentence for the user: key of the catalogue and parameters."""
+        self.config_file: Path | None = None
+        self.default_file: Path | None = None
+        """Where Save puts a configuration that was never named."""
+        self.modified = False
+        self._config: dict[str, Any] = {}
+        self._requests: deque[Callable[[], object]] = deque()
+        self._dirty = True
+        self._redraw = True
+        buffer.on_data = self._data_came
+        self._build()
+        threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+        self._jumps = node.get_clock().create_jump_callback(threshold, post_callback=self._time_jumped)
+
+    def _build(self) -> None:
+        self.root = Property("root")
+        self.options = self.root.add(Property("Global Options", GROUP))
+        self.fixed = self.options.add(
+            Property("Fixed Frame", FRAME, "base_link", options=self.frame_names, on_change=self._fixed_changed)
+        )
+        self.background = self.options.add(Property("Background Color", COLOUR, (48, 48, 48), on_change=self.touch))
+        self.frame_rate = self.options.add(Property("Frame Rate", INT, 30, low=1, high=60, on_change=self.touch))
+        self.options.expanded = True
+        self.statuses = StatusList("Global Status")
+        self.statuses.expanded = True
+        self.root.add(self.statuses)
+        # The article's "Performance"; RViz has no such group, so it is written only when somebody used it.
+        self.performance = self.root.add(Property("Performance", GROUP))
+        self.quality = self.performance.add(
+            Property("Quality", ENUM, QUALITIES[0], options=QUALITIES, on_change=self.touch)
+        )
+        self.view_type = type_property(self._view_type_changed)
+        self.views = Property("Views", GROUP)
+        self.view: View = Orbit(self.frame_choices, self._view_touched)
+        self.views.add(self.view_type)
+        self.views.add(self.view)
+        self.view_version = 0
+
+    # -- what displays ask for -----------------------------------------------------------------------------------------
+
+    @property
+    def fixed_frame(self) -> str:
+        return str(self.fixed.value)
+
+    @property
+    def displays(self) -> list[Display]:
+        """In the order of the panel."""
+        return [child for child in self.root.children if isinstance(child, Display)]
+
+    def now_ns(self) -> int:
+        return int(self.node.get_clock().now().nanoseconds)
+
+    def frame_names(self) -> list[str]:
+        """Choices for the Fixed Frame: what /tf spoke of."""
+        return self.frames.names()
+
+    def frame_choices(self) -> list[str]:
+        """The same with `<Fixed Frame>`, for displays."""
+        return [FIXED_FRAME, *self.frames.names()]
+
+    def topics(self) -> list[tuple[str, list[str]]]:
+        """Topics somebody publishes or hears, with their types."""
+        return self.node.get_topic_names_and_types()
+
+    def touch(self) -> None:
+        """Something changed that may be seen."""
+        self._dirty = True
+        self.wake()
+
+    def tree_changed(self) -> None:
+        """Lines of the panel are others now."""
+        self.tree_version += 1
+        self._redraw = True
+
+    def log_info(self, text: str) -> None:
+        self.node.get_logger().info(text)
+
+    def log_error(self, text: str) -> None:
+        self.node.get_logger().error(text)
+
+    def hint(self, key: str, **parameters: Any) -> None:
+        """Say something to the user in the window, in plain words."""
+        self.message = (key, parameters)
+        self._redraw = True
+
+    # -- user interfaces -----------------------------------------------------------------------------------------------
+
+    def request(self, action: Callable[[], object]) -> None:
+        """Do something on the program's thread; any thread."""
+        self._requests.append(action)
+        self.urgent.set()
+        self.wake()
+
+    def edit(self, prop: Property, value: Any) -> None:
+        """Set a property's value; raises BadValue at once for one it cannot have."""
+        checked = prop._checked(value)
+
+        def change() -> None:
+            prop.set(checked)
+            self.modified = True
+            self.tree_changed()
+
+        if prop in self.view.children:
+            prop.set(checked)
+            self.tree_changed()
+        else:
+            self.request(change)
+
+    def edit_text(self, prop: Property, text: str) -> None:
+        """Set a property from what somebody typed. Raises BadValue."""
+        self.edit(prop, prop._read(text.strip()))
+
+    def _view_touched(self) -> None:
+        self.view_version += 1
+
+    def _view_type_changed(self) -> None:
+        self.set_view(str(self.view_type.value))
+
+    def set_view(self, type_name: str, mimic: bool = True) -> None:
+        """Look through another view controller."""
+        if type_name not in VIEWS or type_name == self.view.type:
+            return
+        view = VIEWS[type_name](self.frame_choices, self._view_touched)
+        view.expanded = self.view.expanded
+        if mimic:
+            copied(self.view, view)
+        self.view_type.value = type_name
+        self.views.remove(self.view)
+        self.views.add(view)
+        self.view = view
+        self._view_touched()
+        self.tree_changed()
+        self.touch()
+
+    # -- displays ------------------------------------------------------------------------------------------------------
+
+    def add_display(self, type_name: str, topic: str = "") -> Display:
+        """Add a display of a type, on a topic; on the program's thread. Raises KeyError for an unknown type."""
+        from day6_tui.core.ros.programs.rviz2.model.topics import TopicDisplay
+
+        display = display_class(type_name)(self, type_name)
+        if isinstance(display, TopicDisplay) and topic:
+            display.topic.set(topic)
+        display.expanded = True
+        self.root.add(display, len(self.root.children) - 1)
+        self._changed_by_user()
+        return display
+
+    def displays_for(self, message_type: str) -> list[str]:
+        """Display types that can show a topic of this type."""
+        return types_for(message_type)
+
+    def remove_display(self, display: Display) -> None:
+        display.close()
+        self.root.remove(display)
+        self._changed_by_user()
+
+    def duplicate_display(self, display: Display) -> Display:
+        """A copy with the same settings, at the end."""
+        copy = self._make(display.class_id, display.name)
+        copy.load(display.save())
+        self.root.add(copy, len(self.root.children) - 1)
+        self._changed_by_user()
+        return copy
+
+    def rename_display(self, display: Display, name: str) -> None:
+        display.name = name
+        self._changed_by_user()
+
+    def move_display(self, display: Display, step: int) -> None:
+        """Move a display up (-1) or down (1) in the list."""
+        displays = self.displays
+        index = displays.index(display) + step
+        if 0 <= index < len(displays):
+            target = self.root.children.index(displays[index])
+            self.root.remove(display)
+            self.root.add(display, target)
+            self._changed_by_user()
+
+    def _changed_by_user(self) -> None:
+        self.modified = True
+        self.tree_changed()
+        self.touch()
+
+    def _make(self, class_id: str, name: str) -> Display:
+        package, _, type_name = class_id.partition("/")
+        if package == PACKAGE and type_name in TYPES:
+            return display_class(type_name)(self, name)
+        return FailedDisplay(self, name, class_id)
+
+    def reset(self) -> None:
+        """The Reset button: forget everything that was received, transforms too."""
+        for display in self.displays:
+            display.reset()
+        self.frames.buffer.clear()
+        self.touch()
+
+    def close(self) -> None:
+        for display in self.displays:
+            display.close()
+
+    # -- time ----------------------------------------------------------------------------------------------------------
+
+    def _data_came(self) -> None:
+        if not self._dirty:
+            self.touch()
+
+    def _fixed_changed(self) -> None:
+        # A slash in front is taken away, as tf2 does not want it.
+        self.fixed.value = self.fixed.value.removeprefix("/")
+        self.frames.fixed = self.fixed_frame
+        self.touch()
+
+    def _time_jumped(self, jump: TimeJump) -> None:
+        logger = self.node.get_logger()
+        if jump.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
+            logger.warning("Detected time source change. Resetting RViz.")
+        else:
+            logger.warning("Detected jump back in time. Resetting RViz.")
+        self.reset()
+
+    def tick(self) -> bool:
+        """Do what was asked for, follow what changed, and make the new scene; True if there is one."""
+        while self._requests:
+            self._requests.popleft()()
+        self._dirty = False
+        self.frames.forget()
+        for display in self.displays:
+            display.update()
+        self._judge_fixed_frame()
+        target = self.frames.pose(self.view.target.value)
+        if target is not None:
+            self.view.origin = target.xyz
+        scene = Scene(self.background.value)
+        for display in self.displays:
+            if display.enabled:
+                display.draw(scene)
+        self.scene = scene
+        self.version += 1
+        self._redraw = False
+        return True
+
+    @property
+    def restless(self) -> bool:
+        """Whether the picture changes by time alone."""
+        return any(getattr(display, "fading", False) for display in self.displays if display.enabled)
+
+    def _judge_fixed_frame(self) -> None:
+        problem = self.frames.frame_problem(self.fixed_frame)
+        if problem is None:
+            changed = self.statuses.put(OK, "Fixed Frame", "OK")
+        elif not self.frames.names():
+            changed = self.statuses.put(WARN, "Fixed Frame", f"No tf data.  Actual error: {problem}")
+        else:
+            changed = self.statuses.put(ERROR, "Fixed Frame", problem)
+        if changed:
+            self.tree_changed()
+
+    # -- configuration -------------------------------------------------------------------------------------------------
+
+    def check_text(self, text: str) -> dict[str, Any]:
+        """Read the text of a .rviz file; any thread. Raises ConfigError."""
+        return read_config(text)
+
+    def load_text(self, text: str) -> None:
+        """Become what a .rviz file says. Raises ConfigError, and then nothing has changed."""
+        self.load_config(read_config(text))
+
+    def load_config(self, config: dict[str, Any], path: Path | None = None) -> None:
+        """Become what a file says that was read already."""
+        if path is not None:
+            self.config_file = path
+        self._config = config
+        manager = config.get("Visualization Manager")
+        manager = manager if isinstance(manager, dict) else {}
+        for display in self.displays:
+            display.close()
+            self.root.remove(display)
+        self.options.load(manager.get("Global Options"))
+        self.performance.load(manager.get("Performance"))
+        displays = manager.get("Displays")
+        for entry in displays if isinstance(displays, list) else ():
+            if isinstance(entry, dict):
+                display = self._make(str(entry.get("Class", "")), str(entry.get("Name", "")))
+                display.load(entry)
+                self.root.add(display, len(self.root.children) - 1)
+        views = manager.get("Views")
+        current = views.get("Current") if isinstance(views, dict) else None
+        if isinstance(current, dict):
+            self.set_view(str(current.get("Class", "")).rpartition("/")[2], mimic=False)
+            self.view.load(current)
+        self._load_expanded(config.get("Panels"))
+        self.modified = False
+        self.tree_changed()
+        self.touch()
+
+    def _load_expanded(self, panels: Any) -> None:
+        for panel in panels if isinstance(panels, list) else ():
+            tree = panel.get("Property Tree Widget") if isinstance(panel, dict) else None
+            if not isinstance(tree, dict) or panel.get("Class") != "rviz_common/Displays":
+                continue
+            expanded = tree.get("Expanded")
+            wanted = {str(path) for path in expanded} if isinstance(expanded, list) else set()
+            for prop in self.root.walk():
+                if prop is not self.root and prop.children:
+                    prop.expanded = _expanded_path(prop) in wanted
+            self.statuses.expanded = self.statuses.expanded or "/Global Status1" in wanted or "/Status1" in wanted
+
+    def save(self) -> dict[str, Any]:
+        """What a .rviz file holds, with everything of the loaded one that is not ours kept."""
+        config = dict(self._config)
+        old = config.get("Visualization Manager")
+        manager = dict(old) if isinstance(old, dict) else {}
+        manager["Displays"] = [display.save() for display in self.displays]
+        unknown = manager.get("Global Options")
+        options = {child.name: child.save() for child in self.options.children}
+        manager["Global Options"] = {**(unknown if isinstance(unknown, dict) else {}), **options}
+        if self.quality.value != self.quality.default:
+            manager["Performance"] = self.performance.save()
+        else:
+            manager.pop("Performance", None)
+        views = manager.get("Views")
+        saved = views.get("Saved") if isinstance(views, dict) else None
+        manager["Views"] = {"Current": self.view.save(), "Saved": saved}
+        manager.setdefault("Class", "")
+        manager.setdefault("Enabled", True)
+        manager.setdefault("Name", "root")
+        manager.setdefault("Value", True)
+        config["Visualization Manager"] = manager
+        config["Panels"] = self._save_panels(config.get("Panels"))
+        return config
+
+    def _save_panels(self, panels: Any) -> list[Any]:
+        expanded = [_expanded_path(prop) for prop in self.root.walk() if prop.expanded and prop.children]
+        found = list(panels) if isinstance(panels, list) else []
+        for index, panel in enumerate(found):
+            if isinstance(panel, dict) and panel.get("Class") == "rviz_common/Displays":
+                tree = panel.get("Property Tree Widget")
+                tree = {**(tree if isinstance(tree, dict) else {}), "Expanded": expanded or None}
+                found[index] = {**panel, "Property Tree Widget": tree}
+                return found
+        tree = {"Expanded": expanded or None, "Splitter Ratio": 0.5}
+        return [{"Class": "rviz_common/Displays", "Name": "Displays", "Property Tree Widget": tree}, *found]
+
+
+def _expanded_path(prop: Property) -> str:
+    """The path of RViz's list of expanded lines: every name with its number among brothers of the same name."""
+    parts = []
+    each: Property | None = prop
+    while each is not None and each.parent is not None:
+        name = each.word if isinstance(each, StatusList) else each.name
+        brothers = [other for other in each.parent.children if other.name == each.name]
+        number = next((index for index, other in enumerate(brothers, 1) if other is each), 1)
+        parts.append(f"{name}{number}")
+        each = each.parent
+    return "/" + "/".join(reversed(parts))

@@ -1,0 +1,162 @@
+"""What there is to see, as plain data in the fixed frame: shapes, lines, points, meshes, labels. Metres, colours 0..1.
+
+A display puts its part together in `draw`; whoever paints it (tui/render) knows nothing of displays. Objects are frozen and
+are handed on unchanged as long as they look the same, so that a painter may remember what it made of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from day6_tui.urdf.kinematics import IDENTITY, Transform, compose, rotate
+from day6_tui.urdf.model import Quaternion, Vector
+
+Colour = tuple[float, float, float, float]
+"""Red, green, blue, alpha in 0..1."""
+
+BOX, CYLINDER, SPHERE, CONE = "box", "cylinder", "sphere", "cone"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shape:
+    """A solid of the given full extents; cylinders and cones stand on z (a cone's tip is up)."""
+
+    kind: str
+    pose: Transform
+    size: Vector
+    colour: Colour
+    name: str = ""
+    """The link it belongs to, '' for axes and arrows."""
+    marked: bool = False
+    """A wheel: painted in sectors, because a plain cylinder that turns looks as if it stood."""
+    lit: bool = True
+    """Shaded; what is in error is plain white all over."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lines:
+    """Separate segments: vertices 0-1, 2-3 and so on. `colours` is one colour, or one for each vertex."""
+
+    vertices: Sequence[Vector]
+    colours: Sequence[Colour]
+    pose: Transform = IDENTITY
+    width: float = 0.0
+    """Metres; 0 is one pixel."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Points:
+    """`xyz` is N x 3 numbers, `colours` one colour or N of them; `size` in metres, 0 for one pixel."""
+
+    xyz: Any
+    colours: Any
+    size: float = 0.0
+    pose: Transform = IDENTITY
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Triangles:
+    """A mesh: `vertices` N x 3, `faces` M x 3 indices, `colours` None or M x 3 (0..1), which `colour` then only fades."""
+
+    vertices: Any
+    faces: Any
+    pose: Transform
+    scale: Vector
+    colour: Colour
+    colours: Any = None
+    name: str = ""
+    lit: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """A rectangle in the x-y plane from the origin of `pose`: `pixels` is rows x columns x 4 (0..255), row 0 lowest."""
+
+    pixels: Any
+    pose: Transform
+    resolution: float
+    behind: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Label:
+    """A text at a place; it always faces the viewer."""
+
+    text: str
+    position: Vector
+    colour: Colour
+
+
+@dataclass(slots=True, eq=False)
+class Scene:
+    """Everything at one moment. Filled by displays, then left alone."""
+
+    background: tuple[int, int, int] = (48, 48, 48)
+    shapes: list[Shape] = field(default_factory=list)
+    lines: list[Lines] = field(default_factory=list)
+    points: list[Points] = field(default_factory=list)
+    triangles: list[Triangles] = field(default_factory=list)
+    images: list[Image] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
+
+    def axes(self, pose: Transform, length: float, radius: float, alpha: float = 1.0, grey: float = 0.0) -> None:
+        """The three axes of a frame: x red, y green, z blue; `grey` 1 takes all their colour."""
+        for axis, turn in enumerate(_AXIS_TURNS):
+            centre: Vector = tuple(length / 2 if index == axis else 0.0 for index in range(3))  # type: ignore[assignment]
+            red, green, blue = ((1 - grey) * (1.0 if index == axis else 0.0) + grey * 0.7 for index in range(3))
+            self.shapes.append(
+                Shape(
+                    CYLINDER,
+                    compose(pose, Transform(centre, turn)),
+                    (2 * radius, 2 * radius, length),
+                    (red, green, blue, alpha),
+                )
+            )
+
+    def arrow(
+        self,
+        pose: Transform,
+        shaft_length: float,
+        shaft_diameter: float,
+        head_length: float,
+        head_diameter: float,
+        shaft: Colour,
+        head: Colour | None = None,
+    ) -> None:
+        """An arrow from the origin of `pose` along its x."""
+        along = compose(pose, Transform((0.0, 0.0, 0.0), Z_TO_X))
+        if shaft_length > 0:
+            place = compose(along, Transform((0.0, 0.0, shaft_length / 2)))
+            self.shapes.append(Shape(CYLINDER, place, (shaft_diameter, shaft_diameter, shaft_length), shaft))
+        tip = compose(along, Transform((0.0, 0.0, shaft_length + head_length / 2)))
+        self.shapes.append(Shape(CONE, tip, (head_diameter, head_diameter, head_length), head or shaft))
+
+
+_HALF = 0.5**0.5
+Z_TO_X: Quaternion = (0.0, _HALF, 0.0, _HALF)
+"""Turns the z axis onto x."""
+
+_AXIS_TURNS: tuple[Quaternion, Quaternion, Quaternion] = (Z_TO_X, (-_HALF, 0.0, 0.0, _HALF), (0.0, 0.0, 0.0, 1.0))
+
+
+def pointing(start: Vector, end: Vector) -> Transform:
+    """The pose at `start` whose x looks to `end`."""
+    dx, dy, dz = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+    length = (dx * dx + dy * dy + dz * dz) ** 0.5
+    if length == 0:
+        return Transform(start)
+    dx, dy, dz = dx / length, dy / length, dz / length
+    if dx < -0.999999:
+        return Transform(start, (0.0, 0.0, 1.0, 0.0))
+    # The half-way rotation from (1, 0, 0) to (dx, dy, dz).
+    w = 1 + dx
+    norm = (w * w + dy * dy + dz * dz) ** 0.5
+    return Transform(start, (0.0, -dz / norm, dy / norm, w / norm))
+
+
+def placed(pose: Transform, point: Vector) -> Vector:
+    """A point given in the frame `pose`."""
+    x, y, z = rotate(pose.rotation, point)
+    return pose.xyz[0] + x, pose.xyz[1] + y, pose.xyz[2] + z

@@ -1,0 +1,45 @@
+"""Bags: reading, writing, recording and playing, with the names of the real rosbag2_py.
+
+Storage is our own (`_mcap_*`, `_sqlite`); `_recording` and `_playing` are what `ros2 bag` and `Recorder`/`Player` run.
+Everything is imported on first use.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_PLACES = {
+    "_compression": "CompressionMode CompressionOptions compression_mode_from_string compression_mode_to_string "
+    "get_registered_compressors",
+    "_definitions": "LocalMessageDefinitionSource",
+    "_files": "get_registered_readers get_registered_serializers get_registered_writers",
+    "_info": "Info",
+    "_metadata": "MetadataIo",
+    "_qos": "QoS convert_rclcpp_qos_to_rclpy_qos to_rclcpp_qos_vector",
+    "_reader": "SequentialCompressionReader SequentialReader",
+    "_reindexer": "Reindexer",
+    "_rewrite": "bag_rewrite",
+    "_storage": "BagMetadata ConverterOptions FileInformation MessageDefinition ReadOrder ReadOrderSortBy StorageFilter "
+    "StorageOptions TopicInformation TopicMetadata get_default_storage_id",
+    "_transport": "PlayOptions Player RecordOptions Recorder ServiceRequestsSource",
+    "_writer": "SequentialCompressionWriter SequentialWriter",
+}
+_MODULE_OF = {name: module for module, names in _PLACES.items() for name in names.split()}
+
+__all__ = sorted(_MODULE_OF)
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    from importlib import import_module
+
+    value = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,71 @@
+"""The services by which other programs steer a player: `/rosbag2_player/pause` and so on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rosbag2_interfaces.srv import (
+    Burst,
+    GetRate,
+    IsPaused,
+    Pause,
+    Play,
+    PlayNext,
+    Resume,
+    Seek,
+    SetRate,
+    Stop,
+    TogglePaused,
+)
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+    from rosbag2_py._playing import Playing
+
+SECOND = 1_000_000_000
+
+
+def offer_services(node: Node, playing: Playing) -> None:
+    """Offer them on the player's node."""
+
+    def nothing(action: Callable[[], object]) -> Callable[[Any], dict[str, Any]]:
+        def run(request: Any) -> dict[str, Any]:
+            action()
+            return {}
+
+        return run
+
+    def seek(request: Any) -> dict[str, Any]:
+        playing.seek(request.time.sec * SECOND + request.time.nanosec)
+        return {"success": True}
+
+    def play(request: Any) -> dict[str, Any]:
+        # The command lives as long as its playback, so whoever can ask finds one running.
+        node.get_logger().warning("Trying to play() while in playback, dismissing request.")
+        return {"success": False}
+
+    table: dict[str, tuple[Any, Callable[[Any], dict[str, Any]]]] = {
+        "pause": (Pause, nothing(playing.pause)),
+        "resume": (Resume, nothing(playing.resume)),
+        "toggle_paused": (TogglePaused, nothing(playing.toggle_paused)),
+        "stop": (Stop, nothing(playing.stop)),
+        "is_paused": (IsPaused, lambda request: {"paused": playing.clock.paused}),
+        "get_rate": (GetRate, lambda request: {"rate": playing.clock.rate}),
+        "set_rate": (SetRate, lambda request: {"success": playing.set_rate(request.rate)}),
+        "play_next": (PlayNext, lambda request: {"success": playing.play_next()}),
+        "burst": (Burst, lambda request: {"actually_burst": playing.burst(request.num_messages)}),
+        "seek": (Seek, seek),
+        "play": (Play, play),
+    }
+    for name, (kind, serve) in table.items():
+        node.create_service(kind, f"~/{name}", _answer(serve))
+
+
+def _answer(serve: Callable[[Any], dict[str, Any]]) -> Callable[[Any, Any], Any]:
+    def answer(request: Any, response: Any) -> Any:
+        for field, value in serve(request).items():
+            setattr(response, field, value)
+        return response
+
+    return answer

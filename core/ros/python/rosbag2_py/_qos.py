@@ -1,0 +1,251 @@
+"""QoS profiles as bags keep them: YAML with words (version 9) or numbers (before), and what to offer or request from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.qos import INFINITE_NS, Durability, History, Liveliness, Reliability
+from day6_tui.core.graph.qos import QoS as Profile
+
+if TYPE_CHECKING:
+    from rclpy.qos import QoSProfile
+
+DEFAULT_DEPTH = 10
+_SECOND = 1_000_000_000
+_INFINITE = (9223372036, 854775807)
+_OLD_INFINITES = {(2147483647, 4294967295), (2147483647, 4294967294), (9223372036, 854775807), (0x7FFFFFFF, 0xFFFFFFFF)}
+"""What Foxy's middlewares wrote for "for ever" (rosbag2_storage/qos.hpp)."""
+
+
+class rmw_qos_history_policy_t(IntEnum):
+    """History policies under rmw's names."""
+
+    RMW_QOS_POLICY_HISTORY_SYSTEM_DEFAULT = 0
+    RMW_QOS_POLICY_HISTORY_KEEP_LAST = 1
+    RMW_QOS_POLICY_HISTORY_KEEP_ALL = 2
+    RMW_QOS_POLICY_HISTORY_UNKNOWN = 3
+
+
+class rmw_qos_reliability_policy_t(IntEnum):
+    """Reliability policies under rmw's names."""
+
+    RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT = 0
+    RMW_QOS_POLICY_RELIABILITY_RELIABLE = 1
+    RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT = 2
+    RMW_QOS_POLICY_RELIABILITY_UNKNOWN = 3
+
+
+class rmw_qos_durability_policy_t(IntEnum):
+    """Durability policies under rmw's names."""
+
+    RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT = 0
+    RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL = 1
+    RMW_QOS_POLICY_DURABILITY_VOLATILE = 2
+    RMW_QOS_POLICY_DURABILITY_UNKNOWN = 3
+
+
+class rmw_qos_liveliness_policy_t(IntEnum):
+    """Liveliness policies under rmw's names."""
+
+    RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0
+    RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = 1
+    RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = 3
+    RMW_QOS_POLICY_LIVELINESS_UNKNOWN = 4
+
+
+class QoS:
+    """A profile built step by step, each call returning the same object: `QoS(10).best_effort().durability_volatile()`."""
+
+    def __init__(self, history_depth: int = DEFAULT_DEPTH, *, profile: Profile | None = None) -> None:
+        self.profile = profile if profile is not None else Profile(depth=history_depth, liveliness=Liveliness.AUTOMATIC)
+
+    def _set(self, **values: Any) -> QoS:
+        self.profile = self.profile._replace(**values)
+        return self
+
+    def keep_last(self, depth: int) -> QoS:
+        return self._set(history=History.KEEP_LAST, depth=depth)
+
+    def keep_all(self) -> QoS:
+        return self._set(history=History.KEEP_ALL, depth=0)
+
+    def reliable(self) -> QoS:
+        return self._set(reliability=Reliability.RELIABLE)
+
+    def best_effort(self) -> QoS:
+        return self._set(reliability=Reliability.BEST_EFFORT)
+
+    def transient_local(self) -> QoS:
+        return self._set(durability=Durability.TRANSIENT_LOCAL)
+
+    def durability_volatile(self) -> QoS:
+        return self._set(durability=Durability.VOLATILE)
+
+    def history(self, policy: int) -> QoS:
+        return self._set(history=History(policy))
+
+    def reliability(self, policy: int) -> QoS:
+        return self._set(reliability=Reliability(policy))
+
+    def durability(self, policy: int) -> QoS:
+        return self._set(durability=Durability(policy))
+
+    def liveliness(self, policy: int) -> QoS:
+        return self._set(liveliness=Liveliness(policy))
+
+    def deadline(self, duration: Any) -> QoS:
+        return self._set(deadline=_nanoseconds(duration))
+
+    def lifespan(self, duration: Any) -> QoS:
+        return self._set(lifespan=_nanoseconds(duration))
+
+    def liveliness_lease_duration(self, duration: Any) -> QoS:
+        return self._set(liveliness_lease_duration=_nanoseconds(duration))
+
+    def avoid_ros_namespace_conventions(self, avoid: bool) -> QoS:
+        return self._set(avoid_ros_namespace_conventions=avoid)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, QoS) and other.profile == self.profile
+
+    def __hash__(self) -> int:
+        return hash(self.profile)
+
+    def __repr__(self) -> str:
+        return f"QoS({self.profile})"
+
+
+def _nanoseconds(duration: Any) -> int:
+    return _finite(int(duration.nanoseconds))
+
+
+def _finite(nanoseconds: int) -> int:
+    """For ever is 0 in a profile."""
+    return 0 if nanoseconds >= INFINITE_NS else nanoseconds
+
+
+# -- rclpy -------------------------------------------------------------------------------------------------------------
+
+
+def convert_rclcpp_qos_to_rclpy_qos(qos: QoS) -> QoSProfile:
+    """Return the profile as rclpy's class, for `create_publisher` and `create_subscription`."""
+    from rclpy.qos import QoSProfile
+
+    return QoSProfile._from_graph(qos.profile, known_history=True)
+
+
+def from_rclpy(profile: QoSProfile) -> QoS:
+    """Return rclpy's profile as a bag keeps it; what discovery does not tell stays unknown."""
+    found = profile.get_c_qos_profile()
+    return QoS(
+        profile=found._replace(
+            deadline=_finite(found.deadline),
+            lifespan=_finite(found.lifespan),
+            liveliness_lease_duration=_finite(found.liveliness_lease_duration),
+        )
+    )
+
+
+def offer_for(recorded: list[QoS]) -> tuple[QoS, bool]:
+    """Return the profile a player publishes a topic with, and whether the recorded publishers agreed on it.
+
+    Agreement leaves out depth, history and lifespan (rosbag2_storage, adapt_offer_to_recorded_offers).
+    """
+    if not recorded:
+        return QoS(), True
+    first = recorded[0].profile
+    if all(_compatibility(each.profile) == _compatibility(first) for each in recorded[1:]):
+        return QoS(profile=first._replace(history=History.KEEP_LAST, depth=DEFAULT_DEPTH)), True
+    return QoS(), False
+
+
+def _compatibility(profile: Profile) -> tuple[Any, ...]:
+    lease = profile.liveliness_lease_duration
+    return (profile.reliability, profile.durability, profile.deadline, profile.liveliness, lease)
+
+
+# -- text --------------------------------------------------------------------------------------------------------------
+
+
+def yaml_lines(profiles: Iterable[QoS], indent: str = "") -> list[str]:
+    """Return the YAML list of profiles as rosbag2 writes it (version 9), one line each, behind `indent`."""
+    lines: list[str] = []
+    for qos in profiles:
+        profile = qos.profile
+        entry = [
+            f"history: {_word(profile.history)}",
+            f"depth: {profile.depth}",
+            f"reliability: {_word(profile.reliability)}",
+            f"durability: {_word(profile.durability)}",
+            *_time("deadline", profile.deadline),
+            *_time("lifespan", profile.lifespan),
+            f"liveliness: {_word(profile.liveliness)}",
+            *_time("liveliness_lease_duration", profile.liveliness_lease_duration),
+            f"avoid_ros_namespace_conventions: {str(profile.avoid_ros_namespace_conventions).lower()}",
+        ]
+        lines += [f"{indent}{'- ' if number == 0 else '  '}{line}" for number, line in enumerate(entry)]
+    return lines
+
+
+def _word(policy: IntEnum) -> str:
+    return policy.name.lower()
+
+
+def _time(name: str, nanoseconds: int) -> list[str]:
+    seconds, rest = divmod(nanoseconds, _SECOND) if nanoseconds else _INFINITE
+    return [f"{name}:", f"  sec: {seconds}", f"  nsec: {rest}"]
+
+
+def from_yaml(text: Any) -> list[QoS]:
+    """Return the profiles in a YAML text (or in what it was loaded as). Both words and numbers are taken.
+
+    ValueError for something that is no list of profiles.
+    """
+    if isinstance(text, str):
+        if not text.strip():
+            return []
+        import yaml
+
+        text = yaml.safe_load(text)
+    if text is None:
+        return []
+    if not isinstance(text, list) or not all(isinstance(each, dict) for each in text):
+        raise ValueError("the QoS profiles of a topic are not a list of profiles")
+    return [_profile(each) for each in text]
+
+
+def to_rclcpp_qos_vector(text: str, version: int) -> list[QoS]:
+    """Return the profiles in the text that a bag of metadata `version` holds (the form is found out from the text)."""
+    return from_yaml(text)
+
+
+def _profile(entry: dict[str, Any]) -> QoS:
+    return QoS(
+        profile=Profile(
+            depth=int(entry.get("depth", 0)),
+            history=_policy(History, entry.get("history", 0)),
+            reliability=_policy(Reliability, entry.get("reliability", 0)),
+            durability=_policy(Durability, entry.get("durability", 0)),
+            deadline=_duration(entry.get("deadline")),
+            lifespan=_duration(entry.get("lifespan")),
+            liveliness=_policy(Liveliness, entry.get("liveliness", 0)),
+            liveliness_lease_duration=_duration(entry.get("liveliness_lease_duration")),
+            avoid_ros_namespace_conventions=bool(entry.get("avoid_ros_namespace_conventions", False)),
+        )
+    )
+
+
+def _policy(kind: type[IntEnum], value: Any) -> Any:
+    try:
+        return kind[value.upper()] if isinstance(value, str) else kind(value)
+    except (KeyError, ValueError):
+        return kind["UNKNOWN"]
+
+
+def _duration(entry: Any) -> int:
+    if not isinstance(entry, dict):
+        return 0
+    seconds, rest = int(entry.get("sec", 0)), int(entry.get("nsec", 0))
+    return 0 if (seconds, rest) in _OLD_INFINITES else seconds * _SECOND + rest

@@ -1,0 +1,208 @@
+"""`SequentialReader`: the messages of a bag one after the other, whatever files and storage it is made of."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import weakref
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosbag2_py._compression import decompress
+from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file
+from rosbag2_py._mcap_read import Message
+from rosbag2_py._metadata import MetadataIo
+from rosbag2_py._storage import (
+    BagMetadata,
+    ConverterOptions,
+    MessageDefinition,
+    ReadOrder,
+    ReadOrderSortBy,
+    StorageFilter,
+    StorageOptions,
+    TopicMetadata,
+    nanoseconds_of,
+)
+
+__all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
+
+_LAST = 2**63 - 1
+
+
+class SequentialReader:
+    """Opens a bag (its folder, or one file of it) and gives its messages by time. RuntimeError for what is no bag."""
+
+    def __init__(self) -> None:
+        self._metadata: BagMetadata | None = None
+        self._folder = Path()
+        self._files: list[Path] = []
+        self._storage = ""
+        self._open: dict[Path, BagReader] = {}
+        self._filter = StorageFilter()
+        self._order = ReadOrder()
+        self._start_ns: int | None = None
+        self._end_ns = _LAST
+        self._stream: Iterator[Message] | None = None
+        self._next: Message | None = None
+        self._unpacked: Path | None = None
+
+    def open_uri(self, uri: str) -> None:
+        """Open a bag with everything found out from it."""
+        self.open(StorageOptions(uri))
+
+    def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
+        """Open a bag; a second call closes the first one."""
+        self.close()
+        self._folder = Path(storage_options.uri)
+        self._storage = storage_options.storage_id
+        io = MetadataIo()
+        if io.metadata_file_exists(str(self._folder)):
+            self._metadata = metadata = io.read_metadata(str(self._folder))
+            self._storage = self._storage or metadata.storage_identifier
+            self._files = [self._find(path) for path in metadata.relative_file_paths]
+        elif self._folder.is_file():
+            self._files = [self._folder]
+            self._metadata = self._reader(self._folder).metadata()
+        else:
+            raise RuntimeError(NO_STORAGE)
+        if storage_options.start_time_ns >= 0:
+            self._start_ns = storage_options.start_time_ns
+        self._end_ns = storage_options.end_time_ns if storage_options.end_time_ns >= 0 else _LAST
+
+    def _find(self, name: str) -> Path:
+        """Bags of early versions name their files with the bag's folder in front."""
+        path = self._folder / name
+        return path if path.exists() or "/" not in name else self._folder / Path(name).name
+
+    def close(self) -> None:
+        """Let go of the files."""
+        self._stream = None
+        self._next = None
+        for file in self._open.values():
+            file.close()
+        self._open.clear()
+        self._metadata = None
+        self._start_ns = None
+
+    def _reader(self, path: Path) -> BagReader:
+        found = self._open.get(path)
+        if found is None:
+            mode = self._metadata.compression_mode if self._metadata is not None else ""
+            packed = mode.upper() == "FILE" and path.suffix == ".zstd"
+            found = self._open[path] = open_file(self._unpack(path) if packed else path, self._storage)
+        return found
+
+    def _unpack(self, path: Path) -> Path:
+        """Unpack a compressed file into a passing folder, which goes with this reader."""
+        if self._unpacked is None:
+            self._unpacked = Path(tempfile.mkdtemp(prefix="rosbag2-"))
+            weakref.finalize(self, shutil.rmtree, self._unpacked, ignore_errors=True)
+        target = self._unpacked / path.stem
+        try:
+            target.write_bytes(decompress("zstd", path.read_bytes()))
+        except OSError as error:
+            raise RuntimeError(f"{error.strerror}: {path}") from None
+        return target
+
+    # -- what there is -------------------------------------------------------------------------------------------------
+
+    def get_metadata(self) -> BagMetadata:
+        """Return what metadata.yaml says, or what the file itself does."""
+        if self._metadata is None:
+            raise RuntimeError("Bag is not open. Call open() before reading.")
+        return self._metadata
+
+    def get_all_topics_and_types(self) -> list[TopicMetadata]:
+        """Return the topics of the bag."""
+        return [each.topic_metadata for each in self.get_metadata().topics_with_message_count]
+
+    def get_all_message_definitions(self) -> list[MessageDefinition]:
+        """Return the texts of the message types, each once."""
+        found: dict[str, MessageDefinition] = {}
+        for path in self._files:
+            for definition in self._reader(path).definitions():
+                found.setdefault(definition.topic_type, definition)
+        return list(found.values())
+
+    # -- messages ------------------------------------------------------------------------------------------------------
+
+    def set_filter(self, storage_filter: StorageFilter) -> None:
+        """Read on with those topics only that the filter allows."""
+        self._filter = storage_filter
+        self._restart()
+
+    def reset_filter(self) -> None:
+        """Read on with all topics."""
+        self.set_filter(StorageFilter())
+
+    def seek(self, timestamp: int) -> None:
+        """Go on with the first message at or after (backwards: before) this time."""
+        self._start_ns = timestamp
+        self._restart()
+
+    def set_read_order(self, read_order: ReadOrder) -> bool:
+        """Choose the order; False for one that the bag cannot be read in."""
+        if read_order.sort_by == ReadOrderSortBy.PublishedTimestamp:
+            return False
+        if read_order.sort_by == ReadOrderSortBy.File and read_order.reverse:
+            return False
+        self._order = read_order
+        self._restart()
+        return True
+
+    def has_next(self) -> bool:
+        """Say whether there is one more message."""
+        self.get_metadata()
+        if self._next is None:
+            if self._stream is None:
+                self._stream = self._messages()
+            self._next = next(self._stream, None)
+        return self._next is not None
+
+    def read_next(self) -> tuple[str, bytes, int]:
+        """Return the next message: topic, CDR bytes, time of reception in nanoseconds since 1970."""
+        message = self.read_next_message()
+        return message.topic, message.data, message.received_ns
+
+    def read_next_message(self) -> Message:
+        """Return the next message with all that is known of it. RuntimeError at the end."""
+        if not self.has_next() or self._next is None:
+            raise RuntimeError("Bag is at end. No next message.")
+        message, self._next = self._next, None
+        # A filter or order that is changed now applies from here on.
+        self._start_ns = message.received_ns + (-1 if self._order.reverse else 1)
+        return message
+
+    def _restart(self) -> None:
+        self._stream = None
+        self._next = None
+
+    def _messages(self) -> Iterator[Message]:
+        reverse = self._order.reverse
+        start = self._start_ns if self._start_ns is not None else (_LAST if reverse else 0)
+        metadata = self.get_metadata()
+        unpack = metadata.compression_mode.upper() == "MESSAGE"
+        # sorted by what the files say of themselves: after a split the order of the names is the order of time
+        for path in reversed(self._files) if reverse else self._files:
+            stream = self._reader(path).messages(
+                start, self._filter.allows, reverse=reverse, by_file=self._order.sort_by == ReadOrderSortBy.File
+            )
+            for message in stream:
+                if message.received_ns > self._end_ns:
+                    continue
+                if unpack:
+                    message = message._replace(data=decompress(metadata.compression_format, message.data))
+                yield message
+
+    def __del__(self) -> None:
+        for file in self._open.values():
+            file.close()
+
+
+class SequentialCompressionReader(SequentialReader):
+    """The reader for compressed bags; `SequentialReader` here reads both."""
+
+
+def last_moment(metadata: BagMetadata) -> int:
+    """Return the time of the last message, nanoseconds since 1970."""
+    return nanoseconds_of(metadata.starting_time) + nanoseconds_of(metadata.duration)

@@ -1,0 +1,201 @@
+"""What a bag is described by: options, topics, files, the whole. Names and arguments are those of rosbag2_py."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from datetime import timedelta
+from enum import IntEnum
+from typing import Any
+
+from rosbag2_py._qos import QoS
+
+NANOSECONDS = 1_000_000_000
+EVENT_SUFFIX = "/_service_event"
+"""How the topic of a service's events ends (rcl/service_introspection.h)."""
+
+
+class Duration:
+    """A time span in nanoseconds, as rclcpp has it."""
+
+    def __init__(self, seconds: int = 0, nanoseconds: int = 0) -> None:
+        self.nanoseconds = seconds * NANOSECONDS + nanoseconds
+
+    @property
+    def seconds(self) -> float:
+        return self.nanoseconds / NANOSECONDS
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Duration) and other.nanoseconds == self.nanoseconds
+
+    def __hash__(self) -> int:
+        return hash(self.nanoseconds)
+
+    def __repr__(self) -> str:
+        return f"Duration(nanoseconds={self.nanoseconds})"
+
+
+def nanoseconds_of(value: Any) -> int:
+    """Return whole nanoseconds of a number, a timedelta or anything with `nanoseconds` (Duration, Time)."""
+    if isinstance(value, timedelta):
+        return (value.days * 86400 + value.seconds) * NANOSECONDS + value.microseconds * 1000
+    found = getattr(value, "nanoseconds", value)
+    return int(found() if callable(found) else found)
+
+
+@dataclass
+class StorageOptions:
+    """Where a bag is and how it is written. Sizes are bytes, `max_bagfile_duration` seconds; 0 means no limit."""
+
+    uri: str
+    storage_id: str = ""
+    max_bagfile_size: int = 0
+    max_bagfile_duration: int = 0
+    max_cache_size: int = 0
+    storage_preset_profile: str = ""
+    storage_config_uri: str = ""
+    snapshot_mode: bool = False
+    start_time_ns: int = -1
+    end_time_ns: int = -1
+    custom_data: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass
+class ConverterOptions:
+    """Serialization formats of what is read or written and of the storage; there is only 'cdr', '' means the same."""
+
+    input_serialization_format: str = ""
+    output_serialization_format: str = ""
+
+
+@dataclass
+class TopicMetadata:
+    """One topic of a bag; `type` like 'std_msgs/msg/String'."""
+
+    id: int
+    name: str
+    type: str
+    serialization_format: str
+    offered_qos_profiles: list[QoS] = field(default_factory=list)
+    type_description_hash: str = ""
+
+    def equals(self, other: TopicMetadata) -> bool:
+        """Say whether both describe the same topic (the number does not count)."""
+        return (self.name, self.type, self.serialization_format) == (other.name, other.type, other.serialization_format)
+
+
+@dataclass
+class TopicInformation:
+    """A topic with the number of its messages."""
+
+    topic_metadata: TopicMetadata
+    message_count: int
+
+
+@dataclass
+class MessageDefinition:
+    """The text of a message type and of all it contains; `encoding` is 'ros2msg', 'ros2idl' or 'unknown'."""
+
+    topic_type: str
+    encoding: str
+    encoded_message_definition: str
+    type_hash: str
+
+
+@dataclass
+class FileInformation:
+    """One file of a bag; times as `BagMetadata`."""
+
+    path: str
+    starting_time: Any
+    duration: Any
+    message_count: int
+
+
+@dataclass
+class BagMetadata:
+    """What metadata.yaml says. `starting_time` is an rclpy Time, `duration` a Duration; `bag_size` is bytes on the disk."""
+
+    version: int = 9
+    bag_size: int = 0
+    storage_identifier: str = ""
+    relative_file_paths: list[str] = field(default_factory=list)
+    files: list[FileInformation] = field(default_factory=list)
+    duration: Any = field(default_factory=Duration)
+    starting_time: Any = 0
+    message_count: int = 0
+    topics_with_message_count: list[TopicInformation] = field(default_factory=list)
+    compression_format: str = ""
+    compression_mode: str = ""
+    custom_data: dict[str, str] = field(default_factory=dict)
+    ros_distro: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.starting_time, int):
+            self.starting_time = BagTime(self.starting_time)
+
+
+class BagTime:
+    """A moment, nanoseconds since 1970. (The real one is an rclpy Time; this has what is used of it, without importing it.)"""
+
+    def __init__(self, nanoseconds: int = 0) -> None:
+        self.nanoseconds = nanoseconds
+
+    def seconds_nanoseconds(self) -> tuple[int, int]:
+        """Whole seconds, and the nanoseconds that are left."""
+        return divmod(self.nanoseconds, NANOSECONDS)
+
+    def __eq__(self, other: object) -> bool:
+        return getattr(other, "nanoseconds", None) == self.nanoseconds
+
+    def __hash__(self) -> int:
+        return hash(self.nanoseconds)
+
+    def __repr__(self) -> str:
+        return f"Time(nanoseconds={self.nanoseconds})"
+
+
+@dataclass
+class StorageFilter:
+    """Which topics are read: those named, or whose names match `regex` whole; all if neither is given. Exclusion wins."""
+
+    topics: list[str] = field(default_factory=list)
+    services_events: list[str] = field(default_factory=list)
+    regex: str = ""
+    exclude_topics: list[str] = field(default_factory=list)
+    exclude_service_events: list[str] = field(default_factory=list)
+    regex_to_exclude: str = ""
+
+    def allows(self, topic: str) -> bool:
+        """Say whether messages of `topic` pass."""
+        import re
+
+        event = topic.endswith(EVENT_SUFFIX)
+        if topic in (self.exclude_service_events if event else self.exclude_topics):
+            return False
+        if self.regex_to_exclude and re.fullmatch(self.regex_to_exclude, topic):
+            return False
+        wanted = self.services_events if event else self.topics
+        if not wanted and not self.regex:
+            return True
+        return topic in wanted or bool(self.regex and re.fullmatch(self.regex, topic))
+
+
+class ReadOrderSortBy(IntEnum):
+    """What messages are sorted by when they are read."""
+
+    ReceivedTimestamp = 0
+    PublishedTimestamp = 1
+    File = 2
+
+
+@dataclass
+class ReadOrder:
+    """The order in which messages are read."""
+
+    sort_by: ReadOrderSortBy = ReadOrderSortBy.ReceivedTimestamp
+    reverse: bool = False
+
+
+def get_default_storage_id() -> str:
+    """Return the storage of a bag that names none: 'mcap', since Iron."""
+    return "mcap"

@@ -1,0 +1,128 @@
+"""`Recorder` and `Player` for programs of their own: they block until the end or Ctrl-C."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+from rosbag2_py._options import PlayOptions, RecordOptions, ServiceRequestsSource
+from rosbag2_py._storage import StorageOptions
+
+__all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource"]
+
+_LONGEST_WAIT = 0.1
+
+
+class _Transport:
+    """A context and node of its own, spun until the work is done or `cancel` is called."""
+
+    _cancelled = False
+
+    def __init__(self, log_level: str = "info") -> None:
+        self._log_level = log_level
+
+    @classmethod
+    def cancel(cls) -> None:
+        """End what runs (from another thread)."""
+        cls._cancelled = True
+
+    def _run(
+        self, name: str, arguments: list[str], begin: Callable[[Any], Callable[[], float | None]], **node: Any
+    ) -> None:
+        """Make the node, call `begin(node)`, and call what that returns again after as many seconds as it says."""
+        from rclpy.context import Context
+        from rclpy.executors import SingleThreadedExecutor
+        from rclpy.node import Node
+
+        type(self)._cancelled = False
+        context = Context()
+        context.init(args=["--ros-args", "--log-level", self._log_level])
+        try:
+            made = Node(name, context=context, cli_args=arguments, **node)
+            executor = SingleThreadedExecutor(context=context)
+            executor.add_node(made)
+            step = begin(made)
+            while context.ok() and not type(self)._cancelled and (pause := step()) is not None:
+                executor.spin_once(timeout_sec=min(max(pause, 0.0), _LONGEST_WAIT))
+        finally:
+            context.try_shutdown()
+
+
+class Recorder(_Transport):
+    """Records bags: `Recorder().record(storage_options, record_options)`."""
+
+    def record(
+        self, storage_options: StorageOptions, record_options: RecordOptions, node_name: str = "rosbag2_recorder"
+    ) -> None:
+        """Record until `cancel` or Ctrl-C (KeyboardInterrupt)."""
+        from rclpy.parameter import Parameter
+        from rosbag2_py._recording import Recording
+
+        recordings: list[Recording] = []
+        interval = record_options.topic_polling_interval.total_seconds()
+
+        def begin(node: Any) -> Callable[[], float | None]:
+            recording = Recording(node, storage_options, record_options, keyboard=False)
+            recordings.append(recording)
+            recording.start()
+            last = time.monotonic()
+
+            def step() -> float | None:
+                nonlocal last
+                if time.monotonic() - last >= interval:
+                    last = time.monotonic()
+                    recording.poll()
+                return last + interval - time.monotonic()
+
+            return step
+
+        simulated: list[Parameter[bool]] = [Parameter("use_sim_time", value=record_options.use_sim_time)]
+        try:
+            self._run(node_name, [], begin, parameter_overrides=simulated)
+        finally:
+            for recording in recordings:
+                recording.stop()
+
+
+class Player(_Transport):
+    """Plays bags: `Player().play(storage_options, play_options)`."""
+
+    def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
+        """Play to the end, until `cancel`, or Ctrl-C (KeyboardInterrupt)."""
+        self._play(storage_options, play_options, None)
+
+    def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
+        """Publish so many messages at once (0: all), then stay paused."""
+        play_options.start_paused = True
+        self._play(storage_options, play_options, num_messages)
+
+    def _play(self, storage: StorageOptions, options: PlayOptions, burst: int | None) -> None:
+        from rosbag2_py._play_services import offer_services
+        from rosbag2_py._playing import NODE_NAME, Playing
+        from rosbag2_py._reader import SequentialReader
+
+        reader = SequentialReader()
+        reader.open(storage)
+
+        def begin(node: Any) -> Callable[[], float | None]:
+            playing = Playing(
+                node, [reader], options, keyboard=False, steady_ns=time.monotonic_ns, on_wake=lambda: None
+            )
+            offer_services(node, playing)
+            playing.begin()
+            if burst is not None:
+                playing.burst(burst)
+
+            def step() -> float | None:
+                due = playing.advance()
+                if playing.finished:
+                    return None
+                return _LONGEST_WAIT if due is None else (due - time.monotonic_ns()) / 1e9
+
+            return step
+
+        try:
+            self._run(NODE_NAME, options.topic_remapping_options, begin)
+        finally:
+            reader.close()

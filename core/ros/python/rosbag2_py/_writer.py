@@ -1,0 +1,287 @@
+"""`SequentialWriter`: a bag of one file or several, whole on the disk after every second."""
+
+from __future__ import annotations
+
+import os
+import time
+import weakref
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+
+from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_codec
+from rosbag2_py._definitions import LocalMessageDefinitionSource
+from rosbag2_py._files import (
+    MINIMUM_SPLIT,
+    SUFFIXES,
+    BagWriter,
+    create_file,
+    get_registered_serializers,
+    get_registered_writers,
+)
+from rosbag2_py._metadata import MetadataIo
+from rosbag2_py._storage import (
+    BagMetadata,
+    BagTime,
+    ConverterOptions,
+    Duration,
+    FileInformation,
+    MessageDefinition,
+    StorageOptions,
+    TopicInformation,
+    TopicMetadata,
+    get_default_storage_id,
+)
+
+__all__ = [
+    "SequentialCompressionWriter",
+    "SequentialWriter",
+    "get_registered_compressors",
+    "get_registered_serializers",
+    "get_registered_writers",
+]
+
+FLUSH_SECONDS = 1.0
+"""A recording that is killed loses at most the messages of this time."""
+
+SLOWER_PER_PIECE = 0.001
+"""Seconds that are added for each piece a file has, because each flush writes the index of all pieces again."""
+
+SECOND = 1_000_000_000
+
+
+class SequentialWriter:
+    """Writes a bag: `open`, `create_topic`, `write` …; it is closed by `close`, or when nobody needs it any more."""
+
+    def __init__(self) -> None:
+        self._options = CompressionOptions()
+        self._bag: _Bag | None = None
+
+    def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
+        """Make the folder and the first file. RuntimeError if there is such a folder already."""
+        self.close()
+        self._bag = _Bag(storage_options, self._options)
+        # Programs of tutorials never close their bag: it happens at the latest when Python ends.
+        self._end = weakref.finalize(self, self._bag.close)
+
+    def _opened(self) -> _Bag:
+        if self._bag is None:
+            raise RuntimeError("Bag is not open. Call open() before writing.")
+        return self._bag
+
+    def create_topic(self, topic: TopicMetadata, definition: MessageDefinition | None = None) -> None:
+        """Make a topic known, before its first message."""
+        self._opened().create_topic(topic, definition)
+
+    def remove_topic(self, topic: TopicMetadata) -> None:
+        """Forget a topic that has no messages yet."""
+        self._opened().topics.pop(topic.name, None)
+
+    def write(self, topic_name: str, message: bytes, recv_timestamp: int, send_timestamp: int | None = None) -> None:
+        """Add a message, CDR bytes as `serialize_message` makes them; times in nanoseconds since 1970."""
+        sent = recv_timestamp if send_timestamp is None else send_timestamp
+        self._opened().write(topic_name, bytes(message), recv_timestamp, sent)
+
+    def flush(self) -> None:
+        """Put on the disk what is not there yet (the real one has no such method: its cache has a thread)."""
+        self._opened().flush()
+
+    def split_bagfile(self) -> None:
+        """Go on in a new file."""
+        self._opened().split()
+
+    def take_snapshot(self) -> bool:
+        """In snapshot mode: write what was kept in memory. False otherwise."""
+        return self._opened().take_snapshot()
+
+    def close(self) -> None:
+        """Finish the bag; a second call does nothing."""
+        if self._bag is not None:
+            self._end()
+            self._bag = None
+
+
+class SequentialCompressionWriter(SequentialWriter):
+    """A writer that compresses each finished file, or each message."""
+
+    def __init__(self, compression_options: CompressionOptions | None = None) -> None:
+        super().__init__()
+        self._options = compression_options or CompressionOptions("zstd", CompressionMode.FILE)
+
+
+class _Bag:
+    """The state of a bag that is being written. `on_split(closed, opened)` gets the paths after each split."""
+
+    def __init__(self, options: StorageOptions, compression: CompressionOptions) -> None:
+        self.folder = Path(options.uri)
+        self.storage = options.storage_id or get_default_storage_id()
+        self.options = options
+        self.compression = compression
+        self.on_split: Callable[[str, str], None] | None = None
+        self.topics: dict[str, tuple[TopicMetadata, MessageDefinition]] = {}
+        self._check()
+        self._pack = zstd_codec()[0] if compression.compression_mode else None
+        self._source = LocalMessageDefinitionSource()
+        self._counts: dict[str, int] = {}
+        self._files: list[FileInformation] = []
+        self._kept: deque[tuple[str, bytes, int, int]] = deque()
+        self._kept_size = 0
+        self._closed = False
+        try:
+            self.folder.mkdir(parents=True)
+        except FileExistsError:
+            raise RuntimeError(f"Bag directory already exists ({self.folder}), can't overwrite existing bag") from None
+        except OSError:
+            raise RuntimeError(f"Failed to create bag directory ({self.folder}).") from None
+        self._begin_file()
+        self._note()
+
+    def _check(self) -> None:
+        if self.storage not in SUFFIXES:
+            raise RuntimeError("No storage could be initialized. Abort")
+        least, size = MINIMUM_SPLIT[self.storage], self.options.max_bagfile_size
+        if 0 < size < least:
+            raise RuntimeError(
+                "Invalid bag splitting size given. Please provide a value greater than "
+                f"{least}. Specified value of {size}"
+            )
+        if self.storage == "mcap" and self.compression.compression_mode == CompressionMode.MESSAGE:
+            raise RuntimeError(
+                "MCAP storage plugin does not support message compression, consider using chunk compression by "
+                "setting `compression: 'Zstd'` in storage config"
+            )
+
+    # -- files ---------------------------------------------------------------------------------------------------------
+
+    def _begin_file(self) -> None:
+        from day6_tui.core.ros.environment import DISTRO
+
+        self._distro = os.environ.get("ROS_DISTRO", DISTRO)
+        name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
+        self._path = self.folder / name
+        self._file: BagWriter = create_file(self._path, self.storage, self.options.storage_preset_profile, self._distro)
+        self._files.append(FileInformation(name, BagTime(), Duration(), 0))
+        for topic, definition in self.topics.values():
+            self._file.create_topic(topic, definition)
+        self._begin: int | None = None
+        self._last = 0
+        self._dirty = False
+        self._flushed = 0.0
+
+    def split(self) -> None:
+        """Finish the file and go on in the next one."""
+        before = self._path
+        self._end_file()
+        self._begin_file()
+        self._note()
+        if self.on_split is not None:
+            self.on_split(str(before), str(self._path))
+
+    def _end_file(self) -> None:
+        self._file.metadata = self.metadata()
+        self._file.close()
+        if self._pack is not None and self.compression.compression_mode == CompressionMode.FILE:
+            packed = self._path.with_name(f"{self._path.name}.zstd")
+            packed.write_bytes(self._pack(self._path.read_bytes(), 1))
+            self._path.unlink()
+            self._files[-1].path = packed.name
+
+    # -- messages ------------------------------------------------------------------------------------------------------
+
+    def create_topic(self, topic: TopicMetadata, definition: MessageDefinition | None) -> None:
+        if topic.name not in self.topics:
+            text = definition or self._source.get_full_text(topic.type)
+            self.topics[topic.name] = (topic, text)
+            self._file.create_topic(topic, text)
+
+    def write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
+        if topic not in self.topics:
+            raise RuntimeError(f"Topic '{topic}' has not been created yet! Call 'create_topic' first.")
+        if self.options.snapshot_mode:
+            self._keep(topic, data, received_ns, sent_ns)
+        else:
+            self._write(topic, data, received_ns, sent_ns)
+
+    def _write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
+        if self._is_full(received_ns):
+            self.split()
+        if self._pack is not None and self.compression.compression_mode == CompressionMode.MESSAGE:
+            data = self._pack(data, 1)
+        self._file.write(topic, data, received_ns, sent_ns)
+        self._counts[topic] = self._counts.get(topic, 0) + 1
+        self._begin = received_ns if self._begin is None else min(self._begin, received_ns)
+        self._last = max(self._last, received_ns)
+        self._files[-1].message_count += 1
+        self._dirty = True
+        now = time.monotonic()
+        if now - self._flushed > FLUSH_SECONDS + SLOWER_PER_PIECE * self._file.pieces:
+            self.flush()
+
+    def _is_full(self, now_ns: int) -> bool:
+        if self._begin is None:
+            return False
+        size, seconds = self.options.max_bagfile_size, self.options.max_bagfile_duration
+        return bool(size and self._file.size > size) or bool(seconds and now_ns - self._begin > seconds * SECOND)
+
+    def _keep(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
+        self._kept.append((topic, data, received_ns, sent_ns))
+        self._kept_size += len(data)
+        while self._kept_size > self.options.max_cache_size and len(self._kept) > 1:
+            self._kept_size -= len(self._kept.popleft()[1])
+
+    def take_snapshot(self) -> bool:
+        if not self.options.snapshot_mode:
+            return False
+        kept, self._kept, self._kept_size = self._kept, deque(), 0
+        for message in kept:
+            self._write(*message)
+        self.flush()
+        return True
+
+    # -- the disk ------------------------------------------------------------------------------------------------------
+
+    def flush(self) -> None:
+        """Write what is not yet on the disk, if there is any."""
+        if self._dirty:
+            self._file.metadata = self.metadata()
+            self._file.flush()
+            self._note()
+            self._dirty = False
+        self._flushed = time.monotonic()
+
+    def _note(self) -> None:
+        MetadataIo().write_metadata(str(self.folder), self.metadata())
+
+    def metadata(self) -> BagMetadata:
+        """Describe the bag as it is now."""
+        begin = self._begin or 0
+        self._files[-1].starting_time = BagTime(begin)
+        self._files[-1].duration = Duration(0, max(0, self._last - begin))
+        written = [file for file in self._files if file.message_count]
+        start = min((file.starting_time.nanoseconds for file in written), default=0)
+        end = max((file.starting_time.nanoseconds + file.duration.nanoseconds for file in written), default=start)
+        packed = self._closed and self._pack is not None
+        mode = self.compression.compression_mode
+        if self._pack is not None and mode == CompressionMode.MESSAGE:
+            packed = True
+        return BagMetadata(
+            storage_identifier=self.storage,
+            relative_file_paths=[file.path for file in self._files],
+            files=self._files,
+            duration=Duration(0, end - start),
+            starting_time=BagTime(start),
+            message_count=sum(file.message_count for file in self._files),
+            topics_with_message_count=[
+                TopicInformation(topic, self._counts.get(name, 0)) for name, (topic, _) in self.topics.items()
+            ],
+            compression_format=self.compression.compression_format if packed else "",
+            compression_mode=mode.name if packed else "",
+            custom_data=dict(self.options.custom_data),
+            ros_distro=self._distro,
+        )
+
+    def close(self) -> None:
+        if not self._closed:
+            self._end_file()
+            self._closed = True
+            self._note()

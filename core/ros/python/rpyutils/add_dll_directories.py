@@ -1,0 +1,20 @@
+"""Folders in which Windows looks for DLLs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any
+
+
+@contextmanager
+def add_dll_directories_from_env(env_name: str) -> Iterator[list[Any]]:
+    """Let DLLs be found, inside the `with` block, in the folders an environment variable names.
+
+    Gives the handles of the added folders; none where the system has no such list (all but Windows).
+    """
+    add = getattr(os, "add_dll_directory", None)
+    folders = os.environ.get(env_name, "").split(os.pathsep) if add is not None else []
+    with ExitStack() as added:
+        yield [added.enter_context(add(folder)) for folder in folders if os.path.isabs(folder) and os.path.isdir(folder)]

@@ -1,0 +1,138 @@
+"""What the verbs of `ros2 bag` share: checked values of options, paths, the texts of ros2bag/api."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, ArgumentTypeError
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.ros2.cli.completion import Typed
+from day6_tui.core.ros.ros2.cli.options import completed
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from rclpy.qos import QoSProfile
+
+STORAGES = ("mcap", "sqlite3")
+LOG_LEVELS = ("debug", "info", "warn", "error", "fatal")
+
+
+def error(text: str) -> str:
+    """An error in the words of ros2bag."""
+    return f"[ERROR] [ros2bag]: {text}"
+
+
+def warning(text: str) -> str:
+    """A warning in the words of ros2bag."""
+    return f"[WARN] [ros2bag]: {text}"
+
+
+def positive_float(text: str) -> float:
+    """The argparse type of a rate."""
+    value = _float(text)
+    if value <= 0.0:
+        raise ArgumentTypeError(f"{text} is not in the valid range (> 0.0)")
+    return value
+
+
+def not_negative_float(text: str) -> float:
+    """The argparse type of a time span."""
+    value = _float(text)
+    if value < 0.0:
+        raise ArgumentTypeError(f"Value {text} is less than zero.")
+    return value
+
+
+def _float(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{text} is not the valid type (float)") from None
+
+
+def not_negative_int(text: str) -> int:
+    """The argparse type of a number."""
+    try:
+        value = int(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{text} is not the valid type (int)") from None
+    if value < 0:
+        raise ArgumentTypeError(f"Value {value} is less than zero.")
+    return value
+
+
+def path_of(parser: Any, text: str) -> str:
+    """A path as the session's working directory has it."""
+    return str(Path(parser.session.cwd, text))
+
+
+def existing_path(parser: Any) -> Callable[[str], str]:
+    """Return the argparse type of a bag's path, which must be there."""
+
+    def check(text: str) -> str:
+        if not Path(path_of(parser, text)).exists():
+            raise ArgumentTypeError(f"Bag path '{text}' does not exist!")
+        return text
+
+    return check
+
+
+def add_bag_path(parser: ArgumentParser, *, required: bool = True) -> None:
+    """Add the bag to open, and how it is stored."""
+    bag = parser.add_argument(
+        "bag_path", nargs=None if required else "?", type=existing_path(parser), help="Bag to open"
+    )
+    completed(bag, bag_names)
+    parser.add_argument(
+        "-s",
+        "--storage",
+        default="",
+        choices=STORAGES,
+        help="Storage implementation of bag. By default attempts to detect automatically - use this argument to override.",
+    )
+
+
+def bag_names(typed: Typed) -> list[str]:
+    """Complete a bag: the folders that are bags, and those that lead to one."""
+    head, _, _ = typed.prefix.rpartition("/")
+    folder = Path(typed.session.cwd, head or ("/" if typed.prefix.startswith("/") else ""))
+    start = f"{head}/" if "/" in typed.prefix else ""
+    try:
+        entries = sorted(folder.iterdir())
+    except OSError:
+        return []
+    bags = [entry.name for entry in entries if (entry / "metadata.yaml").is_file() or entry.suffix in (".mcap", ".db3")]
+    return [start + name for name in bags]
+
+
+def add_qos_overrides(parser: ArgumentParser) -> None:
+    """Add the file of QoS overrides."""
+    parser.add_argument(
+        "--qos-profile-overrides-path",
+        help="Path to a yaml file defining overrides of the QoS profile for specific topics.",
+    )
+
+
+def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
+    """Read the file of QoS overrides; RuntimeError with ros2bag's text if it is wrong."""
+    if not path:
+        return {}
+    import yaml
+    from rosbag2_py._options import qos_overrides as parse
+
+    from rclpy.qos import InvalidQoSProfileException
+
+    try:
+        return parse(yaml.safe_load(Path(session.cwd, path).read_text(encoding="utf-8")))
+    except OSError as problem:
+        raise RuntimeError(
+            error(f"can't open '{path}': [Errno {problem.errno}] {problem.strerror}: '{path}'")
+        ) from None
+    except (InvalidQoSProfileException, ValueError, TypeError, yaml.YAMLError) as problem:
+        raise RuntimeError(error(str(problem))) from None
+
+
+def event_topics(services: list[str] | None) -> list[str]:
+    """The topics of the events of services."""
+    return [f"{service}/_service_event" for service in services or ()]

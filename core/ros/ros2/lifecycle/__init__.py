@@ -1,0 +1,3 @@
+"""`ros2 lifecycle …`."""
+
+SUMMARY = "Various lifecycle related sub-commands"

@@ -1,0 +1,101 @@
+"""`ros2 service echo`: what a service with introspection tells of its requests and responses."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.ros2.cli.completion import service_names, service_types_of_service
+from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
+from day6_tui.core.ros.ros2.cli.options import add_length_options, completed
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from rclpy.node import Node
+
+SUMMARY = "Echo a service"
+EVENT_TOPIC = "/_service_event"
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    completed(
+        parser.add_argument("service_name", help="Name of the ROS service to echo (e.g. '/add_two_ints')"),
+        service_names,
+    )
+    completed(
+        parser.add_argument(
+            "service_type", nargs="?", help="Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')"
+        ),
+        service_types_of_service,
+    )
+    parser.add_argument(
+        "--csv", action="store_true", help="Output all recursive fields separated by commas (e.g. for plotting)."
+    )
+    add_length_options(parser)
+
+
+async def main(session: Session, args: Namespace) -> None:
+    from rclpy.qos import QoSPresetProfiles
+
+    if args.service_type is None:
+        async with graph_node(session, args) as asked:
+            kind = _class_of_service(asked, args.service_name)
+    else:
+        kind = _class_of_type(args.service_type)
+    topic = args.service_name + EVENT_TOPIC
+    printer = EventPrinter(session, args)
+    node = await direct_node(session, args)
+    profile = QoSPresetProfiles.get_from_short_key("services_default")
+    subscription = node.create_subscription(kind.Event, topic, printer.receive, profile)
+    if subscription.get_publisher_count() < 1:
+        session.print(f"No publishers on topic '{topic}'; is service introspection on the client or server enabled?")
+    await session.spin(node)
+
+
+def _class_of_service(node: Node, name: str) -> Any:
+    """Return the class of a service that is there; RuntimeError if nobody has it, or with several types or an unknown one."""
+    types = dict(node.get_service_names_and_types()).get(name)
+    if types is None:
+        raise RuntimeError(f"Cannot find type for '{name}'")
+    if len(types) > 1:
+        raise RuntimeError(f"More than one type associated with service '{name}'")
+    return _class_of_type(types[0])
+
+
+def _class_of_type(type_name: str) -> Any:
+    from rosidl_runtime_py.utilities import get_service
+
+    try:
+        return get_service(type_name)
+    except (AttributeError, ModuleNotFoundError, ValueError):
+        raise RuntimeError(f"The service type '{type_name}' is invalid") from None
+
+
+class EventPrinter:
+    """Prints service events, with the name of what happened instead of its number."""
+
+    def __init__(self, session: Session, args: Namespace) -> None:
+        from service_msgs.msg import ServiceEventInfo
+
+        self.session = session
+        self.args = args
+        names = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
+        self.events = {getattr(ServiceEventInfo, name): name for name in names}
+        self.limits: dict[str, Any] = {
+            "truncate_length": None if args.full_length else args.truncate_length,
+            "no_arr": args.no_arr,
+            "no_str": args.no_str,
+        }
+
+    def receive(self, message: Any) -> None:
+        from rosidl_runtime_py.convert import message_to_csv, message_to_ordereddict
+        from rosidl_runtime_py.yaml_text import dump
+
+        if self.args.csv:
+            self.session.print(message_to_csv(message, **self.limits))
+            return
+        fields = message_to_ordereddict(message, **self.limits)
+        info = fields.get("info", {})
+        if "event_type" in info:
+            info["event_type"] = self.events[info["event_type"]]
+        self.session.print(dump(fields, flow_style=self.args.flow_style), end="---\n")

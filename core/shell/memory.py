@@ -1,0 +1,39 @@
+"""How much memory a student's process may take: it gets a MemoryError before the machine stands still."""
+
+from __future__ import annotations
+
+import os
+from functools import cache
+
+VARIABLE = "DAY6_MEMORY_LIMIT"
+"""Megabytes for each process; 0 sets no limit."""
+SHARE = 0.6
+"""Of the machine's memory, unless VARIABLE says otherwise."""
+LEAST = 1024 * 2**20
+_CONTROL_GROUP = "/sys/fs/cgroup/memory.max"
+
+
+def memory_limit() -> int:
+    """Return the bytes of data that a process may have, 0 for as many as it likes (also where that cannot be limited)."""
+    wish = os.environ.get(VARIABLE, "").strip()
+    if wish.isdigit():
+        return int(wish) * 2**20
+    machine = _machine_memory()
+    return max(LEAST, int(machine * SHARE)) if machine else 0
+
+
+@cache
+def _machine_memory() -> int:
+    """The bytes of memory there are, or that our container may use; 0 if nobody says."""
+    if os.name != "posix":
+        return 0
+    try:
+        found = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (OSError, ValueError):
+        return 0
+    try:
+        with open(_CONTROL_GROUP, encoding="ascii") as file:
+            allowed = file.read().strip()
+    except OSError:
+        return found
+    return min(found, int(allowed)) if allowed.isdigit() else found

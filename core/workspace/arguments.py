@@ -1,0 +1,381 @@
+"""The command lines of `colcon`: verbs and options as in colcon-core 0.21 and the extensions that ROS installs."""
+
+from __future__ import annotations
+
+import argparse
+import functools
+import os
+from argparse import Namespace
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.ros.ros2.cli.parser import HelpFormatter, Parser, terminal_width
+from day6_tui.core.workspace.handlers import HANDLERS
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+VERBS = {
+    "build": "Build a set of packages",
+    "extension-points": "List extension points",
+    "extensions": "List extensions",
+    "graph": "Generate a visual representation of the dependency graph",
+    "info": "Package information",
+    "list": "List packages, optionally in topological ordering",
+    "metadata": "Manage metadata of packages",
+    "test": "Test a set of packages",
+    "test-result": "Show the test results generated when testing a set of packages",
+    "version-check": "Compare local package versions with PyPI",
+}
+
+_ENVIRONMENT = """\
+Environment variables:
+  COLCON_DEFAULT_EXECUTOR
+                        Select the default executor extension
+  COLCON_LOG_LEVEL      Set the log level (debug|10, info|20, warn|30,
+                        error|40, critical|50, or any other positive numeric
+                        value)
+
+For more help and usage tips, see https://colcon.readthedocs.io"""
+
+_SELECTION: tuple[tuple[str, str | None, str], ...] = (
+    ("--packages-up-to", "PKG_NAME", "Only process a subset of packages and their recursive dependencies"),
+    (
+        "--packages-up-to-regex",
+        "PATTERN",
+        "Only process a subset of packages and their recursive dependencies, where any of the patterns match the package name",
+    ),
+    ("--packages-above", "PKG_NAME", "Only process a subset of packages and packages which recursively depend on them"),
+    (
+        "--packages-above-and-dependencies",
+        "PKG_NAME",
+        "Only process a subset of packages and packages which recursively depend on them including all their recursive "
+        "dependencies",
+    ),
+    (
+        "--packages-above-depth",
+        None,
+        "Only process a subset of packages and packages which recursively depend on them up to a given depth",
+    ),
+    ("--packages-select-by-dep", "PKG_NAME", "Only process packages which (recursively) depend on this"),
+    ("--packages-skip-by-dep", "PKG_NAME", "Skip packages which (recursively) depend on this"),
+    ("--packages-skip-up-to", "PKG_NAME", "Skip a subset of packages and their recursive dependencies"),
+)
+_BY_RESULT = (
+    (
+        "--packages-select-build-failed",
+        "Only process a subset of packages which have failed to build previously (aborted packages are not considered errors)",
+    ),
+    ("--packages-skip-build-finished", "Skip a set of packages which have finished to build previously"),
+    ("--packages-select-test-failures", "Only process a subset of packages which had test failures previously"),
+    ("--packages-skip-test-passed", "Skip a set of packages which had no test failures previously"),
+)
+_BY_NAME = (
+    ("--packages-select", "PKG_NAME", "Only process a subset of packages"),
+    ("--packages-skip", "PKG_NAME", "Skip a set of packages"),
+    (
+        "--packages-select-regex",
+        "PATTERN",
+        "Only process a subset of packages where any of the patterns match the package name",
+    ),
+    ("--packages-skip-regex", "PATTERN", "Skip a set of packages where any of the patterns match the package name"),
+)
+
+
+class _Formatter(HelpFormatter):
+    """Keeps the lines that begin with `* ` in a help text."""
+
+    def _split_lines(self, text: str, width: int) -> list[str]:
+        return [line for part in text.split("\n") for line in super(_Formatter, self)._split_lines(part, width)]
+
+
+class ColconParser(Parser):
+    """A parser in colcon's looks; an unknown option is told by the parser of `colcon` itself."""
+
+    def __init__(self, session: Session, **keywords: Any) -> None:
+        formatter = functools.partial(_Formatter, width=terminal_width(session) - 2)
+        super().__init__(session, **{"formatter_class": formatter, **keywords})
+
+
+def build_parser(session: Session) -> ColconParser:
+    """Return the parser of `colcon`; the namespace has `verb_name`, None where none was given."""
+    root = ColconParser(session, prog="colcon", epilog=_ENVIRONMENT)
+    root.add_argument(
+        "--log-base", help="The base path for all log directories (default: `./log`, to disable: `/dev/null`)"
+    )
+    root.add_argument(
+        "--log-level",
+        help="Set log level for the console output, either by numeric or string value (default: `warning`)",
+    )
+    names = "{" + ",".join(VERBS) + "}"
+    options: dict[str, Any] = {"parser_class": functools.partial(ColconParser, session)}
+    verbs = root.add_subparsers(
+        title="colcon verbs",
+        description="\n".join(_rows(VERBS)),
+        dest="verb_name",
+        metavar=names,
+        help="call `colcon VERB -h` for specific help",
+        **options,
+    )
+    verbs.choices = verbs._name_parser_map
+    for name, summary in VERBS.items():
+        parser = verbs.add_parser(name, description=f"{summary}.")
+        _ARGUMENTS.get(name, lambda each: None)(parser)
+    return root
+
+
+def _rows(texts: dict[str, str]) -> list[str]:
+    import textwrap
+
+    lines = []
+    for name, text in texts.items():
+        first, *rest = textwrap.wrap(text, 54)
+        lines += [f"{name:<22}{first}", *(" " * 22 + line for line in rest)]
+    return lines
+
+
+def _add_build(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("--build-base", default="build", help="The base path for all build directories (default: build)")
+    add("--install-base", default="install", help="The base path for all install prefixes (default: install)")
+    add("--merge-install", action="store_true", help="Merge all install prefixes into a single location")
+    add("--symlink-install", action="store_true", help="Use symlinks instead of copying files where possible")
+    add("--test-result-base", help="The base path for all test results (default: same as `--build-base`)")
+    add(
+        "--continue-on-error",
+        action="store_true",
+        help="Continue other packages when a package fails to build (packages recursively depending on the failed package "
+        "are skipped)",
+    )
+    _add_executor(parser)
+    _add_event_handlers(parser)
+    _add_discovery(parser)
+    _add_selection(parser)
+    _add_cmake(parser)
+
+
+def _add_cmake(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("Arguments for 'cmake' packages")
+    group.add_argument(
+        "--cmake-args",
+        nargs="*",
+        metavar="*",
+        type=str.lstrip,
+        help='Pass arguments to CMake projects. Arguments matching other options must be prefixed by a space,\n'
+        'e.g. --cmake-args " --help" (stdout might not be shown by default, e.g. add `--event-handlers console_cohesion+`)',
+    )
+    group.add_argument("--cmake-target", help="Build a specific target instead of the default target")
+    for name, text in (
+        ("target-skip-unavailable", "Skip building packages which don't have the target passed to --cmake-target"),
+        ("clean-cache", "Remove CMake cache before the build (implicitly forcing CMake configure step)"),
+        ("clean-first", "Build target 'clean' first, then build (to only clean use '--cmake-target clean')"),
+        ("force-configure", "Force CMake configure step"),
+    ):
+        group.add_argument(f"--cmake-{name}", action="store_true", help=text)
+    for kind in ("ament", "catkin"):
+        group = parser.add_argument_group(f"Arguments for 'ros.{kind if kind == 'catkin' else 'ament_cmake'}' packages")
+        group.add_argument(
+            f"--{kind}-cmake-args",
+            nargs="*",
+            metavar="*",
+            type=str.lstrip,
+            help=f"Pass arguments to '{kind if kind == 'catkin' else 'ament_cmake'}' packages. Arguments matching other "
+            "options must be prefixed by a space",
+        )
+    group.add_argument(
+        "--catkin-skip-building-tests",
+        action="store_true",
+        help="By default the 'tests' target of 'catkin' packages is invoked. If running 'colcon test' later isn't intended "
+        "this can be skipped",
+    )
+
+
+def _add_test(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("--build-base", default="build", help="The base path for all build directories (default: build)")
+    add("--install-base", default="install", help="The base path for all install prefixes (default: install)")
+    add("--merge-install", action="store_true", help="Merge all install prefixes into a single location")
+    add("--test-result-base", help="The base path for all test results (default: same as `--build-base`)")
+    add("--retest-until-fail", type=int, default=0, metavar="N", help="Rerun tests up to N times if they pass")
+    add("--retest-until-pass", type=int, default=0, metavar="N", help="Rerun failing tests up to N times")
+    add(
+        "--abort-on-error",
+        action="store_true",
+        help="Abort after the first package with any errors (failing tests are not considered errors in this context)",
+    )
+    add("--return-code-on-test-failure", action="store_true", help="Use a non-zero return code to indicate any test failure")
+    _add_executor(parser)
+    _add_event_handlers(parser)
+    _add_discovery(parser)
+    _add_selection(parser)
+    group = parser.add_argument_group("Arguments for 'python' packages")
+    group.add_argument("--python-testing", choices=("pytest", "setuppy_test"), help="The Python testing framework to use")
+    group.add_argument(
+        "--pytest-args",
+        nargs="*",
+        metavar="*",
+        type=str.lstrip,
+        help="Pass arguments to pytests. Arguments matching other options must be prefixed by a space",
+    )
+    group.add_argument("--pytest-with-coverage", action="store_true", help="Generate coverage information")
+    group.add_argument("--unittest-args", nargs="*", metavar="*", type=str.lstrip, help="Pass arguments to unittest")
+
+
+def _add_executor(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("Executor arguments")
+    group.add_argument(
+        "--executor",
+        choices=("parallel", "sequential"),
+        help="The executor to process all packages (default: parallel)\n"
+        "* parallel: Process multiple packages in parallel\n* sequential: Process one package at a time",
+    )
+    workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 4
+    group.add_argument(
+        "--parallel-workers",
+        type=_counting_number,
+        default=workers,
+        metavar="NUMBER",
+        help=f"The maximum number of packages to process in parallel, or '0' for no limit (default: {workers})",
+    )
+
+
+def _counting_number(text: str) -> int:
+    number = int(text)
+    if number < 0:
+        raise ValueError
+    return number
+
+
+_counting_number.__name__ = "counting_number"  # argparse names it: invalid counting_number value
+
+
+def _add_event_handlers(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("Event handler arguments")
+    defaults = " ".join(f"{name}{'+' if each.enabled else '-'}" for name, each in HANDLERS.items())
+    group.add_argument(
+        "--event-handlers",
+        nargs="*",
+        metavar=("name1+", "name2-"),
+        choices=[
+            *(f"{name}{'-' if each.enabled else '+'}" for name, each in HANDLERS.items()),
+            *(f"{name}{'+' if each.enabled else '-'}" for name, each in HANDLERS.items()),
+        ],
+        help=f"Enable (+) or disable (-) event handlers (default: {defaults})\n"
+        + "\n".join(f"* {name}: {each.summary}" for name, each in HANDLERS.items()),
+    )
+
+
+def _add_discovery(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("Discovery arguments")
+    group.add_argument(
+        "--ignore-user-meta",
+        action="store_true",
+        help="Ignore `*.meta` files in the user config directory `~/.colcon/metadata`",
+    )
+    group.add_argument(
+        "--metas",
+        nargs="*",
+        metavar="PATH",
+        default=["./colcon.meta"],
+        help="The directories containing a `colcon.meta` file or paths to arbitrary files containing the same meta "
+        "information (default: ./colcon.meta)",
+    )
+    group.add_argument(
+        "--base-paths",
+        nargs="*",
+        metavar="PATH",
+        default=["."],
+        help="The base paths to recursively crawl for packages (default: .)",
+    )
+    group.add_argument(
+        "--packages-ignore", nargs="*", metavar="PKG_NAME", help="Ignore packages as if they were not discovered"
+    )
+    group.add_argument(
+        "--packages-ignore-regex",
+        nargs="*",
+        metavar="PATTERN",
+        help="Ignore packages where any of the patterns match the package name",
+    )
+    group.add_argument(
+        "--paths",
+        nargs="*",
+        metavar="PATH",
+        help="The paths to check for a package. Use shell wildcards (e.g. `src/*`) to select all direct subdirectories",
+    )
+
+
+def _add_selection(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("Package selection arguments")
+    for option, metavar, text in _SELECTION:
+        group.add_argument(option, nargs="*", metavar=metavar or ("DEPTH", "PKG_NAME"), help=text)
+    exclusive = group.add_mutually_exclusive_group()
+    for option, text in _BY_RESULT:
+        exclusive.add_argument(option, action="store_true", help=text)
+    for option, metavar, text in _BY_NAME:
+        group.add_argument(option, nargs="*", metavar=metavar, help=text)
+    for option, word in (("--packages-start", "before"), ("--packages-end", "after")):
+        group.add_argument(option, metavar="PKG_NAME", help=f"Skip packages {word} this in flat topological ordering")
+
+
+def _add_list(parser: argparse.ArgumentParser) -> None:
+    _add_discovery(parser)
+    _add_selection(parser)
+    parser.add_argument(
+        "--topological-order", "-t", action="store_true", help="Order output based on topological ordering (breadth-first)"
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument("--names-only", "-n", action="store_true", help="Output only the name of each package but not the path")
+    group.add_argument("--paths-only", "-p", action="store_true", help="Output only the path of each package but not the name")
+    group.add_argument("--topological-graph", "-g", action="store_true", help=argparse.SUPPRESS)
+    group.add_argument("--topological-graph-dot", action="store_true", help=argparse.SUPPRESS)
+
+
+def _add_info(parser: argparse.ArgumentParser) -> None:
+    _add_discovery(parser)
+    parser.add_argument("package_names", nargs="*", metavar="PKG_NAME", help="Only show the information of a subset of packages")
+    _add_selection(parser)
+
+
+def _add_graph(parser: argparse.ArgumentParser) -> None:
+    _add_discovery(parser)
+    _add_selection(parser)
+    parser.add_argument("--density", action="store_true", help="Output density for dependency graph (only available without --dot)")
+    parser.add_argument("--legend", action="store_true", help="Output legend for dependency graph")
+    parser.add_argument("--dot", action="store_true", help="Output topological graph in DOT (a graph description language)")
+    parser.add_argument("--dot-cluster", action="store_true", help="Cluster packages by their filesystem path (only affects --dot)")
+    parser.add_argument("--dot-include-skipped", action="store_true", help="Also output skipped packages (only affects --dot)")
+
+
+def _add_test_result(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--test-result-base", default="build", help="The base path for all test results (default: build)")
+    parser.add_argument("--all", action="store_true", help="Show all test result files (even without errors / failures)")
+    parser.add_argument("--result-files-only", action="store_true", help="Print only the paths of the result files")
+    parser.add_argument("--verbose", action="store_true", help="Show additional information for errors / failures")
+    parser.add_argument("--delete", action="store_true", help="Delete all result files. An interactive prompt will ask for confirmation")
+    parser.add_argument("--delete-yes", action="store_true", help="Same as --delete without an interactive confirmation")
+
+
+_ARGUMENTS = {
+    "build": _add_build,
+    "test": _add_test,
+    "list": _add_list,
+    "info": _add_info,
+    "graph": _add_graph,
+    "test-result": _add_test_result,
+}
+
+
+def parse(session: Session, words: list[str]) -> Namespace:
+    """Parse what stands behind `colcon`. Raises ParserExit (see the parser of `ros2`)."""
+    parser = build_parser(session)
+    # The options that take several values take those that begin with a dash too where the real one lets them.
+    args, strangers = parser.parse_known_args(words)
+    if strangers:
+        for option in ("--packages-select", "--packages-skip", "--packages-up-to", "--base-paths", "--paths"):
+            at = words.index(strangers[0])
+            if option in words[:at] and not any(word.startswith("--") for word in words[words.index(option) + 1 : at]):
+                prog = f"colcon {args.verb_name}"
+                verb = next(action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
+                session.stderr.write(verb.choices[args.verb_name].format_usage())
+                parser.exit(2, f"{prog}: error: argument {option}: unrecognized argument: {strangers[0]}\n")
+        parser.error(f"unrecognized arguments: {' '.join(strangers)}")
+    return args

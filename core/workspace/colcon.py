@@ -1,0 +1,269 @@
+"""One call of `colcon`: finds the packages, then does what the verb says. Runs in a thread of its own, so it may block."""
+
+from __future__ import annotations
+
+import os
+import threading
+from argparse import Namespace
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from day6_tui.core.workspace import reports
+from day6_tui.core.workspace.build import BUILD_TOOL, build_tasks, find_task
+from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Events
+from day6_tui.core.workspace.files import write_text
+from day6_tui.core.workspace.handlers import chosen_handlers
+from day6_tui.core.workspace.jobs import Executor, Job, OnError, Work
+from day6_tui.core.workspace.logs import LogFolder
+from day6_tui.core.workspace.order import OrderError, Planned, check_unique, plan
+from day6_tui.core.workspace.packages import IGNORE_MARKER, Package, find_packages
+from day6_tui.core.workspace.results import show_results
+from day6_tui.core.workspace.selection import SelectionError, select, without_ignored
+from day6_tui.core.workspace.settings import Settings
+from day6_tui.core.workspace.setup_scripts import write_workspace_scripts
+from day6_tui.core.workspace.test_python import test
+
+_INTERRUPT_STATUS = 2
+"""What the real colcon returns after Ctrl-C: the number of SIGINT."""
+
+
+class Failure(Exception):
+    """Ends the call with status 1; the text is shown as an error of colcon's log."""
+
+
+class Colcon:
+    """One call. `run()` returns the exit status; `interrupt()` may be called from any thread while it runs."""
+
+    def __init__(self, args: Namespace, console: Console, cwd: Path, environment: Mapping[str, str]) -> None:
+        self.args = args
+        self.console = console
+        self.cwd = cwd
+        self.environment = environment
+        base = args.log_base or environment.get("COLCON_LOG_PATH") or "log"
+        self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name)
+        self._executor: Executor | None = None
+        self._interrupted = False
+        self._lock = threading.Lock()
+
+    def interrupt(self) -> None:
+        """Ctrl-C."""
+        with self._lock:
+            self._interrupted = True
+            if self._executor is not None:
+                self._executor.interrupt()
+
+    def run(self) -> int:
+        """Do it. Errors of the file system are told with the name of the file."""
+        verb = self.args.verb_name
+        try:
+            self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")
+            return _VERBS[verb](self)
+        except (Failure, OrderError) as error:
+            self.warn("colcon", f"colcon {verb}: {error}", level="ERROR")
+        except SelectionError as error:
+            self.console.err(f"{error}\n")
+        except OSError as error:
+            where = f": '{error.filename}'" if error.filename else ""
+            self.warn("colcon", f"colcon {verb}: {error.strerror or error}{where}", level="ERROR")
+        return 1
+
+    def warn(self, logger: str, text: str, level: str = "WARNING") -> None:
+        self.console.warn(logger, text, level)
+
+    # -- packages ------------------------------------------------------------------------------------------------------
+
+    def planned(self) -> list[Planned]:
+        """Find, order and select the packages."""
+        packages = without_ignored(
+            find_packages(
+                self.args.base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()
+            ),
+            self.args,
+        )
+        planned = plan(packages)
+        build_base = self.cwd / getattr(self.args, "build_base", "build")
+        select(planned, self.args, build_base, self.warn)
+        return planned
+
+    # -- verbs ---------------------------------------------------------------------------------------------------------
+
+    def build(self) -> int:
+        args = self.args
+        settings = self._settings()
+        _mark_build_tool(settings.build_base)
+        _mark_layout(settings.install_base, args)
+        for folder in (settings.build_base, settings.install_base):
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / IGNORE_MARKER).touch()
+        planned = self.planned()
+        check_unique(planned)
+        settings.needs = {each.package.name: each.needs for each in planned}
+        jobs = self._jobs(planned, "build", settings, build_tasks(settings))
+        outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
+        chained = self._chained(settings.install_base)
+        write_workspace_scripts(settings.install_base, chained)
+        return outcome
+
+    def test(self) -> int:
+        settings = self._settings()
+        if settings.install_base.is_dir():
+            _mark_layout(settings.install_base, self.args)
+        if not settings.build_base.is_dir():
+            self.console.err("The build space does not exist. Build the packages before testing them.\n")
+        planned = self.planned()
+        check_unique(planned)
+        settings.needs = {each.package.name: each.needs for each in planned}
+        failures: list[str] = []
+
+        def run(package: Package, settings: Settings, work: Work) -> int:
+            return test(package, settings, work, failures)
+
+        jobs = self._jobs(planned, "test", settings, lambda package: run if find_task(package) else None)
+        outcome = self._execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
+        return 1 if not outcome and failures and self.args.return_code_on_test_failure else outcome
+
+    def list(self) -> int:
+        return reports.list_packages(self.planned(), self.args, self.console)
+
+    def info(self) -> int:
+        return reports.info(self.planned(), self.args, self.console)
+
+    def graph(self) -> int:
+        return reports.graph(self.planned(), self.args, self.console)
+
+    def test_result(self) -> int:
+        return show_results(self.cwd, self.args, self.console)
+
+    def metadata(self) -> int:
+        return 0
+
+    def extensions(self) -> int:
+        return reports.extensions(self.console)
+
+    def version_check(self) -> int:
+        return reports.version_check(self.console)
+
+    # -- the run -------------------------------------------------------------------------------------------------------
+
+    def _settings(self) -> Settings:
+        args = self.args
+        result_base = args.test_result_base
+        return Settings(
+            build_base=(self.cwd / args.build_base).absolute(),
+            install_base=(self.cwd / args.install_base).absolute(),
+            environment=self.environment,
+            warn=self.warn,
+            print_error=self.console.err,
+            merge_install=args.merge_install,
+            symlink_install=getattr(args, "symlink_install", False),
+            test_result_base=(self.cwd / result_base).absolute() if result_base else None,
+            pytest_args=getattr(args, "pytest_args", None) or [],
+        )
+
+    def _jobs(
+        self,
+        planned: list[Planned],
+        verb: str,
+        settings: Settings,
+        task_of: Callable[[Package], Callable[[Package, Settings, Work], int] | None],
+    ) -> list[Job]:
+        jobs = []
+        for each in planned:
+            if not each.selected:
+                continue
+            task = task_of(each.package)
+            if task is None:
+                self.warn("colcon.colcon_core.verb", f"No task extension to '{verb}' a '{each.package.type}' package")
+                continue
+            jobs.append(Job(each.package.name, set(each.needs), _recorded(task, each.package, settings, verb)))
+        return jobs
+
+    def _execute(self, jobs: list[Job], on_error: OnError) -> int:
+        handlers = chosen_handlers(self.args.event_handlers or [], self.console, self.args.verb_name, self.log)
+        events = Events(handlers)
+        workers = 1 if self.args.executor == "sequential" else self.args.parallel_workers
+        with self._lock:
+            executor = self._executor = Executor(events, workers, on_error)
+            if self._interrupted:
+                executor.interrupt()
+        outcome = executor.run(jobs)
+        events.tell(Event("end"))
+        if isinstance(outcome, Exception):
+            self.console.err(f"{outcome}\n")
+            return 1
+        return _INTERRUPT_STATUS if outcome == INTERRUPTED else int(outcome)
+
+    def _chained(self, install: Path) -> list[str]:
+        """Return the workspaces that were sourced here, nearest first; what is gone is told."""
+        chained: dict[str, None] = {}
+        for variable, logger in (
+            ("COLCON_PREFIX_PATH", "colcon.colcon_core.prefix_path.colcon"),
+            ("AMENT_PREFIX_PATH", "colcon.colcon_ros.prefix_path.ament"),
+        ):
+            for path in self.environment.get(variable, "").split(os.pathsep):
+                if path and not os.path.exists(path):
+                    self.warn(logger, f"The path '{path}' in the environment variable {variable} doesn't exist")
+                elif path and variable == "COLCON_PREFIX_PATH" and Path(path) != install:
+                    chained[path] = None
+        return list(chained)
+
+
+def _recorded(
+    task: Callable[[Package, Settings, Work], int], package: Package, settings: Settings, verb: str
+) -> Callable[[Work], int]:
+    """Run a task and keep its result in the package's build folder, for `--packages-skip-build-finished` and its like."""
+
+    def run(work: Work) -> int:
+        result = "1"
+        try:
+            status = task(package, settings, work)
+            result = "SIGINT" if work.stopped and status else str(status)
+            return status
+        finally:
+            folder = settings.build_base / package.name
+            if folder.is_dir():
+                write_text(folder / f"colcon_{verb}.rc", f"{'SIGINT' if work.stopped and result != '0' else result}\n")
+
+    return run
+
+
+def _mark_build_tool(folder: Path) -> None:
+    marker = folder / ".built_by"
+    if marker.is_file():
+        before = marker.read_text(encoding="utf-8", errors="replace").strip()
+        if before != BUILD_TOOL:
+            raise Failure(
+                f"The build directory '{folder.name}' was created by '{before}'. Please remove the build directory or pick a "
+                "different one."
+            )
+        return
+    write_text(marker, f"{BUILD_TOOL}\n")
+
+
+def _mark_layout(folder: Path, args: Namespace) -> None:
+    marker = folder / ".colcon_install_layout"
+    wanted = "merged" if args.merge_install else "isolated"
+    if marker.is_file():
+        layout = marker.read_text(encoding="utf-8", errors="replace").strip()
+        if layout != wanted:
+            what = "add" if layout == "merged" else "remove"
+            raise Failure(
+                f"The install directory '{args.install_base}' was created with the layout '{layout}'. Please remove the "
+                f"install directory, pick a different one or {what} the '--merge-install' option."
+            )
+        return
+    write_text(marker, f"{wanted}\n")
+
+
+_VERBS: dict[str, Callable[[Colcon], int]] = {
+    "build": Colcon.build,
+    "test": Colcon.test,
+    "list": Colcon.list,
+    "info": Colcon.info,
+    "graph": Colcon.graph,
+    "test-result": Colcon.test_result,
+    "metadata": Colcon.metadata,
+    "extensions": Colcon.extensions,
+    "extension-points": Colcon.extensions,
+    "version-check": Colcon.version_check,
+}

@@ -1,0 +1,165 @@
+"""What sourcing a workspace changes, computed from the .dsv files that packages install.
+
+The build copies this file into `install/`, where the setup scripts of real shells run it with any Python 3; the simulated
+terminal imports it. So it stands alone. Sorts of lines in a .dsv file, `;` between the parts (as colcon writes and reads them):
+`prepend-non-duplicate;NAME;VALUE…`, `prepend-non-duplicate-if-exists`, `append-non-duplicate`, `set`, `set-if-unset`,
+`source;PATH`. A relative value is below the package's prefix.
+"""
+
+import os
+import sys
+
+
+class Environment:
+    """Variables being changed. `changed` has the new values, `scripts` the hooks that only a shell can run."""
+
+    def __init__(self, variables):
+        self.variables = dict(variables)
+        self.changed = {}
+        self.scripts = []
+
+    def set(self, name, value):
+        self.variables[name] = self.changed[name] = value
+
+    def extend(self, name, value, front=True):
+        """Add `value` to a list of paths unless it is there."""
+        entries = [entry for entry in self.variables.get(name, "").split(os.pathsep) if entry]
+        if value not in entries:
+            self.set(name, os.pathsep.join([value, *entries] if front else [*entries, value]))
+
+    def put_first(self, name, value):
+        """Make `value` the first of a list of paths."""
+        entries = [entry for entry in self.variables.get(name, "").split(os.pathsep) if entry]
+        self.set(name, os.pathsep.join([value, *(entry for entry in entries if entry != value)]))
+
+
+def source_workspace(install, environment):
+    """Do what `local_setup` does: every package of the install folder, what others need first."""
+    environment.put_first("COLCON_PREFIX_PATH", install)
+    merged = _layout(install) == "merged"
+    for name in _in_order(_needs(install, merged)):
+        source_package(install if merged else os.path.join(install, name), name, environment)
+
+
+def source_package(prefix, name, environment):
+    """Do what `share/NAME/package` does for one package."""
+    source_dsv(os.path.join(prefix, "share", name, "package.dsv"), prefix, environment)
+
+
+def source_dsv(path, prefix, environment):
+    """Carry out the lines of a .dsv file; one that is missing changes nothing. Raises ValueError for a line of no known sort."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError:
+        return
+    hooks = {}
+    for number, line in enumerate(lines, 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        kind, _, rest = line.partition(";")
+        if kind == "source":
+            base, extension = os.path.splitext(rest)
+            hooks.setdefault(base, set()).add(extension)
+        elif not _carry_out(kind, rest.split(";"), prefix, environment):
+            raise ValueError("Line %d in '%s' contains an unknown environment hook type: %s" % (number, path, kind))
+    for base, extensions in hooks.items():
+        whole = base if os.path.isabs(base) else os.path.join(prefix, base)
+        if os.path.exists(whole + ".dsv"):
+            source_dsv(whole + ".dsv", prefix, environment)
+        else:
+            environment.scripts.extend((prefix, whole + extension) for extension in sorted(extensions))
+
+
+def _carry_out(kind, parts, prefix, environment):
+    name, values = parts[0], parts[1:]
+    if kind in ("set", "set-if-unset"):
+        value = values[0] if values else ""
+        below = os.path.join(prefix, value) if value else prefix
+        if kind == "set" or not environment.variables.get(name):
+            environment.set(name, below if os.path.exists(below) else value)
+        return True
+    if kind not in ("prepend-non-duplicate", "prepend-non-duplicate-if-exists", "append-non-duplicate"):
+        return False
+    for value in values:
+        path = value if os.path.isabs(value) else os.path.join(prefix, value) if value else prefix
+        if kind != "prepend-non-duplicate-if-exists" or os.path.exists(path):
+            environment.extend(name, path, front=kind != "append-non-duplicate")
+    return True
+
+
+def _layout(install):
+    try:
+        with open(os.path.join(install, ".colcon_install_layout"), encoding="utf-8") as file:
+            return file.read().strip()
+    except OSError:
+        return "isolated"
+
+
+def _needs(install, merged):
+    """Return {package: names of what it needs at run time}, as the files in share/colcon-core/packages say."""
+    found = {}
+    for entry in sorted(os.listdir(install)) if not merged else [""]:
+        folder = os.path.join(install, entry, "share", "colcon-core", "packages")
+        if entry.startswith(".") or not os.path.isdir(folder):
+            continue
+        for name in sorted(os.listdir(folder)):
+            if merged or name == entry:
+                with open(os.path.join(folder, name), encoding="utf-8") as file:
+                    found[name] = set(file.read().split(os.pathsep))
+    return {name: needs & set(found) - {name} for name, needs in found.items()}
+
+
+def _in_order(needs):
+    ordered = []
+    left = {name: set(names) for name, names in needs.items()}
+    while left:
+        ready = sorted(name for name, names in left.items() if not names)
+        if not ready:
+            raise ValueError("Circular dependency between: " + ", ".join(sorted(left)))
+        name = ready[0]
+        ordered.append(name)
+        del left[name]
+        for names in left.values():
+            names.discard(name)
+    return ordered
+
+
+def _quoted(text):
+    return "'" + text.replace("'", "'\"'\"'") + "'"
+
+
+def _lines(environment, shell):
+    """Yield the commands that make the changes in a shell: 'sh' (bash, zsh too), 'ps1' or 'bat'."""
+    for name, value in environment.changed.items():
+        if shell == "ps1":
+            yield "$env:%s='%s'" % (name, value.replace("'", "''"))
+        elif shell == "bat":
+            yield 'set "%s=%s"' % (name, value)
+        else:
+            yield "export %s=%s" % (name, _quoted(value))
+    for prefix, script in environment.scripts:
+        if shell == "sh" and script.endswith(".sh"):
+            yield "COLCON_CURRENT_PREFIX=%s; . %s; unset COLCON_CURRENT_PREFIX" % (_quoted(prefix), _quoted(script))
+        elif shell == "ps1" and script.endswith(".ps1"):
+            yield "$env:COLCON_CURRENT_PREFIX='%s'; . '%s'" % (prefix, script)
+
+
+def main(arguments):
+    """`_local_setup_util_sh.py sh|ps1|bat [PACKAGE PREFIX]`: print the commands for a whole workspace, or for one package."""
+    environment = Environment(os.environ)
+    try:
+        if len(arguments) == 3:
+            source_package(arguments[2], arguments[1], environment)
+        else:
+            source_workspace(os.path.dirname(os.path.abspath(__file__)), environment)
+    except (OSError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    for line in _lines(environment, arguments[0]):
+        print(line)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

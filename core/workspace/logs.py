@@ -1,0 +1,123 @@
+"""The `log` folder: one folder for each call of colcon, `latest` pointing to the last, and the files in them."""
+
+from __future__ import annotations
+
+import os
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import IO
+
+from day6_tui.core.workspace.events import Event
+from day6_tui.core.workspace.packages import IGNORE_MARKER
+
+NO_LOG = Path(os.devnull)
+
+
+class LogFolder:
+    """`log/build_2026-11-21_14-32-05`, made when the first file is written to it. `base` may be os.devnull: no logs."""
+
+    def __init__(self, base: Path, verb: str) -> None:
+        self._base = base
+        self._verb = verb
+        self._path: Path | None = None
+
+    @property
+    def path(self) -> Path | None:
+        """The folder, None without logs. Raises OSError where it cannot be made."""
+        if self._path is None and str(self._base) != os.devnull:
+            self._path = self._make()
+        return self._path
+
+    def _make(self) -> Path:
+        self._base.mkdir(parents=True, exist_ok=True)
+        (self._base / IGNORE_MARKER).touch()
+        stamp = f"{self._verb}_{time.strftime('%Y-%m-%d_%H-%M-%S')}"
+        path = self._base / stamp
+        number = 1
+        while True:
+            try:
+                path.mkdir()
+                break
+            except FileExistsError:
+                number += 1
+                path = self._base / f"{stamp}_{number}"
+        _point(self._base / f"latest_{self._verb}", path.name)
+        _point(self._base / "latest", f"latest_{self._verb}")
+        return path
+
+    def write(self, name: str, text: str) -> None:
+        """Append to a file of the folder."""
+        if self.path is not None:
+            with open(self.path / name, "a", encoding="utf-8", errors="surrogateescape") as file:
+                file.write(text)
+
+
+def _point(link: Path, target: str) -> None:
+    # Windows lets only some users make links; the folders are there without.
+    with suppress(OSError, NotImplementedError):
+        if link.is_symlink():
+            link.unlink()
+        link.symlink_to(target, target_is_directory=True)
+
+
+class EventLog:
+    """`events.log`: every event with its time."""
+
+    def __init__(self, folder: LogFolder) -> None:
+        self._folder = folder
+        self._began = time.monotonic()
+        self._file: IO[str] | None = None
+
+    def handle(self, event: Event) -> None:
+        if self._file is None:
+            if self._folder.path is None or event.kind == "end":
+                return
+            self._file = open(self._folder.path / "events.log", "w", encoding="utf-8")  # noqa: SIM115 (closed at the end)
+        if event.kind != "tick":
+            what = f"{event.text!r}" if event.text else f"{event.result!r}" if event.kind.endswith("ended") else ""
+            line = f"[{time.monotonic() - self._began:.6f}] ({event.job or '-'}) {event.kind}: {what}".rstrip()
+            self._file.write(f"{line}\n")
+        if event.kind == "end":
+            self._file.close()
+            self._file = None
+
+
+_FILES = {
+    "command": ("command.log", "streams.log"),
+    "command_ended": ("command.log", "streams.log"),
+    "stdout": ("stdout.log", "stdout_stderr.log", "streams.log"),
+    "stderr": ("stderr.log", "stdout_stderr.log", "streams.log"),
+}
+_ALL_FILES = ("command.log", "stderr.log", "stdout.log", "stdout_stderr.log", "streams.log")
+
+
+class JobLogs:
+    """One folder for each package with its commands and its output."""
+
+    def __init__(self, folder: LogFolder) -> None:
+        self._folder = folder
+        self._began: dict[str, float] = {}
+        self._files: dict[str, dict[str, IO[str]]] = {}
+
+    def handle(self, event: Event) -> None:
+        if event.kind == "started":
+            self._began[event.job] = time.monotonic()
+        elif event.kind == "ended":
+            for file in self._files.pop(event.job, {}).values():
+                file.close()
+        elif event.kind in _FILES and self._folder.path is not None:
+            files = self._files.get(event.job) or self._open(self._folder.path / event.job, event.job)
+            text = event.text
+            for name in _FILES[event.kind]:
+                stamp = f"[{time.monotonic() - self._began[event.job]:.3f}s] " if name == "streams.log" else ""
+                files[name].write(stamp + text)
+                files[name].flush()
+
+    def _open(self, folder: Path, job: str) -> dict[str, IO[str]]:
+        folder.mkdir(exist_ok=True)
+        self._files[job] = {
+            name: open(folder / name, "w", encoding="utf-8", errors="surrogateescape")  # noqa: SIM115 (closed at the end)
+            for name in _ALL_FILES
+        }
+        return self._files[job]

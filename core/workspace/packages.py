@@ -1,0 +1,148 @@
+"""Finds the packages of a workspace, as colcon does: every folder below the base paths, until one is a package."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from configparser import ConfigParser
+from configparser import Error as ConfigError
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from day6_tui.core.workspace.manifest import Manifest, ManifestError, read_manifest
+
+IGNORE_MARKER = "COLCON_IGNORE"
+_IGNORE_MARKERS = (IGNORE_MARKER, "AMENT_IGNORE", "CATKIN_IGNORE")
+_IDENTIFICATION = "colcon.colcon_core.package_identification"
+
+Warn = Callable[[str, str], None]
+"""Called with the name of a logger and the text."""
+
+
+@dataclass(eq=False)
+class Package:
+    """A package in the source tree. `path` is absolute, `shown` is it as messages name it (relative to where colcon runs)."""
+
+    name: str
+    type: str
+    """'ros.ament_python', 'ros.ament_cmake', 'python', 'cmake' …"""
+    path: Path
+    shown: str
+    manifest: Manifest | None = None
+    depends: dict[str, list[str]] = field(default_factory=lambda: {"build": [], "run": [], "test": []})
+
+    def dependencies(self, *categories: str) -> set[str]:
+        """Return the names it depends on, in these categories (none: in all)."""
+        return {name for each in categories or ("build", "run", "test") for name in self.depends[each]}
+
+
+def find_packages(
+    base_paths: Iterable[str], cwd: Path, environment: Mapping[str, str], warn: Warn, *, paths: Iterable[str] = ()
+) -> list[Package]:
+    """Return the packages below `base_paths` and exactly at `paths` (shell patterns), sorted by name and path.
+
+    A folder that has an ignore marker, begins with a dot or was visited before (a loop of links) is left out.
+    """
+    found: list[Package] = []
+    seen: set[Path] = set()
+    for base in base_paths:
+        root = cwd / base
+        for folder in _crawl(root, seen):
+            package = identify(folder, _shown(folder, cwd), environment, warn)
+            if package is not None:
+                found.append(package)
+                seen.add(folder.resolve())
+    for pattern in paths:
+        for folder in sorted(cwd.glob(pattern)) if not os.path.isabs(pattern) else [Path(pattern)]:
+            if folder.is_dir() and folder.resolve() not in seen:
+                seen.add(folder.resolve())
+                package = identify(folder, _shown(folder, cwd), environment, warn)
+                if package is not None:
+                    found.append(package)
+    return sorted(found, key=lambda package: (package.name, package.shown))
+
+
+def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
+    """Yield folders from the root down; whoever takes one as a package puts it into `seen`, and what is below is left out."""
+    waiting = [root]
+    while waiting:
+        folder = waiting.pop()
+        real = folder.resolve()
+        if real in seen or not folder.is_dir() or any(os.path.lexists(folder / name) for name in _IGNORE_MARKERS):
+            continue
+        yield folder
+        if real in seen:
+            continue
+        seen.add(real)
+        try:
+            entries = sorted(os.scandir(folder), key=lambda entry: entry.name, reverse=True)
+        except OSError:
+            continue  # a folder that may not be read holds no packages for this user
+        waiting.extend(folder / entry.name for entry in entries if not entry.name.startswith(".") and entry.is_dir())
+
+
+def _shown(folder: Path, cwd: Path) -> str:
+    try:
+        return folder.relative_to(cwd).as_posix()
+    except ValueError:
+        return str(folder)
+
+
+def identify(folder: Path, shown: str, environment: Mapping[str, str], warn: Warn) -> Package | None:
+    """Say which package a folder is; None if it is none."""
+    try:
+        manifest = read_manifest(folder, shown, environment)
+    except ManifestError as error:
+        manifest = None
+        if error.schema_named:
+            warn(_IDENTIFICATION, f"Failed to parse ROS package manifest in '{shown}': {error}")
+    if manifest is not None:
+        for text in manifest.warnings:
+            warn("", f"WARNING: {text}")
+        package = Package(manifest.name, f"ros.{manifest.build_type}", folder, shown, manifest)
+        package.depends = {
+            "build": manifest.build_depends,
+            "run": manifest.run_depends,
+            "test": manifest.test_depends,
+        }
+        return package
+    if (folder / "CMakeLists.txt").is_file():
+        return Package(_cmake_name(folder) or folder.name, "cmake", folder, shown)
+    if (folder / "setup.py").is_file():
+        name = _python_name(folder)
+        if name is not None:
+            return Package(name, "python", folder, shown)
+    return None
+
+
+def _cmake_name(folder: Path) -> str | None:
+    text = (folder / "CMakeLists.txt").read_text(encoding="utf-8", errors="replace")
+    match = re.search(r"(?im)^\s*project\s*\(\s*([\w.-]+)", text)
+    return match.group(1) if match else None
+
+
+def _python_name(folder: Path) -> str | None:
+    """Return the name that setup.cfg or setup.py gives, without running it (a list must not execute anything)."""
+    parser = ConfigParser(interpolation=None)
+    try:
+        parser.read(folder / "setup.cfg", encoding="utf-8")
+        name = parser.get("metadata", "name", fallback=None)
+    except (ConfigError, UnicodeDecodeError, OSError):
+        name = None
+    if name:
+        return name
+    text = (folder / "setup.py").read_text(encoding="utf-8", errors="replace")
+    return _name_argument(text)
+
+
+def _name_argument(text: str) -> str | None:
+    """Find `name=` in the call of setup(): a string, or a variable that is one."""
+    match = re.search(r"\bsetup\s*\(", text)
+    given = re.search(r"\bname\s*=\s*(?:['\"]([^'\"]+)['\"]|(\w+))", text[match.end() :]) if match else None
+    if given is None:
+        return None
+    if given.group(1):
+        return given.group(1)
+    variable = re.search(rf"(?m)^\s*{re.escape(given.group(2))}\s*=\s*['\"]([^'\"]+)['\"]", text)
+    return variable.group(1) if variable else None

@@ -1,0 +1,28 @@
+"""What one call of `colcon build` or `colcon test` was told, for the tasks that process a package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass
+class Settings:
+    """Folders are absolute. `warn(logger, text)` prints a line of colcon's log, `print_error(text)` plain text."""
+
+    build_base: Path
+    install_base: Path
+    environment: Mapping[str, str]
+    warn: Callable[[str, str], None]
+    print_error: Callable[[str], None]
+    merge_install: bool = False
+    symlink_install: bool = False
+    test_result_base: Path | None = None
+    needs: Mapping[str, list[str]] = field(default_factory=dict)
+    """For each package the workspace packages it needs, in their order."""
+    pytest_args: list[str] = field(default_factory=list)
+
+    def prefix(self, package: str) -> Path:
+        """Return where a package is installed."""
+        return self.install_base if self.merge_install else self.install_base / package

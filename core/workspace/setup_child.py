@@ -1,0 +1,65 @@
+"""Runs a student's setup.py for the build; started as a process of its own with setuptools at hand, in the package's folder.
+
+    python setup_child.py REQUEST          REQUEST is JSON: {"name": what the manifest says or null}
+
+First only what the file says: one line of JSON after a mark on standard output, the mark alone on standard error. Then it
+reads one line of JSON: {"cwd": …, "commands": […]}, and runs those commands of setuptools there. An exception of setup.py
+comes out as it is, so a traceback names the student's line.
+"""
+
+import importlib
+import json
+import os
+import sys
+import warnings
+
+MARK = "\x1e"
+
+_FIELDS = ("data_files", "packages", "package_dir", "py_modules", "scripts")
+
+
+def main():
+    sys.path[0] = os.getcwd()
+    _like_setuptools_68()
+    importlib.import_module("setuptools")
+    core = importlib.import_module("distutils.core")
+    distribution = core.run_setup("setup.py", [], "config")
+    described = {name: _plain(getattr(distribution, name, None)) for name in _FIELDS}
+    described["name"] = distribution.get_name()
+    described["options"] = {
+        section: {name: str(value[1]) for name, value in distribution.get_option_dict(section).items()}
+        for section in ("develop", "install")
+    }
+    sys.stderr.flush()
+    sys.stderr.write(MARK + "\n")
+    sys.stderr.flush()
+    sys.stdout.write(MARK + json.dumps(described) + "\n")
+    sys.stdout.flush()
+    line = sys.stdin.readline()
+    if not line:
+        return
+    request = json.loads(line)
+    os.chdir(request["cwd"])
+    sys.path[0] = os.getcwd()
+    core.run_commands(core.run_setup("setup.py", request["commands"], "commandline"))
+
+
+def _like_setuptools_68():
+    """Keep silent about what the setuptools of Ubuntu 24.04 still took: the file of `ros2 pkg create` is full of it."""
+    warnings.filterwarnings("ignore", message=r"(?s).*setup\.py install is deprecated")
+    warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
+    # The build says where things go; what a plain distutils of the system thinks of it is of no use.
+    os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")
+
+
+def _plain(value):
+    """Make a value JSON: tuples and iterators become lists, everything unknown its text."""
+    if isinstance(value, dict):
+        return {str(key): _plain(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple, set, map, filter)) or hasattr(value, "__next__"):
+        return [_plain(each) for each in value]
+    return value if value is None or isinstance(value, (str, int, float, bool)) else str(value)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,54 @@
+"""What `source install/setup.bash` does in the simulated terminal: the .dsv files say it, no shell script is run.
+
+So it is the same on Windows, which has no bash, and a workspace that the real colcon has built is sourced as well.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath
+
+from day6_tui.core.ros.environment import DISTRO, PYTHON_PATH, program_environment
+from day6_tui.core.workspace.local_setup_util import Environment, source_package, source_workspace
+from day6_tui.core.workspace.setup_scripts import chained_in
+
+_SHELLS = ("bash", "sh", "zsh")
+_ROS = re.compile(r"/opt/ros/([^/]+)/(?:local_)?setup\.(?:bash|sh|zsh)")
+_ROS_VARIABLES = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION", "PYTHONPATH")
+
+
+def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] | None:
+    """Return the variables that sourcing `path` changes, None if it is no setup script of a ROS or colcon workspace.
+
+    Raises FileNotFoundError for a ROS distribution that this machine does not have, ValueError for a broken .dsv file.
+    """
+    ros = _ROS.fullmatch(PurePosixPath(path.as_posix()).as_posix())
+    if ros is not None:
+        return _source_ros(path, ros.group(1), environment)
+    stem, _, shell = path.name.rpartition(".")
+    if shell not in _SHELLS or not path.is_file():
+        return None
+    folder = path.parent
+    result = Environment(environment)
+    if stem in ("setup", "local_setup") and (folder / ".colcon_install_layout").is_file():
+        for prefix in chained_in(path) if stem == "setup" else ():
+            if Path(prefix).is_dir():
+                source_workspace(prefix, result)
+        source_workspace(str(folder), result)
+        return result.changed
+    if stem == "package" and (folder / "package.dsv").is_file():
+        source_package(str(folder.parent.parent), folder.name, result)
+        return result.changed
+    return None
+
+
+def _source_ros(path: Path, distribution: str, environment: Mapping[str, str]) -> dict[str, str]:
+    if distribution != DISTRO:
+        raise FileNotFoundError(2, "No such file or directory", str(path))
+    result = Environment(environment)
+    after = program_environment({**environment, "PYTHONPATH": ""})
+    for name in _ROS_VARIABLES[:-1]:
+        result.set(name, after[name])
+    result.extend("PYTHONPATH", str(PYTHON_PATH))
+    return result.changed

@@ -1,0 +1,97 @@
+"""Saving and opening: DOT there and back, pictures that other programs can open, and errors that say what is wrong."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import xml.etree.ElementTree
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from day6_tui.core.ros.programs.rqt_graph._dot import DotError, read_dot, write_dot
+from day6_tui.core.ros.programs.rqt_graph._fit import unfitted
+from day6_tui.core.ros.programs.rqt_graph._image import write_image
+from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge
+
+BOXES = [
+    Box("/a/talker", ("/a/talker",), "node", "/a"),
+    Box("/listener", ("/listener",), "node"),
+    Box(" /a/b/chatter", ("/a/b/chatter",), "topic", "/a/b"),
+    Box(" /tf", ("/tf",), "group"),
+]
+EDGES = [
+    Edge("/a/talker", " /a/b/chatter", "", "/a/b/chatter"),
+    Edge(" /a/b/chatter", "/listener", "", "/a/b/chatter"),
+    Edge("/a/talker", " /tf", "", "/tf"),
+]
+
+
+def plain(boxes: list[Box]) -> set[tuple[str, str, str]]:
+    return {(box.lines[0], box.shape, box.cluster) for box in boxes}
+
+
+def test_a_saved_graph_reads_back_the_same() -> None:
+    boxes, edges = read_dot(write_dot(BOXES, EDGES))
+    names = {box.key: box.lines[0] for box in boxes}
+    assert plain(boxes) == plain(BOXES)
+    assert [(names[edge.start], names[edge.end]) for edge in edges] == [
+        (edge.start.strip(), edge.end.strip()) for edge in EDGES
+    ]
+
+
+def test_an_edge_between_nodes_keeps_its_topic() -> None:
+    edge = Edge("/a/talker", "/listener", "/chatter", "/chatter")
+    _, (read,) = read_dot(write_dot(BOXES[:2], [edge]))
+    assert read.label == "/chatter"
+
+
+def test_what_a_person_writes_for_graphviz_is_shown() -> None:
+    boxes, edges = read_dot('digraph { // by hand\n a -> b -> "c d" [label=x]; b [shape=box] }')
+    assert [(box.lines[0], box.shape) for box in boxes] == [("a", "node"), ("b", "topic"), ("c d", "node")]
+    assert [(edge.start, edge.end, edge.label) for edge in edges] == [("a", "b", "x"), ("b", "c d", "x")]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("nodes 3", "a DOT file begins with 'digraph'"),
+        ("digraph {\n a -> <b> }", "line 2: cannot read '<b> }'"),
+        ("digraph { a -> b", "the file ends before its last '}'"),
+        ("", "the file ends before its last '}'"),
+    ],
+)
+def test_what_is_no_dot_says_where(text: str, message: str) -> None:
+    with pytest.raises(DotError, match=message.replace("{", r"\{")):
+        read_dot(text)
+
+
+@pytest.mark.skipif(shutil.which("dot") is None, reason="Graphviz is not installed")
+def test_graphviz_takes_the_file() -> None:
+    done = subprocess.run(["dot", "-Tplain"], input=write_dot(BOXES, EDGES), capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.count("\nedge") == len(EDGES)
+
+
+def test_the_svg_holds_every_name_and_shape(tmp_path: Path) -> None:
+    write_image(unfitted(BOXES, EDGES), tmp_path / "graph.svg", [" /a/b/chatter"])
+    root = xml.etree.ElementTree.parse(tmp_path / "graph.svg").getroot()
+    texts = {element.text for element in root.iter("{http://www.w3.org/2000/svg}text")}
+    assert texts >= {"/a/talker", "/listener", "/a/b/chatter", "/tf", "/a", "/a/b"}
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}ellipse"))) == 2
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}polygon"))) == len(EDGES)
+    assert 'fill="#ff0000">/a/b/chatter' in (tmp_path / "graph.svg").read_text()
+
+
+@pytest.mark.parametrize("suffix", [".png", ".jpg", ".bmp"])
+def test_the_picture_opens_and_is_not_empty(tmp_path: Path, suffix: str) -> None:
+    picture = unfitted(BOXES, EDGES)
+    write_image(picture, tmp_path / f"graph{suffix}")
+    with Image.open(tmp_path / f"graph{suffix}") as image:
+        assert image.width > image.height > 100
+        assert sum(image.convert("L").histogram()[:64]) > 1000  # dark pixels
+
+
+def test_an_unknown_suffix_names_those_that_work(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"'graph.pdf': .dot, .svg, .png"):
+        write_image(unfitted(BOXES, EDGES), tmp_path / "graph.pdf")

@@ -1,0 +1,147 @@
+"""All combinations of rqt_graph's controls, against node and edge sets computed one name at a time from the rules."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+
+from day6_tui.core.ros.programs.rqt_graph._content import (
+    QUIET_EDGES,
+    QUIET_NAMES,
+    Content,
+    Facts,
+    GraphType,
+    Options,
+    namespace_of,
+    select,
+)
+
+ACTION = "/turtle1/rotate_absolute/_action/"
+FACTS = Facts(
+    publishers={
+        "/turtle1/cmd_vel": ("/teleop_turtle",),
+        "/turtle1/pose": ("/turtlesim",),
+        ACTION + "feedback": ("/turtlesim",),
+        ACTION + "status": ("/turtlesim",),
+        "/rosout": ("/turtlesim", "/teleop_turtle", "/_ros2cli_1"),
+        "/parameter_events": ("/turtlesim", "/teleop_turtle"),
+        "/tf": ("/robot_state_publisher",),
+        "/tf_static": ("/robot_state_publisher",),
+        "/joint_states": ("/wheel_spinner",),
+        "/cam/image": ("/cam/driver",),
+        "/cam/image/compressed": ("/cam/driver",),
+        "/cam/image/theora": ("/cam/driver",),
+        **{f"/dock/{end}": ("/client",) for end in ("goal", "cancel")},
+        **{f"/dock/{end}": ("/server",) for end in ("feedback", "status", "result")},
+        "/clock": ("/sim",),
+    },
+    subscribers={
+        "/turtle1/cmd_vel": ("/turtlesim", "/_ros2cli_1"),
+        ACTION + "feedback": ("/teleop_turtle",),
+        ACTION + "status": ("/teleop_turtle",),
+        "/parameter_events": ("/turtlesim",),
+        "/tf": ("/rviz2", "/listener"),
+        "/tf_static": ("/rviz2",),
+        "/joint_states": ("/robot_state_publisher",),
+        "/cam/image": ("/viewer",),
+        "/cam/image/compressed": ("/viewer",),
+        "/nobody_sends": ("/viewer",),
+        **{f"/dock/{end}": ("/server",) for end in ("goal", "cancel")},
+        **{f"/dock/{end}": ("/client",) for end in ("feedback", "status", "result")},
+        "/clock": ("/turtlesim",),
+    },
+)
+NODES = {node for table in (FACTS.publishers, FACTS.subscribers) for names in table.values() for node in names}
+TOPICS = {*FACTS.publishers, *FACTS.subscribers}
+CAMERA = {"/cam/image", "/cam/image/compressed", "/cam/image/theora"}
+DOCK = {topic for topic in TOPICS if topic.startswith("/dock/")}
+
+
+def ends(topic: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    return FACTS.publishers.get(topic, ()), FACTS.subscribers.get(topic, ())
+
+
+def is_quiet(name: str) -> bool:
+    return any(quiet in name for quiet in QUIET_NAMES) or name.split("/")[-1].startswith("_")
+
+
+def kept_topics(options: Options) -> set[str]:
+    """Topics that no topic option hides."""
+    kept = set()
+    for topic in TOPICS:
+        senders, hearers = ends(topic)
+        hidden = (
+            (options.hide_dead_sinks and not hearers)
+            or (options.hide_leaf_topics and len(senders) + len(hearers) < 2)
+            or (options.hide_tf and topic in ("/tf", "/tf_static"))
+            or (options.hide_params and topic.endswith("/parameter_events"))
+        )
+        if not hidden:
+            kept.add(topic)
+    return kept
+
+
+def nodes_only(options: Options) -> tuple[set[str], set[tuple[str, str, str]]]:
+    nodes = {node for node in NODES if not (options.hide_debug and is_quiet(node))}
+    return nodes, {
+        (sender, hearer, topic)
+        for topic in kept_topics(options)
+        if not (options.hide_debug and topic in QUIET_EDGES)
+        for sender, hearer in product(*ends(topic))
+        if {sender, hearer} <= nodes
+    }
+
+
+def nodes_and_topics(options: Options) -> tuple[set[str], set[tuple[str, str, str]]]:
+    kept = kept_topics(options)
+    group = {}
+    if options.group_images and len(CAMERA & kept) >= 3:
+        group.update(dict.fromkeys(CAMERA, "/cam/image/image_topics"))
+    if options.group_actions and kept >= DOCK:
+        group.update(dict.fromkeys(DOCK, "/dock/action_topics"))
+    if options.group_tf and not options.hide_tf:
+        group.update({"/tf": "/tf", "/tf_static": "/tf"})
+    nodes = {node for node in NODES if not (options.hide_debug and is_quiet(node))}
+    topics = {topic for topic in kept if not (options.hide_debug and is_quiet(topic))}
+    edges = set()
+    for topic in topics:
+        senders, hearers = ends(topic)
+        edges |= {(sender, group.get(topic, topic), "") for sender in senders if sender in nodes}
+        edges |= {(group.get(topic, topic), hearer, "") for hearer in hearers if hearer in nodes}
+    return nodes | {name for edge in edges for name in edge[:2]}, edges
+
+
+def shown(content: Content) -> tuple[set[str], set[tuple[str, str, str]]]:
+    boxes = {box.lines[0] for box in content.boxes}
+    return boxes, {(edge.start.strip(), edge.end.strip(), edge.label) for edge in content.edges}
+
+
+@pytest.mark.parametrize("graph_type", list(GraphType))
+@pytest.mark.parametrize("groups", list(product((True, False), repeat=3)))
+def test_every_combination_of_the_controls_shows_what_the_rules_say(
+    graph_type: GraphType, groups: tuple[bool, bool, bool]
+) -> None:
+    expected = nodes_only if graph_type is GraphType.NODES else nodes_and_topics
+    for hides in product((True, False), repeat=5):
+        names = ("hide_dead_sinks", "hide_leaf_topics", "hide_debug", "hide_tf", "hide_params")
+        switches = dict(zip(("group_actions", "group_tf", "group_images"), groups, strict=True))
+        options = Options(graph_type, **switches, **dict(zip(names, hides, strict=True)))
+        assert shown(select(FACTS, options)) == expected(options), options
+
+
+@pytest.mark.parametrize(
+    ("name", "depth", "namespace"),
+    [
+        ("/turtlesim", 2, ""),
+        ("/turtle1/pose", 2, "/turtle1"),
+        ("/a/b/c/d", 1, "/a"),
+        ("/a/b/c/d", 2, "/a/b"),
+        ("/a/b/c/d", 9, "/a/b/c"),
+        ("/a/b", 0, ""),
+    ],
+)
+def test_namespace_boxes_nest_up_to_the_number_asked_for(name: str, depth: int, namespace: str) -> None:
+    assert namespace_of(name, depth) == namespace
+    content = select(Facts({name: ("/talker",)}, {name: ("/listener",)}), Options(GraphType.ALL, namespaces=depth))
+    assert {box.cluster for box in content.boxes if box.shape == "topic"} == {namespace}

@@ -1,0 +1,21 @@
+"""Gives tests a workshop: a home folder with an empty workspace, and terminals that run command lines in it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+# Tests are imported by path (--import-mode=importlib), their helpers by name.
+sys.path.insert(0, str(Path(__file__).parent))
+
+from workshop import Workshop
+
+
+@pytest.fixture
+def workshop(tmp_path: Path) -> Iterator[Workshop]:
+    place = Workshop(tmp_path / "home")
+    yield place
+    place.close()

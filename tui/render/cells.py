@@ -1,0 +1,193 @@
+"""From pixels to the cells of a terminal, and which of them changed: half blocks, braille, coloured cells, ASCII."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from rich.cells import cell_len
+from rich.segment import Segment
+from rich.style import Style
+
+from day6_tui.tui.canvas import JOIN_GAP, PIXELS_PER_CELL, Span
+from day6_tui.tui.colours import pixel_style
+from day6_tui.tui.render.picture import EMPTY, LINE, SURFACE, Array, Picture
+
+RAMP = ".:-=+*#%@"
+"""From dark to bright, for surfaces without colour."""
+
+_STROKES = {LINE: "-", LINE + 1: "|", LINE + 2: "/", LINE + 3: "\\"}
+
+_DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
+
+PLAIN = -1
+
+
+def pixel_aspect(mode: str) -> float:
+    """A pixel's width by its height: a cell is twice as high as wide."""
+    across, down = PIXELS_PER_CELL[mode]
+    return down / across / 2
+
+
+@dataclass(eq=False)
+class Cells:
+    """Characters with two colours (0xRRGGBB, -1 the terminal's own): rows x columns each."""
+
+    chars: Array
+    front: Array
+    back: Array
+    labels: dict[int, list[tuple[int, str, int]]]
+    """By row: column, text, colour."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Columns and rows."""
+        rows, columns = self.chars.shape
+        return columns, rows
+
+    def line(self, row: int) -> list[Segment]:
+        """One row as segments, equal neighbours joined."""
+        chars, front, back = self.chars[row], self.front[row], self.back[row]
+        change = np.flatnonzero((front[1:] != front[:-1]) | (back[1:] != back[:-1])) + 1
+        edges = [0, *change.tolist(), len(chars)]
+        codes = chars.tolist()
+        segments = [
+            Segment("".join(map(chr, codes[a:b])), _style(int(front[a]), int(back[a]))) for a, b in pairwise(edges)
+        ]
+        return self._with_labels(row, segments) if row in self.labels else segments
+
+    def _with_labels(self, row: int, segments: list[Segment]) -> list[Segment]:
+        columns = self.chars.shape[1]
+        for column, text, colour in self.labels[row]:
+            width = cell_len(text)
+            if not 0 <= column <= columns - width:
+                continue
+            left, right = _cut(segments, column), _cut_after(segments, column + width)
+            back = int(self.back[row][column])
+            segments = [*left, Segment(text, _style(colour, back)), *right]
+        return segments
+
+    def changes(self, before: Cells | None) -> list[Span]:
+        """The spans in which this differs from what was shown before."""
+        columns, rows = self.size
+        if before is None or before.size != self.size:
+            return [(row, 0, columns) for row in range(rows)]
+        different = (self.chars != before.chars) | (self.front != before.front) | (self.back != before.back)
+        for row in {row for row in (*self.labels, *before.labels) if self.labels.get(row) != before.labels.get(row)}:
+            if 0 <= row < rows:
+                different[row] = True
+        spans: list[Span] = []
+        for row in np.flatnonzero(different.any(axis=1)).tolist():
+            for column in np.flatnonzero(different[row]).tolist():
+                if spans and spans[-1][0] == row and column - spans[-1][2] <= JOIN_GAP:
+                    spans[-1] = (row, spans[-1][1], column + 1)
+                else:
+                    spans.append((row, column, column + 1))
+        return spans
+
+
+def _style(front: int, back: int) -> Style:
+    return pixel_style(front, back) if front >= 0 or back >= 0 else Style.null()
+
+
+def _cut(segments: list[Segment], end: int) -> list[Segment]:
+    """The first `end` cells; every character of a picture is one cell wide."""
+    left, used = [], 0
+    for text, style, _ in segments:
+        if used + cell_len(text) > end:
+            left.append(Segment(text[: end - used], style))
+            break
+        left.append(Segment(text, style))
+        used += cell_len(text)
+    return [segment for segment in left if segment.text]
+
+
+def _cut_after(segments: list[Segment], start: int) -> list[Segment]:
+    right, used = [], 0
+    for text, style, _ in segments:
+        if used + cell_len(text) > start:
+            right.append(Segment(text[max(0, start - used) :], style))
+        used += cell_len(text)
+    return right
+
+
+def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = False) -> Cells:
+    """A picture of `PIXELS_PER_CELL[mode]` pixels for every cell as cells."""
+    across, down = PIXELS_PER_CELL[mode]
+    columns, rows = picture.width // across, picture.height // down
+    if colourless:
+        chars, front, back = _plain(picture, mode, columns, rows)
+    else:
+        chars, front, back = _MODES[mode](picture, picture.rgb(step).astype(np.int64), columns, rows)
+    labels: dict[int, list[tuple[int, str, int]]] = {}
+    for x, y, text, (red, green, blue) in picture.labels:
+        colour = PLAIN if colourless else red << 16 | green << 8 | blue
+        labels.setdefault(int(y) // down, []).append((int(x) // across - len(text) // 2, text, colour))
+    return Cells(chars, front, back, labels)
+
+
+Parts = tuple[Array, Array, Array]
+
+
+def _half(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+    top, bottom = rgb[0 : 2 * rows : 2], rgb[1 : 2 * rows : 2]
+    same = top == bottom
+    return np.where(same, ord(" "), ord("▀")), np.where(same, PLAIN, top), bottom
+
+
+def _cell(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+    return np.full(rgb.shape, ord(" ")), np.full(rgb.shape, PLAIN), rgb
+
+
+def _braille(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+    def blocks(array: Array) -> Array:
+        return array[: 4 * rows, : 2 * columns].reshape(rows, 4, columns, 2).transpose(0, 2, 1, 3)
+
+    lit = blocks(picture.kind) != EMPTY
+    bits = (lit * _DOTS).sum(axis=(2, 3))
+    depth = np.where(lit, blocks(picture.depth), np.inf).reshape(rows, columns, 8)
+    nearest = depth.argmin(axis=2)
+    colours = np.take_along_axis(blocks(rgb).reshape(rows, columns, 8), nearest[..., None], axis=2)[..., 0]
+    red, green, blue = picture.background
+    back = np.full((rows, columns), red << 16 | green << 8 | blue)
+    return np.where(bits > 0, 0x2800 + bits, ord(" ")), np.where(bits > 0, colours, PLAIN), back
+
+
+def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
+    chars, drawn = _characters(picture)
+    red, green, blue = picture.background
+    back = np.full(rgb.shape, red << 16 | green << 8 | blue)
+    # Characters are thin: their colour is made brighter, so that dark wheels can be told from the ground.
+    bright = np.maximum(picture.colour.max(axis=2), 1e-3)
+    lifted = np.clip(picture.colour * np.maximum(1.0, 0.55 / bright)[..., None] * 255, 0, 255).astype(np.int64) & 0xF0
+    colours = lifted[..., 0] << 16 | lifted[..., 1] << 8 | lifted[..., 2]
+    return chars, np.where(drawn, colours, PLAIN), back
+
+
+def _characters(picture: Picture) -> tuple[Array, Array]:
+    """A character for every pixel, and whether there is anything."""
+    # A bright thing in the shade is as bright as a dark one in the light, as for the eye.
+    tone = picture.shade * (0.45 + 0.55 * picture.colour.max(axis=2))
+    ramp = np.array([ord(char) for char in RAMP])
+    index = np.clip((tone * 1.15 * len(RAMP)).astype(int), 0, len(RAMP) - 1)
+    chars = np.where(picture.kind == SURFACE, ramp[index], ord(" "))
+    for kind, stroke in _STROKES.items():
+        chars = np.where(picture.kind == kind, ord(stroke), chars)
+    return chars, picture.kind != EMPTY
+
+
+def _plain(picture: Picture, mode: str, columns: int, rows: int) -> Parts:
+    none = np.full((rows, columns), PLAIN)
+    if mode == "braille":
+        chars, _, _ = _braille(picture, np.zeros(picture.kind.shape, np.int64), columns, rows)
+        return chars, none, none
+    if mode == "half":
+        lit = picture.kind != EMPTY
+        top, bottom = lit[0 : 2 * rows : 2], lit[1 : 2 * rows : 2]
+        signs = np.array([ord(char) for char in " ▄▀█"])
+        return signs[2 * top + bottom], none, none
+    return _characters(picture)[0], none, none
+
+
+_MODES = {"half": _half, "braille": _braille, "cell": _cell, "ascii": _ascii}

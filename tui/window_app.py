@@ -1,0 +1,380 @@
+# ruff: noqa: E402 - two things have to be settled before Textual is imported
+"""One program's window on a real terminal: `day6-tui ros2 run turtlesim turtlesim_node` takes the terminal it was started in.
+
+No simulated machine is behind it: the program runs in this process (`core.session.local`), and what it writes while its
+window is shown stands on the line below, in the log (F5), and on the terminal afterwards.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+import sys
+import time
+from types import SimpleNamespace
+from typing import Any
+
+# Read by Textual at import: how often at most it writes to the terminal.
+os.environ.setdefault("TEXTUAL_FPS", "30")
+
+from day6_tui.tui import lean
+
+lean.import_asyncio()
+
+from textual import events
+from textual.app import App, ComposeResult
+from textual.binding import Binding
+from textual.containers import Container
+from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
+from textual.layout import ArrangeResult, Layout, WidgetPlacement
+from textual.screen import Screen
+from textual.widget import Widget
+
+from day6_tui.core.session.local import Foreground
+from day6_tui.tui import chops
+from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
+from day6_tui.tui.arrangement import Place
+from day6_tui.tui.bars import Bar, KeyHint, key_pieces
+from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.frames import Frames
+from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
+from day6_tui.tui.look import Look
+from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay
+from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
+
+chops.install()
+_log = logging.getLogger(__name__)
+
+_STAMP = re.compile(r"(?<=^\[[A-Z]{4}\] )\[[0-9.]+\] |(?<=^\[[A-Z]{5}\] )\[[0-9.]+\] ")
+"""The time in a line of the log: the log has it, the lower bar has no room."""
+
+KEYS = (("q ^C", "end"), ("F1", "help"), ("F5", "log"))
+"""What the lower bar shows: the key, and the part of `single.<part>` and `do_<part>`."""
+MORE_KEYS = (("F3", "next"), ("F6", "glyphs"), ("F7", "language"), ("^Z", "suspend"))
+"""What only the help names."""
+
+
+class _Stage(Layout):
+    """Gives the whole place to the window used last; an overlay lies over it."""
+
+    name = "stage"
+
+    def arrange(self, parent: Widget, children: list[Widget], size: Size, greedy: bool = True) -> ArrangeResult:
+        assert isinstance(parent, Stage)
+        placements = []
+        for child in children:
+            if isinstance(child, Overlay):
+                region = Region(*child.place(Place(0, 0, size.width, size.height)))
+            elif child is parent.shown:
+                region = Region(0, 0, size.width, size.height)
+            else:
+                continue
+            placements.append(WidgetPlacement(region, NULL_OFFSET, NULL_SPACING, child))
+        return placements
+
+
+class Stage(Container):
+    """Holds the panes of the program's windows (nearly always one)."""
+
+    DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
+    BLANK = True
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(id="stage")
+        self._stage = _Stage()
+        self.look = look
+        self.panes: dict[int, WindowPane] = {}
+        """By window number, oldest first."""
+        self.shown: WindowPane | None = None
+        self.overlay: Overlay | None = None
+
+    @property
+    def layout(self) -> Layout:
+        return self._stage
+
+    def show_windows(self, windows: list[Any]) -> None:
+        """Make the panes agree with what the program has opened."""
+        numbers = {window.number for window in windows}
+        for number in [number for number in self.panes if number not in numbers]:
+            self.panes.pop(number).remove()
+        for window in windows:
+            if window.number not in self.panes:
+                self._put(window.number, make_window(window, self.look))
+        if self.shown not in self.panes.values():
+            self.show(next(reversed(self.panes.values()), None))
+
+    def break_window(self, pane: Any, error: Exception) -> None:
+        """Show the reason in the place of a window that failed while it was drawn."""
+        if pane in self.panes.values():
+            pane.remove()
+            self._put(pane.number, BrokenPane(pane.window, self.look, error))
+
+    def _put(self, number: int, pane: WindowPane) -> None:
+        self.panes[number] = pane
+        self.mount(pane)
+        self.show(pane)
+
+    def show(self, pane: WindowPane | None) -> None:
+        """Bring a window to the front."""
+        self.shown = pane
+        if pane is not None:
+            pane.refresh(layout=True)
+            pane.touch()
+            if self.overlay is None:
+                pane.focus(scroll_visible=False)
+
+    def open_overlay(self, overlay: Overlay) -> None:
+        """Lay something over the window and give it the keyboard."""
+        self.close_overlay()
+        self.overlay = overlay
+        self.mount(overlay)
+        overlay.focus(scroll_visible=False)
+
+    def close_overlay(self) -> None:
+        """Take it away; the window gets the keyboard back."""
+        if self.overlay is not None:
+            overlay, self.overlay = self.overlay, None
+            overlay.remove()
+            if self.shown is not None:
+                self.shown.focus(scroll_visible=False)
+
+
+class SingleHelp(TextOverlay):
+    """F1: the window and its keys."""
+
+    wanted_width = 76
+
+    def __init__(self, look: Look, pane: Pane) -> None:
+        super().__init__(look, "help.title", "help.keys")
+        self._page = pane.help_key
+        self._hints = pane.key_hints()
+
+    def paragraphs(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        found = [("overlay", texts(f"help.{self._page}")), ("overlay", "")]
+        found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
+        found += [("overlay", f"{key}\t{texts('help.single.' + part)}") for key, part in KEYS + MORE_KEYS]
+        return found
+
+
+class LogOverlay(TextOverlay):
+    """F5: what the program has written since its window was opened."""
+
+    wanted_width = 400
+
+    def __init__(self, look: Look, lines: list[str]) -> None:
+        super().__init__(look, "single.log", "help.keys")
+        self._log_lines = lines or [look.texts("single.no_log")]
+
+    def wanted_height(self, width: int) -> int:
+        return 10_000
+
+    def paragraphs(self) -> list[tuple[str, str]]:
+        return [("overlay", line.replace("\t", "    ")) for line in self._log_lines]
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Begin at the end: the newest lines are the ones wanted."""
+        self.measure()
+        self._scroll(len(self.lines(self.inner_width - 2)))
+
+
+class WindowApp(App[None]):
+    """Shows the windows of one program until it has ended."""
+
+    CSS = "Screen { layout: vertical; overflow: hidden; }"
+    ENABLE_COMMAND_PALETTE = False
+    BINDINGS = [
+        Binding(key, f"do('{name}')", show=False, priority=True)
+        for key, name in (
+            ("ctrl+c", "interrupt"),
+            ("ctrl+q", "end"),
+            ("f1", "help"),
+            ("f3", "next"),
+            ("f5", "log"),
+            ("f6", "glyphs"),
+            ("f7", "language"),
+            ("ctrl+z", "suspend"),
+        )
+    ]
+
+    def __init__(self, foreground: Foreground, look: Look, fps: float = DEFAULT_FPS) -> None:
+        super().__init__()
+        self.foreground = foreground
+        self.look = look
+        self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
+        self.look.wake = self.frames.wake
+        self.stage = Stage(look)
+        self.bottom = Bar(look, self.bottom_pieces, name="bottom")
+        self._version = -1
+        self._presses = 0
+
+    def get_default_screen(self) -> Screen[Any]:
+        return DeskScreen(id="_default")
+
+    def compose(self) -> ComposeResult:
+        yield self.stage
+        yield self.bottom
+
+    def on_mount(self) -> None:
+        # As on the desktop: the program's thread shares the interpreter with the screen.
+        sys.setswitchinterval(0.001)
+        self.frames.attach()
+        self.foreground.scheduler.on_activity = self.frames.wake
+        self.foreground.backlog.on_change = self.frames.wake
+        self.app_resume_signal.subscribe(self, self._resumed)
+        self.set_interval(0.25, self._look)
+        self._look()
+
+    async def on_unmount(self) -> None:
+        self.frames.detach()
+        self.foreground.scheduler.on_activity = None
+
+    def _look(self) -> None:
+        """Leave when the program has ended, also where nothing wakes the frames any more."""
+        if self.foreground.over:
+            self.exit()
+        else:
+            self.frames.wake()
+
+    def _resumed(self, app: App[Any]) -> None:
+        """`fg`: the shell has written over everything."""
+        for pane in self.screen.query(Pane):
+            pane.touch()
+        self.screen.refresh()
+
+    def _congested(self) -> bool:
+        queue = getattr(getattr(self._driver, "_writer_thread", None), "_queue", None)
+        return queue is not None and queue.qsize() > 3
+
+    def draw_frame(self) -> bool:
+        """Pull what is new into the panes. True while something moves by itself."""
+        now = time.monotonic()
+        display = self.foreground.display
+        if self.foreground.over:
+            self.exit()
+            return False
+        if display.version != self._version:
+            self._version = display.version
+            self.stage.show_windows(display.windows)
+        again = False
+        pane = self.stage.shown
+        if pane is not None:
+            try:
+                pane.measure()
+                again = pane.pull(now)
+            except Exception as error:
+                self.window_failed(pane, error)
+        self.bottom.pull(now)
+        return again
+
+    def frame_failed(self, error: Exception) -> None:
+        """Something of the screen itself is broken: say so, and let the program go on."""
+        _log.error("a frame failed", exc_info=error)
+        if not isinstance(self.stage.overlay, MessageOverlay):
+            self.stage.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))
+
+    def window_failed(self, pane: Any, error: Exception) -> None:
+        """A window that cannot be drawn is replaced by the reason; its program goes on."""
+        _log.warning("a window failed", exc_info=error)
+        self.stage.break_window(pane, error)
+
+    def bottom_pieces(self) -> tuple[list[Piece], list[Piece]]:
+        """The newest line of the log, and the keys."""
+        look = self.look
+        keys = [KeyHint(key, look.texts(f"single.{part}"), getattr(self, f"do_{part}")) for key, part in KEYS]
+        pane = self.stage.shown
+        if pane is not None:
+            keys = [*keys[:1], *(KeyHint(key, name, weight=5) for key, name in pane.key_hints()), *keys[1:]]
+        width = self.bottom.extent.width
+        right = key_pieces(look, keys, width // 2)
+        room = max(0, width - 1 - sum(cell_len(piece.text) for piece in right))
+        line = _STAMP.sub("", "".join(char if char.isprintable() else " " for char in self.foreground.backlog.last))
+        return [Piece(f" {clip(line, room - 1, look.glyphs.ellipsis)}", look.colours.bar)], right
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    async def action_do(self, name: str) -> None:
+        """Textual's entry: a key of BINDINGS was pressed."""
+        getattr(self, f"do_{name}")()
+        self.frames.wake()
+
+    def action_help_quit(self) -> None:
+        """Ctrl-C has a meaning here."""
+
+    def on_key(self, event: events.Key) -> None:
+        """What no window wanted."""
+        if event.key == "q":
+            self.do_end()
+
+    def do_end(self) -> None:
+        """Close the windows, as a click on their crosses does; who does not listen is ended."""
+        windows = self.foreground.display.windows
+        if self._presses == 0:
+            for window in windows:
+                window.close_by_user()
+        self._insist()
+
+    def do_interrupt(self) -> None:
+        """Ctrl-C, which goes to the program and not to what lies over its window."""
+        if self.stage.overlay is not None:
+            self.stage.close_overlay()
+            return
+        if self._presses == 0:
+            self.foreground.program.interrupt()
+        self._insist()
+
+    def _insist(self) -> None:
+        self._presses += 1
+        if self._presses > 1:
+            self.foreground.program.terminate()
+        if self._presses > 2:
+            self.foreground.program.kill()
+
+    def do_help(self) -> None:
+        """Explain the window."""
+        if isinstance(self.stage.overlay, SingleHelp):
+            self.stage.close_overlay()
+        elif self.stage.shown is not None:
+            self.stage.open_overlay(SingleHelp(self.look, self.stage.shown))
+
+    def do_log(self) -> None:
+        """Show what the program has written."""
+        if isinstance(self.stage.overlay, LogOverlay):
+            self.stage.close_overlay()
+        else:
+            self.stage.open_overlay(LogOverlay(self.look, self.foreground.backlog.lines()))
+
+    def do_next(self) -> None:
+        """Bring the program's next window to the front."""
+        panes = list(self.stage.panes.values())
+        if self.stage.shown in panes and len(panes) > 1:
+            self.stage.show(panes[(panes.index(self.stage.shown) + 1) % len(panes)])
+
+    def do_suspend(self) -> None:
+        """Ctrl-Z: the shell gets its terminal back, and the program stands still, until `fg`."""
+        self.action_suspend_process()
+
+    def do_glyphs(self) -> None:
+        """The next set of characters."""
+        name = self.look.glyphs.name
+        self.look.glyphs = GLYPH_SETS[CANVASES[(CANVASES.index(name) + 1) % len(CANVASES)]]
+        self._restyle()
+
+    def do_language(self) -> None:
+        """中文 or English."""
+        if self.look.glyphs.chinese:
+            self.look.texts.switch()
+            self._restyle()
+
+    def _restyle(self) -> None:
+        for pane in self.screen.query(Pane):
+            pane.restyle()
+
+
+def show(foreground: Foreground) -> None:
+    """Draw the program's windows on this terminal until they are gone (`core.session.local.Show`)."""
+    keep_log_off_the_screen()
+    look = make_look(SimpleNamespace(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
+    WindowApp(foreground, look).run()

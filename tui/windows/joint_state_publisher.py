@@ -1,0 +1,376 @@
+"""The slider window of joint_state_publisher_gui: a slider per joint, for keys and the mouse, and exact numbers.
+
+The sliders and what a wish does are the program's (`SliderModel`); this only draws them and keeps what is chosen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from rich.segment import Segment
+from textual import events
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import cell_len, fit, wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+
+RANGE = 10_000
+"""Steps of a slider, as in the original."""
+
+VALUE_WIDTH = 9
+BUTTONS = (("randomize", "Randomize", "r"), ("center", "Center", "c"))
+"""What they wish for, their names in the original, their keys."""
+
+STEPS = {
+    "right": 100,
+    "left": -100,
+    "shift+right": 1,
+    "shift+left": -1,
+    "plus": 1,
+    "minus": -1,
+    "pagedown": -1000,
+    "pageup": 1000,
+}
+"""Keys that move the chosen slider, by how many of its 10000 steps."""
+
+Line = list[Segment]
+
+
+class SlidersPane(WindowPane):
+    """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self._chosen = ""
+        self._degrees = False
+        self._typed: str | None = None
+        """What was typed so far of a number for the chosen joint; None while none is."""
+        self._dragged = ""
+        self._tracks: dict[str, tuple[int, int]] = {}
+        """Column and width of every track that is shown."""
+        self._first, self._lines_each = 0, 1
+        self._version = -1
+        self._shown: list[Line] = []
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        if self.model.version != self._version or len(self._shown) != self.inner_height:
+            self._show()
+        return False
+
+    def _show(self) -> None:
+        self._version = self.model.version
+        before, self._shown = self._shown, self._build(self.inner_width, self.inner_height)
+        if len(before) != len(self._shown):
+            super().touch()
+        else:
+            self.touch_lines(y for y, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new)
+            self.touch_frame()
+
+    def touch(self) -> None:
+        self._shown = []
+        super().touch()
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._shown = []
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if len(self._shown) != self.inner_height:
+            self._shown = self._build(width, self.inner_height)
+        return self._shown[y] if y < len(self._shown) else ()
+
+    # -- the sliders ---------------------------------------------------------------------------------------------------
+
+    def _index(self) -> int:
+        return next((i for i, slider in enumerate(self.model.sliders) if slider.name == self._chosen), 0)
+
+    def _slider(self) -> Any | None:
+        sliders = self.model.sliders
+        return sliders[self._index()] if sliders else None
+
+    def _in_degrees(self, slider: Any) -> bool:
+        return self._degrees and slider.turns
+
+    def _text(self, slider: Any, value: float, digits: int) -> str:
+        return f"{math.degrees(value) if self._in_degrees(slider) else value:.{digits}f}"
+
+    def _unit(self, slider: Any) -> str:
+        if not slider.turns:
+            return "m"
+        if not self._degrees:
+            return "rad"
+        return "°" if self.look.glyphs.unicode else "deg"
+
+    # -- building ------------------------------------------------------------------------------------------------------
+
+    def _build(self, width: int, height: int) -> list[Line]:
+        lines = [self._buttons(width)]
+        below = self._said(width)
+        room = max(1, height - 1 - len(below))
+        lines += self._list(width, room)
+        lines += [[]] * (height - len(lines) - len(below))
+        return (lines + below)[: max(height, 0)]
+
+    def _buttons(self, width: int) -> Line:
+        colours = self.look.colours
+        self._hits.pop(1, None)
+        segments: Line = [Segment(" ", self.background)]
+        column = 1
+        for wish, name, key in BUTTONS:
+            text = f" {name} "
+            segments += [Segment(text, colours.key), Segment(f" {key}   ", colours.muted)]
+            self.add_hit(
+                1,
+                column + self.inner_offset,
+                column + self.inner_offset + len(text),
+                lambda wish=wish: self._wish(wish),
+            )
+            column += len(text) + 5
+        return segments
+
+    def _list(self, width: int, room: int) -> list[Line]:
+        sliders = self.model.sliders
+        if not sliders:
+            key = "sliders.none" if self.model.described else "sliders.waiting"
+            return [[Segment(" " + text, self.look.colours.muted)] for text in wrap(self.look.texts(key), width - 2)]
+        tall = self._tall(width, room)
+        fitting = max(1, room // tall)
+        first = max(0, min(self._index() - fitting // 2, len(sliders) - fitting))
+        self._first, self._lines_each = first, tall
+        lines: list[Line] = []
+        for slider in sliders[first : first + fitting]:
+            lines += self._two_lines(slider, width) if tall >= 2 else [self._one_line(slider, width)]
+            lines += [[]] * (tall - 2)
+        return lines[:room]
+
+    def _tall(self, width: int, room: int) -> int:
+        """Lines for each slider: two where a line is too short for name, track and number, three if there is plenty."""
+        if width < 58:
+            return 2
+        return 3 if room >= 3 * len(self.model.sliders) else 1
+
+    def _one_line(self, slider: Any, width: int) -> Line:
+        names = max(cell_len(other.name) for other in self.model.sliders)
+        name_width = max(8, min(names, width // 3))
+        head = self._head(slider, name_width)
+        track_width = width - name_width - VALUE_WIDTH - 8
+        return [*head, *self._track(slider, name_width + 3, track_width), *self._value(slider)]
+
+    def _two_lines(self, slider: Any, width: int) -> list[Line]:
+        name_width = max(4, width - VALUE_WIDTH - 9)
+        head = [*self._head(slider, name_width), *self._value(slider)]
+        return [head, [Segment("   ", self.background), *self._track(slider, 3, width - 5)]]
+
+    def _head(self, slider: Any, width: int) -> Line:
+        colours, chosen = self.look.colours, slider is self._slider()
+        mark = self.look.glyphs.marker if chosen else " "
+        style = colours.choice if chosen and self.has_focus else colours.strong if chosen else colours.node
+        return [
+            Segment(f" {mark}", colours.accent),
+            Segment(fit(slider.name, width, self.look.glyphs.ellipsis), style),
+            Segment(" ", self.background),
+        ]
+
+    def _value(self, slider: Any) -> Line:
+        colours = self.look.colours
+        if self._typed is not None and slider is self._slider():
+            text, style = f"{self._typed}_", colours.choice
+        else:
+            text, style = self._text(slider, slider.value, 1 if self._in_degrees(slider) else 3), colours.strong
+        return [
+            Segment(f" {text:>{VALUE_WIDTH - 1}}", style),
+            Segment(f" {self._unit(slider):<4}", colours.muted),
+        ]
+
+    def _track(self, slider: Any, column: int, width: int) -> Line:
+        """The two limits and between them the track with its knob; remembers where it is for the mouse."""
+        colours = self.look.colours
+        low, high = (self._text(slider, limit, 0 if self._degrees else 2) for limit in (slider.minimum, slider.maximum))
+        limits = width >= 30
+        if limits:
+            low, high = f"{low:>7} ", f" {high:<7}"
+            width -= len(low) + len(high)
+            column += len(low)
+        width = max(width, 3)
+        self._tracks[slider.name] = (column, width)
+        knob = _knob(slider.step, width)
+        plain = not self.look.glyphs.unicode
+        bar, dot = ("-", "O") if plain else ("─", "●" if self.look.glyphs.canvas != "cell" else "■")
+        zero = _knob(_step_of(slider, 0.0), width) if slider.minimum < 0 < slider.maximum else -1
+        cells = [("|" if plain else "┼") if x == zero else bar for x in range(width)]
+        style = colours.publisher if slider is self._slider() else colours.text
+        return [
+            *([Segment(low, colours.muted)] if limits else ()),
+            Segment("".join(cells[:knob]), colours.muted),
+            Segment(dot, style),
+            Segment("".join(cells[knob + 1 :]), colours.muted),
+            *([Segment(high, colours.muted)] if limits else ()),
+        ]
+
+    def _said(self, width: int) -> list[Line]:
+        """Who else publishes, if anybody does: the reason why a robot jitters."""
+        others = self.model.others
+        if not others:
+            return []
+        text = self.look.texts("sliders.conflict", nodes=", ".join(others))
+        mark = f"{self.look.glyphs.warning} "
+        style = self.look.colours.warning
+        return [[Segment(f" {mark if not y else '  '}{line}", style)] for y, line in enumerate(wrap(text, width - 4))]
+
+    def status(self) -> list[Piece]:
+        sliders = self.model.sliders
+        if not sliders:
+            return []
+        return [Piece(f" {self._index() + 1}/{len(sliders)} ", self.look.colours.muted)]
+
+    def status_right(self) -> list[Piece]:
+        if not any(slider.turns for slider in self.model.sliders):
+            return []
+        return [Piece(f" {self.look.texts('sliders.degrees')} d ", self.look.colours.muted, self._toggle_degrees)]
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        arrows = "← →" if self.look.glyphs.unicode else "<- ->"
+        if self._typed is not None:
+            return [("Enter", texts("sliders.accept")), ("Esc", texts("sliders.cancel"))]
+        return [
+            (arrows, texts("sliders.move")),
+            ("Enter", texts("sliders.value")),
+            ("z", texts("sliders.zero")),
+            ("r", "Randomize"),
+            ("c", "Center"),
+        ]
+
+    def on_key(self, event: events.Key) -> None:
+        if self._press(event.key, event.character or ""):
+            event.stop()
+            event.prevent_default()
+            self._show()
+            self.look.wake()
+
+    def _press(self, key: str, character: str) -> bool:
+        slider = self._slider()
+        if slider is None:
+            return False
+        if self._typed is not None:
+            return self._type(key, character, slider)
+        if key in STEPS:
+            self._wish("step", slider.name, slider.step + STEPS[key])
+        elif key in ("home", "end"):
+            self._wish("value", slider.name, slider.minimum if key == "home" else slider.maximum)
+        elif key in ("up", "down"):
+            self._choose(self._index() + (1 if key == "down" else -1))
+        elif character == "z":
+            self._wish("zero", slider.name)
+        elif character == "d":
+            self._toggle_degrees()
+        elif character in ("r", "c"):
+            self._wish("randomize" if character == "r" else "center")
+        elif key == "enter" or (character and character in "0123456789."):
+            self._typed = "" if key == "enter" else character
+        else:
+            return False
+        return True
+
+    def _type(self, key: str, character: str, slider: Any) -> bool:
+        typed = self._typed or ""
+        if key == "escape":
+            self._typed = None
+        elif key == "enter":
+            self._typed = None
+            number = _number(typed)
+            if number is not None:
+                self._wish("value", slider.name, math.radians(number) if self._in_degrees(slider) else number)
+        elif key == "backspace":
+            self._typed = typed[:-1]
+        elif character and character in "0123456789.-+eE" and len(typed) < VALUE_WIDTH - 2:
+            self._typed = typed + character
+        elif key in ("up", "down"):
+            self._typed = None
+            self._choose(self._index() + (1 if key == "down" else -1))
+        return True
+
+    def _choose(self, index: int) -> None:
+        sliders = self.model.sliders
+        if sliders:
+            self._chosen = sliders[max(0, min(len(sliders) - 1, index))].name
+
+    def _toggle_degrees(self) -> None:
+        self._degrees = not self._degrees
+        self.touch()
+        self.look.wake()
+
+    def _wish(self, kind: str, joint: str = "", number: float = 0.0) -> None:
+        self.model.wish(kind, joint, number)
+
+    # -- the mouse -----------------------------------------------------------------------------------------------------
+
+    def _at(self, y: int) -> Any | None:
+        """The slider in this line of the pane."""
+        line = y - self.inner_offset - 1
+        index = self._first + line // self._lines_each
+        return self.model.sliders[index] if line >= 0 and index < len(self.model.sliders) else None
+
+    def _drag_to(self, x: int) -> None:
+        column, width = self._tracks.get(self._dragged, (0, 2))
+        share = (x - self.inner_offset - column) / max(width - 1, 1)
+        self._wish("step", self._dragged, round(min(max(share, 0.0), 1.0) * RANGE))
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        slider = self._at(event.y)
+        if event.button != 1 or slider is None:
+            return
+        self._typed = None
+        self._chosen = slider.name
+        column, width = self._tracks.get(slider.name, (0, 0))
+        if column - 1 <= event.x - self.inner_offset <= column + width:
+            self._dragged = slider.name
+            self.capture_mouse()
+            self._drag_to(event.x)
+        self._show()
+        self.look.wake()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        if self._dragged:
+            self._drag_to(event.x)
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        if self._dragged:
+            self._dragged = ""
+            self.release_mouse()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._choose(self._index() + 1)
+        self._show()
+        self.look.wake()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._choose(self._index() - 1)
+        self._show()
+        self.look.wake()
+
+
+def _knob(step: int, width: int) -> int:
+    return min(max(round(step * (width - 1) / RANGE), 0), width - 1)
+
+
+def _step_of(slider: Any, value: float) -> int:
+    return int((value - slider.minimum) * RANGE / (slider.maximum - slider.minimum))
+
+
+def _number(text: str) -> float | None:
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

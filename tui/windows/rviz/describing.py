@@ -1,0 +1,99 @@
+"""What can be seen, in words: for people who cannot see it well, and for those who do not know what they are looking at."""
+
+from __future__ import annotations
+
+import colorsys
+import math
+
+from day6_tui.core.ros.programs.rviz2.model.displays.robot_model import RobotModelDisplay
+from day6_tui.core.ros.programs.rviz2.model.manager import RViz
+from day6_tui.core.ros.programs.rviz2.model.properties import number_text
+from day6_tui.tui.locale import Texts
+from day6_tui.urdf.kinematics import compose, inverse
+from day6_tui.urdf.model import Joint
+
+HUES = ((15, "red"), (40, "orange"), (70, "yellow"), (165, "green"), (200, "cyan"), (260, "blue"), (330, "purple"))
+
+MOST_LINKS = 6
+"""A robot of more links is told by the number of the rest."""
+
+
+def colour_word(colour: tuple[float, ...], texts: Texts) -> str:
+    """The name of a colour."""
+    hue, lightness, saturation = colorsys.rgb_to_hls(*(max(0.0, min(1.0, part)) for part in colour[:3]))
+    if saturation < 0.18 or lightness < 0.08 or lightness > 0.95:
+        key = "black" if lightness < 0.12 else "dark" if lightness < 0.35 else "grey" if lightness < 0.85 else "white"
+    else:
+        key = next((name for limit, name in HUES if hue * 360 < limit), "red")
+    return texts(f"rviz.colour.{key}")
+
+
+def described(rviz: RViz, texts: Texts) -> str:
+    """One sentence for each enabled display, joined."""
+    said: list[str] = []
+    for display in rviz.displays:
+        if not display.enabled:
+            continue
+        if isinstance(display, RobotModelDisplay):
+            said += _robot(display, texts)
+        elif display.type == "Grid":
+            cells = display.child("Plane Cell Count").text
+            size = display.child("Cell Size").text
+            said.append(texts("rviz.seen.grid", cells=cells, size=size))
+        elif display.type == "TF":
+            count = len(getattr(display, "frames", {}))
+            said.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
+        elif display.type == "Axes":
+            said.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
+        else:
+            said.append(texts("rviz.seen.messages", name=display.name, count=getattr(display, "received", 0)))
+    separator = texts("rviz.seen.separator")
+    return separator.join(said) if said else texts("rviz.seen.nothing")
+
+
+def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
+    robot = display.parts.robot
+    if robot is None:
+        return [texts("rviz.seen.no_robot")]
+    joints = {joint.child: joint for joint in robot.joints}
+    said: list[str] = []
+    shown = [name for name, parts in display.parts.links.items() if parts.visual and display.links.enabled(name)]
+    for name in shown[:MOST_LINKS]:
+        part = display.parts.links[name].visual[0]
+        size = _size(part.kind, part.size)
+        text = texts(
+            "rviz.seen.link",
+            colour=colour_word((1.0, 1.0, 1.0) if name in display.lost else part.colour, texts),
+            kind=texts(f"rviz.kind.{part.kind}"),
+            name=name,
+            size=size,
+        )
+        if name in display.lost:
+            text += texts("rviz.seen.lost")
+        elif name in joints and (turned := _turned(display, joints[name])) is not None:
+            text += texts("rviz.seen.turned", degrees=turned)
+        said.append(text)
+    if len(shown) > MOST_LINKS:
+        said.append(texts("rviz.seen.more", count=len(shown) - MOST_LINKS))
+    return [texts("rviz.seen.robot", name=robot.name, parts=texts("rviz.seen.comma").join(said))]
+
+
+def _size(kind: str, size: tuple[float, float, float]) -> str:
+    if kind == "box":
+        return "×".join(number_text(each) for each in size) + " m"
+    if kind == "cylinder":
+        return f"⌀{number_text(size[0])}×{number_text(size[2])} m"
+    if kind == "sphere":
+        return f"⌀{number_text(size[0])} m"
+    return ""
+
+
+def _turned(display: RobotModelDisplay, joint: Joint) -> int | None:
+    """Whole degrees by which a turning joint stands off its zero, from the poses that are drawn."""
+    if joint.type not in ("continuous", "revolute"):
+        return None
+    parent, child = display.pose(joint.parent), display.pose(joint.child)
+    relative = compose(inverse(joint.origin), compose(inverse(parent), child)).rotation
+    length = math.sqrt(sum(part * part for part in joint.axis)) or 1.0
+    along = sum(a * b for a, b in zip(relative, joint.axis, strict=False)) / length
+    return round(math.degrees(2 * math.atan2(along, relative[3]))) % 360

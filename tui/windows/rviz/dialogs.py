@@ -1,0 +1,197 @@
+"""What opens over the RViz window: choosing a value, typing one, adding a display, files."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_config
+from day6_tui.core.ros.programs.rviz2.model.display import Display
+from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
+from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.tui.menu import Entry, Menu
+from day6_tui.tui.prompt import Prompt
+from day6_tui.urdf.model import Vector
+
+if TYPE_CHECKING:
+    from day6_tui.tui.windows.rviz2 import RVizPane
+
+
+def edit(pane: RVizPane, prop: Property) -> None:
+    """Choose or type a value."""
+    options = list(prop.options) if prop.kind in (ENUM, FRAME, TOPIC) else []
+    if options:
+        _choose(pane, prop, options)
+    else:
+        type_value(pane, prop)
+
+
+def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
+    texts = pane.look.texts
+    entries = [Entry(option, "", partial(pane.set, prop, option)) for option in options]
+    if prop.kind in (FRAME, TOPIC):
+        entries.append(Entry(texts("rviz.type_it"), "", partial(type_value, pane, prop)))
+    chosen = options.index(prop.value) if prop.value in options else 0
+    pane.open_overlay(Menu(pane.look, "rviz.choose", entries, chosen=chosen))
+
+
+def type_value(pane: RVizPane, prop: Property) -> None:
+    """Type a value; a wrong one is explained and the line stays open."""
+
+    def taken(text: str) -> str | None:
+        try:
+            pane.rviz.edit_text(prop, text)
+        except BadValue as error:
+            return pane.look.texts(error.key, **error.parameters)
+        pane.rviz.message = None
+        pane.look.wake()
+        return None
+
+    pane.open_overlay(Prompt(pane.look, prop.name, prop.text, taken))
+
+
+def add(pane: RVizPane) -> None:
+    """The Add dialog: every display type, then every topic with the types that show it."""
+    rviz, texts = pane.rviz, pane.look.texts
+
+    def add_it(type_name: str, topic: str = "") -> None:
+        def work() -> None:
+            display = rviz.add_display(type_name, topic)
+            pane.app.call_later(pane.choose, display)
+
+        pane.request(work)
+
+    by_topic = texts("rviz.add.by_topic")
+    entries = [
+        Entry(name, texts(f"rviz.type.{name}"), partial(add_it, name), words=texts("rviz.add.by_type"))
+        for name in TYPES
+    ]
+    for topic, types in rviz.topics():
+        for message_type in types:
+            for name in rviz.displays_for(message_type):
+                entries.append(Entry(topic, f"{name}  {by_topic}", partial(add_it, name, topic)))
+    pane.open_overlay(Menu(pane.look, "rviz.add.title", entries))
+
+
+def rename(pane: RVizPane, display: Display) -> None:
+    """Give a display another name."""
+
+    def taken(text: str) -> str | None:
+        if not text.strip():
+            return pane.look.texts("rviz.bad.name")
+        pane.request(partial(pane.rviz.rename_display, display, text.strip()))
+        return None
+
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.rename"), display.name, taken))
+
+
+# -- files -------------------------------------------------------------------------------------------------------------
+
+
+def save(pane: RVizPane) -> None:
+    """Save the configuration where it came from; the first time it becomes the user's default, as in RViz."""
+    path = pane.rviz.config_file or pane.rviz.default_file
+    if path is None:
+        save_as(pane)
+    elif problem := _write(pane, path):
+        pane.say(problem, 6.0)
+
+
+def save_as(pane: RVizPane) -> None:
+    """Save under a name."""
+
+    def taken(text: str) -> str | None:
+        name = text.strip()
+        if not name:
+            return pane.look.texts("rviz.bad.name")
+        return _write(pane, pane.rviz.path(name if name.endswith(".rviz") else f"{name}.rviz"))
+
+    old = str(pane.rviz.config_file or "robot.rviz")
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, taken))
+
+
+def _write(pane: RVizPane, path: Path) -> str | None:
+    rviz, texts = pane.rviz, pane.look.texts
+    try:
+        rviz.write_file(path, write_config(rviz.save()))
+    except OSError as error:
+        return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
+    rviz.config_file, rviz.modified = path, False
+    pane.say(texts("rviz.saved", file=str(path)))
+    return None
+
+
+def load(pane: RVizPane) -> None:
+    """Load a configuration."""
+
+    def taken(text: str) -> str | None:
+        path = pane.rviz.path(text.strip())
+        try:
+            content = path.read_text(encoding="utf-8", errors="replace")
+            read = pane.rviz.check_text(content)
+        except (OSError, ConfigError) as error:
+            reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+            return pane.look.texts("rviz.not_loaded", file=path.name, reason=reason)
+        pane.request(partial(pane.rviz.load_config, read, path))
+        return None
+
+    old = str(pane.rviz.config_file or "")
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.load"), old, taken, note=_near(pane)))
+
+
+def _near(pane: RVizPane) -> str:
+    """The .rviz files at hand."""
+    try:
+        names = sorted(each.name for each in pane.rviz.path(".").glob("*.rviz"))
+    except OSError:
+        names = []
+    return ", ".join(names[:5])
+
+
+def screenshot(pane: RVizPane) -> None:
+    """Save the view as a picture; the ending says which kind."""
+
+    def taken(text: str) -> str | None:
+        from day6_tui.tui.render.image_file import png, svg
+
+        texts, path = pane.look.texts, pane.rviz.path(text.strip())
+        if path.suffix not in (".png", ".svg"):
+            return texts("rviz.bad.picture")
+        try:
+            if path.suffix == ".png":
+                path.write_bytes(png(pane.view.snapshot()))
+            else:
+                path.write_text(svg(pane.view.snapshot(240)), encoding="utf-8")
+        except OSError as error:
+            return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
+        pane.say(texts("rviz.saved", file=str(path)))
+        return None
+
+    note = pane.look.texts("rviz.picture_note")
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", taken, note=note))
+
+
+def extent(scene: Scene) -> tuple[Vector, float] | None:
+    """Centre and radius of what there is to look at: the robot's links if there are any, else all solids and points."""
+    shapes = [shape for shape in scene.shapes if shape.name] or ([] if scene.triangles else scene.shapes)
+    low, high = [math.inf] * 3, [-math.inf] * 3
+
+    def take(centre: Vector, radius: float) -> None:
+        for axis in range(3):
+            low[axis] = min(low[axis], centre[axis] - radius)
+            high[axis] = max(high[axis], centre[axis] + radius)
+
+    for shape in shapes:
+        take(shape.pose.xyz, math.dist((0, 0, 0), shape.size) / 2)
+    for mesh in scene.triangles:
+        corners = (
+            (abs(mesh.vertices).max(axis=0) * [abs(part) for part in mesh.scale]) if len(mesh.vertices) else (0, 0, 0)
+        )
+        take(mesh.pose.xyz, float(math.dist((0, 0, 0), tuple(corners))))
+    if not all(map(math.isfinite, (*low, *high))):
+        return None
+    centre = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
+    return centre, max(1e-3, math.dist(low, high) / 2)

@@ -1,0 +1,268 @@
+"""The world's window: `WorldModel`'s snapshots from above, below them what is wrong. The world itself is the program's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from rich.segment import Segment
+from textual import events
+
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import clip, wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.world_picture import Rows, View, WorldPicture, fitting, look_of, segments
+
+FRAME_SECONDS = 0.05
+"""Twenty pictures a second."""
+
+ZOOM = 1.25
+CLOSEST, FARTHEST = 0.002, 0.5
+"""Metres for one pixel."""
+
+MOST_STATUS_LINES = 5
+EDGE = 0.12
+"""Share of the picture: a robot that comes nearer to the edge makes the view move on."""
+
+_LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
+_WISHES = {"space": "pause", "n": "step", "right_square_bracket": "faster", "left_square_bracket": "slower"}
+_PANS = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
+
+
+class WorldPane(WindowPane):
+    """Draws the newest snapshot in its view; keeps the view and what is switched on."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self._snapshot: Any = None
+        self._view: View | None = None
+        self._picture: WorldPicture | None = None
+        self._rows: Rows = []
+        self._said: list[tuple[str, str]] = []
+        self._drawn_at = 0.0
+        self._follow = False
+        self._head: tuple[str, ...] = ()
+        self._table: list[int] = []
+        self._heading = -1
+        self._drag: tuple[int, int] | None = None
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        snapshot = self.model.snapshot()
+        if not self.inner_width or snapshot.scenery is None or (snapshot is self._snapshot and self._rows):
+            return False
+        if self._rows and now - self._drawn_at < FRAME_SECONDS:
+            return True
+        self._drawn_at = now
+        before, spoken, heading = self._rows, self._said, self._heading
+        self._take_over(snapshot)
+        if spoken != self._said or len(before) != len(self._rows):
+            self.touch()
+            return False
+        per_line = 2 if self._mode() == "half" else 1
+        changed = {y // per_line for y, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new}
+        if per_line == 1 and heading != self._heading:
+            changed = set(range(len(self._rows)))
+        self.touch_lines(sorted(changed))
+        self._touch_head()
+        return False
+
+    def _touch_head(self) -> None:
+        head = tuple(piece.text for piece in (*self.status(), *self.status_right()))
+        if head != self._head:
+            self._head = head
+            self.touch_frame()
+
+    def _mode(self) -> str:
+        mode = self.look.glyphs.canvas
+        if self.look.colours.colourless or mode == "ascii":
+            return "ascii"
+        return "cell" if mode == "cell" else "half"
+
+    def _take_over(self, snapshot: Any) -> None:
+        self._snapshot = snapshot
+        self._said = self._say(snapshot.status)
+        rows = max(1, self.inner_height - len(self._said))
+        view = self._next_view(snapshot, self.inner_width, rows)
+        if self._picture is None or self._picture.view != view:
+            self._picture = WorldPicture(view, snapshot.scenery)
+            self._view = view
+        self._table = self._table or look_of(self.look.colours)
+        self._heading = round(snapshot.pose[2] / (math.pi / 4)) % 8
+        self._rows = self._picture.frame(snapshot, self.model.trail)
+
+    def _next_view(self, snapshot: Any, columns: int, rows: int) -> View:
+        """The view as it was, in the size of the window; it moves along when the robot would leave it."""
+        view = self._view
+        if view is None:
+            return fitting(snapshot.scenery, columns, rows, self._mode())
+        if (view.columns, view.rows, view.mode) != (columns, rows, self._mode()):
+            whole = fitting(snapshot.scenery, columns, rows, self._mode())
+            view = replace(view, columns=columns, rows=rows, mode=self._mode()) if self._zoomed else whole
+        x, y, _ = snapshot.pose
+        if snapshot.robot is not None and (self._follow or not view.holds(x, y, 0.0)):
+            # Whole pixels, so that a still world does not shimmer under the moving view.
+            sx, sy = view.scale, view.scale_y
+            if self._follow and view.holds(x, y, 0.35):
+                return view
+            view = replace(view, x=round(x / sx) * sx, y=round(y / sy) * sy)
+        return view
+
+    _zoomed = False
+
+    def _say(self, status: Any) -> list[tuple[str, str]]:
+        """Levels and lines of what is wrong, the first ones whole."""
+        said: list[tuple[str, str]] = []
+        most = max(MOST_STATUS_LINES, self.inner_height // 3)
+        for line in status:
+            mark = "" if line.level == "info" else f"{self.look.glyphs.warning} "
+            words = wrap(self.look.texts(line.id, **dict(line.parameters)), self.inner_width - 2 - len(mark))
+            if said and len(said) + len(words) > most:
+                break
+            for text in words:
+                said.append((line.level, f" {mark}{text}"))
+                mark = " " * len(mark)
+        return said[: max(0, self.inner_height - 1)]
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._rows = []
+
+    def restyle(self) -> None:
+        self._rows, self._table = [], []
+        super().restyle()
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if not self._rows:
+            self._take_over(self.model.snapshot())
+        view, colours = self._view, self.look.colours
+        if view is None:
+            return []
+        if y < view.rows:
+            yaw = self._snapshot.pose[2]
+            return segments(self._rows, y, view, self._table, colours, yaw)
+        index = y - view.rows
+        if index < len(self._said):
+            level, text = self._said[index]
+            return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
+        return []
+
+    def status(self) -> list[Piece]:
+        snapshot = self._snapshot
+        if snapshot is None or snapshot.robot is None:
+            return []
+        x, y, yaw = snapshot.pose
+        # "-0.00" is no place.
+        x, y, speed = (round(value, 2) + 0.0 for value in (x, y, snapshot.velocity[0]))
+        texts, colours = self.look.texts, self.look.colours
+        degrees = round(math.degrees(yaw)) + 0
+        text = texts("world.pose", x=x, y=y, degrees=degrees, v=speed)
+        pieces = [Piece(f" {text if self.look.glyphs.unicode else text.replace('°', ' deg')} ", colours.text)]
+        if snapshot.line:
+            bars = self.look.glyphs.bars
+            shown = "".join(bars[round(value * (len(bars) - 1))] for value in snapshot.line)
+            pieces.append(Piece(f" {texts('world.line')} [{shown}] ", colours.topic))
+        return pieces
+
+    def status_right(self) -> list[Piece]:
+        snapshot, colours = self._snapshot, self.look.colours
+        if snapshot is None:
+            return []
+        rate = self.look.texts("bar.paused") if snapshot.paused else f"{snapshot.speed:g}x"
+        return [Piece(f" {snapshot.seconds:.1f} s  {rate} ", colours.node)]
+
+    # -- keys and mouse ------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [
+            ("+ -", texts("world.zoom")),
+            ("f", texts("world.follow")),
+            ("l", texts("world.lidar")),
+            ("Space", texts("action.pause")),
+            ("n", texts("world.step")),
+            ("r", texts("world.reset")),
+        ]
+
+    def on_key(self, event: events.Key) -> None:
+        if self._press(event.key, event.character or ""):
+            event.stop()
+            event.prevent_default()
+            self._rows = []
+            self.touch()
+            self.look.wake()
+
+    def _press(self, key: str, character: str) -> bool:
+        wish = _WISHES.get(key) or {"[": "slower", "]": "faster", "r": "reset", "t": "clear"}.get(character)
+        if wish is not None:
+            self.model.wish(wish)
+        elif key in _PANS:
+            self._pan(*(8 * step for step in _PANS[key]))
+        elif character in ("+", "="):
+            self._zoom(1 / ZOOM)
+        elif character in ("-", "_"):
+            self._zoom(ZOOM)
+        elif character == "0":
+            self._view, self._follow, self._zoomed = None, False, False
+        elif character == "f":
+            self._follow = not self._follow
+        elif character == "l":
+            self.model.wants_rays = not self.model.wants_rays
+        else:
+            return False
+        return True
+
+    def _zoom(self, factor: float) -> None:
+        """Nearer or farther, about the robot if there is one."""
+        view, snapshot = self._view, self._snapshot
+        if view is None:
+            return
+        scale = min(max(view.scale * factor, CLOSEST), FARTHEST)
+        x, y = snapshot.pose[:2] if snapshot.robot is not None else (view.x, view.y)
+        share = scale / view.scale
+        self._view = replace(view, x=x + (view.x - x) * share, y=y + (view.y - y) * share, scale=scale)
+        self._zoomed = True
+
+    def _pan(self, columns: int, lines: int) -> None:
+        view = self._view
+        if view is not None:
+            self._view = replace(view, x=view.x + columns * view.scale, y=view.y + lines * view.scale)
+            self._follow, self._zoomed = False, True
+
+    def _redraw(self) -> None:
+        self._rows = []
+        self.touch()
+        self.look.wake()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._zoom(1 / ZOOM)
+        self._redraw()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._zoom(ZOOM)
+        self._redraw()
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        if event.button == 1 and 0 < event.y < self.extent.height - 1:
+            self._drag = (event.x, event.y)
+            self.capture_mouse()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        if self._drag is not None and (event.x, event.y) != self._drag:
+            self._pan(self._drag[0] - event.x, 2 * (event.y - self._drag[1]))
+            self._drag = (event.x, event.y)
+            self._redraw()
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        if self._drag is not None:
+            self._drag = None
+            self.release_mouse()
