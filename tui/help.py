@@ -16,7 +16,7 @@ class HelpOverlay(TextOverlay):
     def __init__(self, look: Look, pane: Pane) -> None:
         super().__init__(look, "help.title", "help.keys")
         self._page = pane.help_key
-        self._hints = pane.key_hints()
+        self._hints = [*pane.key_hints(), *pane.more_key_hints()]
 
     def paragraphs(self) -> list[tuple[str, str]]:
         texts = self.look.texts

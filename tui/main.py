@@ -22,6 +22,7 @@ commands:
   rqt_graph, rqt_topic ...    a program with a window; takes this terminal
   check_urdf FILE             check a robot description
   urdf_to_graphviz FILE       draw a robot description
+  xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
   colcon ...                  build a workspace
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
   shell                       a real sub-shell in which ros2, colcon and python3 are these
@@ -178,6 +179,13 @@ def _urdf_tool(name: str, words: list[str]) -> int:
     return run_local(load("urdfdom", name), [name, *words], one_shot=True)
 
 
+def _xacro(words: list[str]) -> int:
+    from day6_tui.core.ros.programs import load
+    from day6_tui.core.session.local import run_local
+
+    return run_local(load("xacro", "xacro"), ["xacro", *words], one_shot=True)
+
+
 def _shell(words: list[str]) -> int:
     from day6_tui.core.shell.subshell import main as subshell
 
@@ -198,6 +206,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "export": _export,
     "check_urdf": partial(_urdf_tool, "check_urdf"),
     "urdf_to_graphviz": partial(_urdf_tool, "urdf_to_graphviz"),
+    "xacro": _xacro,
     "shell": _shell,
     "env": _env,
 }

@@ -78,6 +78,10 @@ class Pane(Widget, can_focus=True):
         """Keys of this pane for the key bar while it is focused: (key, what it does)."""
         return []
 
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        """Keys that only the help page names."""
+        return []
+
     @property
     def background(self) -> Style:
         """The style of empty cells inside."""

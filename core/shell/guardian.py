@@ -58,9 +58,11 @@ def new_mark() -> str:
 
 def end_marked(mark: str) -> None:
     """End what a program left running outside its group (Linux only)."""
+    if sys.platform == "win32":
+        return
     for pid in _marked(mark):
         try:
-            os.kill(pid, signal.SIGKILL if sys.platform != "win32" else signal.SIGTERM)
+            os.kill(pid, signal.SIGKILL)
         except (ProcessLookupError, PermissionError):
             continue
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from functools import cache
 
 VARIABLE = "DAY6_MEMORY_LIMIT"
@@ -25,7 +26,7 @@ def memory_limit() -> int:
 @cache
 def _machine_memory() -> int:
     """The bytes of memory there are, or that our container may use; 0 if nobody says."""
-    if os.name != "posix":
+    if sys.platform == "win32":
         return 0
     try:
         found = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")

@@ -9,7 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-COMMANDS = ("ros2", "colcon", "check_urdf", "urdf_to_graphviz", "rqt_graph")
+COMMANDS = ("ros2", "colcon", "check_urdf", "urdf_to_graphviz", "xacro", "rqt_graph")
 """Commands of ours that get a small script of their own."""
 
 

@@ -160,7 +160,7 @@ def _add_cmake(parser: argparse.ArgumentParser) -> None:
         nargs="*",
         metavar="*",
         type=str.lstrip,
-        help='Pass arguments to CMake projects. Arguments matching other options must be prefixed by a space,\n'
+        help="Pass arguments to CMake projects. Arguments matching other options must be prefixed by a space,\n"
         'e.g. --cmake-args " --help" (stdout might not be shown by default, e.g. add `--event-handlers console_cohesion+`)',
     )
     group.add_argument("--cmake-target", help="Build a specific target instead of the default target")
@@ -202,13 +202,19 @@ def _add_test(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="Abort after the first package with any errors (failing tests are not considered errors in this context)",
     )
-    add("--return-code-on-test-failure", action="store_true", help="Use a non-zero return code to indicate any test failure")
+    add(
+        "--return-code-on-test-failure",
+        action="store_true",
+        help="Use a non-zero return code to indicate any test failure",
+    )
     _add_executor(parser)
     _add_event_handlers(parser)
     _add_discovery(parser)
     _add_selection(parser)
     group = parser.add_argument_group("Arguments for 'python' packages")
-    group.add_argument("--python-testing", choices=("pytest", "setuppy_test"), help="The Python testing framework to use")
+    group.add_argument(
+        "--python-testing", choices=("pytest", "setuppy_test"), help="The Python testing framework to use"
+    )
     group.add_argument(
         "--pytest-args",
         nargs="*",
@@ -320,38 +326,63 @@ def _add_list(parser: argparse.ArgumentParser) -> None:
     _add_discovery(parser)
     _add_selection(parser)
     parser.add_argument(
-        "--topological-order", "-t", action="store_true", help="Order output based on topological ordering (breadth-first)"
+        "--topological-order",
+        "-t",
+        action="store_true",
+        help="Order output based on topological ordering (breadth-first)",
     )
     group = parser.add_mutually_exclusive_group()
-    group.add_argument("--names-only", "-n", action="store_true", help="Output only the name of each package but not the path")
-    group.add_argument("--paths-only", "-p", action="store_true", help="Output only the path of each package but not the name")
+    group.add_argument(
+        "--names-only", "-n", action="store_true", help="Output only the name of each package but not the path"
+    )
+    group.add_argument(
+        "--paths-only", "-p", action="store_true", help="Output only the path of each package but not the name"
+    )
     group.add_argument("--topological-graph", "-g", action="store_true", help=argparse.SUPPRESS)
     group.add_argument("--topological-graph-dot", action="store_true", help=argparse.SUPPRESS)
 
 
 def _add_info(parser: argparse.ArgumentParser) -> None:
     _add_discovery(parser)
-    parser.add_argument("package_names", nargs="*", metavar="PKG_NAME", help="Only show the information of a subset of packages")
+    parser.add_argument(
+        "package_names", nargs="*", metavar="PKG_NAME", help="Only show the information of a subset of packages"
+    )
     _add_selection(parser)
 
 
 def _add_graph(parser: argparse.ArgumentParser) -> None:
     _add_discovery(parser)
     _add_selection(parser)
-    parser.add_argument("--density", action="store_true", help="Output density for dependency graph (only available without --dot)")
+    parser.add_argument(
+        "--density", action="store_true", help="Output density for dependency graph (only available without --dot)"
+    )
     parser.add_argument("--legend", action="store_true", help="Output legend for dependency graph")
-    parser.add_argument("--dot", action="store_true", help="Output topological graph in DOT (a graph description language)")
-    parser.add_argument("--dot-cluster", action="store_true", help="Cluster packages by their filesystem path (only affects --dot)")
-    parser.add_argument("--dot-include-skipped", action="store_true", help="Also output skipped packages (only affects --dot)")
+    parser.add_argument(
+        "--dot", action="store_true", help="Output topological graph in DOT (a graph description language)"
+    )
+    parser.add_argument(
+        "--dot-cluster", action="store_true", help="Cluster packages by their filesystem path (only affects --dot)"
+    )
+    parser.add_argument(
+        "--dot-include-skipped", action="store_true", help="Also output skipped packages (only affects --dot)"
+    )
 
 
 def _add_test_result(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--test-result-base", default="build", help="The base path for all test results (default: build)")
-    parser.add_argument("--all", action="store_true", help="Show all test result files (even without errors / failures)")
+    parser.add_argument(
+        "--test-result-base", default="build", help="The base path for all test results (default: build)"
+    )
+    parser.add_argument(
+        "--all", action="store_true", help="Show all test result files (even without errors / failures)"
+    )
     parser.add_argument("--result-files-only", action="store_true", help="Print only the paths of the result files")
     parser.add_argument("--verbose", action="store_true", help="Show additional information for errors / failures")
-    parser.add_argument("--delete", action="store_true", help="Delete all result files. An interactive prompt will ask for confirmation")
-    parser.add_argument("--delete-yes", action="store_true", help="Same as --delete without an interactive confirmation")
+    parser.add_argument(
+        "--delete", action="store_true", help="Delete all result files. An interactive prompt will ask for confirmation"
+    )
+    parser.add_argument(
+        "--delete-yes", action="store_true", help="Same as --delete without an interactive confirmation"
+    )
 
 
 _ARGUMENTS = {

@@ -27,7 +27,3 @@ _TASKS: dict[str, Task] = {
 def find_task(package: Package) -> Task | None:
     """Return what builds a package, None where its build type is unknown."""
     return _TASKS.get(package.type)
-
-
-def build_tasks(settings: Settings) -> Callable[[Package], Task | None]:
-    return find_task

@@ -113,7 +113,11 @@ class _PythonBuild:
             source_package(str(self.settings.prefix(name)), name, source)
         env = dict(source.variables)
         env.pop("PYTHONDONTWRITEBYTECODE", None)  # what is installed is compiled, which also finds its syntax errors
-        entries = [str(self.folder / "prefix_override"), str(self.library), *env.get("PYTHONPATH", "").split(os.pathsep)]
+        entries = [
+            str(self.folder / "prefix_override"),
+            str(self.library),
+            *env.get("PYTHONPATH", "").split(os.pathsep),
+        ]
         env["PYTHONPATH"] = os.pathsep.join(entry for entry in entries if entry)
         env.update(COLCON="1", PYTHONUTF8="1", PYTHONUNBUFFERED="1")
         return env

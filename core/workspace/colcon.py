@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from day6_tui.core.workspace import reports
-from day6_tui.core.workspace.build import BUILD_TOOL, build_tasks, find_task
+from day6_tui.core.workspace.build import BUILD_TOOL, find_task
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Events
 from day6_tui.core.workspace.files import write_text
 from day6_tui.core.workspace.handlers import chosen_handlers
@@ -41,6 +41,8 @@ class Colcon:
         self.environment = environment
         base = args.log_base or environment.get("COLCON_LOG_PATH") or "log"
         self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name)
+        self.selected: list[str] = []
+        """The packages of a build."""
         self._executor: Executor | None = None
         self._interrupted = False
         self._lock = threading.Lock()
@@ -75,9 +77,7 @@ class Colcon:
     def planned(self) -> list[Planned]:
         """Find, order and select the packages."""
         packages = without_ignored(
-            find_packages(
-                self.args.base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()
-            ),
+            find_packages(self.args.base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()),
             self.args,
         )
         planned = plan(packages)
@@ -98,7 +98,8 @@ class Colcon:
         planned = self.planned()
         check_unique(planned)
         settings.needs = {each.package.name: each.needs for each in planned}
-        jobs = self._jobs(planned, "build", settings, build_tasks(settings))
+        jobs = self._jobs(planned, "build", settings, find_task)
+        self.selected = [each.package.name for each in planned if each.selected]
         outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
         write_workspace_scripts(settings.install_base, chained)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from day6_tui.core.session.scheduler import Signal, TaskCancelled, wait_for
+from day6_tui.core.session.scheduler import Signal, wait_for
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -31,18 +32,13 @@ async def main(session: Session) -> int:
         return 1
     colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, session.env)
     status = await _in_thread(colcon.run, colcon.interrupt)
-    if args.verb_name == "build":
-        for name in _built_interfaces(colcon):
-            forget(name)
+    for name in colcon.selected:
+        forget(name)  # a message that was built anew has another class now
     return status
 
 
-def _built_interfaces(colcon: object) -> list[str]:
-    return list(getattr(colcon, "built_interfaces", ()))
-
-
-async def _in_thread(run: object, interrupt: object) -> int:
-    assert callable(run) and callable(interrupt)
+async def _in_thread(run: Callable[[], int], interrupt: Callable[[], None]) -> int:
+    """Run `run` in a thread until it ends, whatever happens; Ctrl-C and every other order calls `interrupt`."""
     done = Signal()
     results: list[int] = []
     errors: list[BaseException] = []
@@ -62,9 +58,9 @@ async def _in_thread(run: object, interrupt: object) -> int:
                 await wait_for(done)
             except KeyboardInterrupt:
                 interrupt()
-    except (TaskCancelled, BaseException):
-        interrupt()
-        raise
+    finally:
+        if not done.is_set():
+            interrupt()
     if errors:
         raise errors[0]
     return results[0]

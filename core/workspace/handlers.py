@@ -224,9 +224,7 @@ HANDLERS: dict[str, Offered] = {
     "compile_commands": Offered(
         "Generate a `compile_commands.json` file for the whole workspace", True, 100, lambda c, v, f: Nothing()
     ),
-    "console_cohesion": Offered(
-        "Pass task output at once to stdout", False, 130, lambda c, v, f: ConsoleCohesion(c)
-    ),
+    "console_cohesion": Offered("Pass task output at once to stdout", False, 130, lambda c, v, f: ConsoleCohesion(c)),
     "console_direct": Offered("Pass output directly to stdout/err", False, 100, lambda c, v, f: ConsoleDirect(c)),
     "console_package_list": Offered(
         "Output list of queued job names", False, 100, lambda c, v, f: ConsolePackageList(c)

@@ -120,9 +120,7 @@ class Work:
         thread.start()
         return thread
 
-    def finish(
-        self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str
-    ) -> int:
+    def finish(self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str) -> int:
         """Wait for a command and for the last line of it."""
         status = process.wait()
         for reader in readers:

@@ -97,7 +97,9 @@ class _Reader:
             self._build_type(),
             maintainers=[f"{_text(node)} <{node.get('email')}>" for node in people if node.get("email")],
             build_depends=self._depends("build_depend", "depend", "buildtool_depend"),
-            run_depends=self._depends("build_export_depend", "depend", "buildtool_export_depend", "exec_depend", "run_depend"),
+            run_depends=self._depends(
+                "build_export_depend", "depend", "buildtool_export_depend", "exec_depend", "run_depend"
+            ),
             test_depends=self._depends("test_depend"),
             groups=self._depends("member_of_group"),
         )
@@ -120,7 +122,9 @@ class _Reader:
         return list(dict.fromkeys(_text(node) for node in self._conditioned(*tags)))
 
     def _build_type(self) -> str:
-        exports = [node for export in self.root if export.tag == "export" for node in export if node.tag == "build_type"]
+        exports = [
+            node for export in self.root if export.tag == "export" for node in export if node.tag == "build_type"
+        ]
         types = [_text(node) for node in exports if _holds(node.get("condition"), self.environment)]
         if len(types) > 1:
             raise _Fault("Only one <build_type> element is permitted.")
@@ -201,7 +205,9 @@ class _Reader:
                 raise _Fault('The "maintainer" tag must have the attribute "email"')
             if not email:
                 errors.append("Maintainers must have an email address")
-            elif not re.fullmatch(r"[-a-zA-Z0-9_%+]+(\.[-a-zA-Z0-9_%+]+)*@[-a-zA-Z0-9%]+(\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", email):
+            elif not re.fullmatch(
+                r"[-a-zA-Z0-9_%+]+(\.[-a-zA-Z0-9_%+]+)*@[-a-zA-Z0-9%]+(\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", email
+            ):
                 errors.append(f'Invalid email "{email}" for person "{_text(person)}"')
         licenses = [_text(node) for node in self.root if node.tag == "license"]
         if not licenses:
@@ -210,7 +216,9 @@ class _Reader:
             errors.append("The license tag must neither be empty nor only contain whitespaces")
         for node in self.root:
             if isinstance(node.tag, str) and node.tag.endswith("depend") and _text(node) == name:
-                errors.append(f'The package "{name}" must not "{node.tag}" on a package with the same name as this package')
+                errors.append(
+                    f'The package "{name}" must not "{node.tag}" on a package with the same name as this package'
+                )
         if errors:
             raise _Fault("\n".join(errors))
 
@@ -266,7 +274,9 @@ def _comparison(tokens: list[str], environment: Mapping[str, str], whole: str) -
     if len(tokens) < 3:
         raise _Fault(f'condition "{whole}" failed to parse')
     left, operator, right = (tokens.pop(0) for _ in range(3))
-    one, other = (environment.get(each[1:], "") if each.startswith("$") else each.strip("\"'") for each in (left, right))
+    one, other = (
+        environment.get(each[1:], "") if each.startswith("$") else each.strip("\"'") for each in (left, right)
+    )
     results = {
         "==": one == other,
         "!=": one != other,

@@ -31,9 +31,7 @@ def plan(packages: Iterable[Package], *, direct: tuple[str, ...] = ()) -> list[P
     by_name: dict[str, list[Package]] = {}
     for package in packages:
         by_name.setdefault(package.name, []).append(package)
-    queued = {
-        package: {name for name in _recursive(package, by_name, direct) if name in names} for package in packages
-    }
+    queued = {package: {name for name in _recursive(package, by_name, direct) if name in names} for package in packages}
     left = {package: set(needs) for package, needs in queued.items()}
     ordered: list[Package] = []
     while left:
@@ -58,9 +56,7 @@ def _recursive(package: Package, by_name: dict[str, list[Package]], direct: tupl
         name = waiting.pop()
         if name not in found:
             found.add(name)
-            waiting += [
-                further for each in by_name[name] for further in each.dependencies("run") if further in by_name
-            ]
+            waiting += [further for each in by_name[name] for further in each.dependencies("run") if further in by_name]
     # A circle comes back to the package itself; what only loops through `run` is told by the others in it.
     return found - {package.name}
 
@@ -73,5 +69,7 @@ def check_unique(planned: Iterable[Planned]) -> None:
             places.setdefault(each.package.name, []).append(each.package.shown)
     twice = {name: paths for name, paths in places.items() if len(paths) > 1}
     if twice:
-        lines = [f"- {name}:" + "".join(f"\n  - {path}" for path in sorted(paths)) for name, paths in sorted(twice.items())]
+        lines = [
+            f"- {name}:" + "".join(f"\n  - {path}" for path in sorted(paths)) for name, paths in sorted(twice.items())
+        ]
         raise OrderError("Duplicate package names not supported:\n" + "\n".join(lines))

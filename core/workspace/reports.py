@@ -53,7 +53,9 @@ def info(planned: list[Planned], args: Namespace, console: Console) -> int:
         lines = [f"path: {package.shown}", f"  type: {package.type}", f"  name: {package.name}"]
         if package.manifest is not None:
             lines.append("  dependencies:")
-            lines += [f"    {category}: {' '.join(sorted(set(names)))}" for category, names in sorted(package.depends.items())]
+            lines += [
+                f"    {category}: {' '.join(sorted(set(names)))}" for category, names in sorted(package.depends.items())
+            ]
             lines.append("  metadata:")
             if package.manifest.maintainers:
                 lines.append(f"    maintainers: {package.manifest.maintainers}")
@@ -110,7 +112,9 @@ def _dot(planned: list[Planned], shown: list[Planned], args: Namespace) -> list[
             lines.append(f'    {before} -> _legend_{kind} [label="{kind} dep.", color="{colour}"];')
             before = f"_legend_{kind}"
         lines.append(f'    {before} -> _legend_last [label="indirect dep.", style="dashed"];')
-        ranks = [f"      {name};" for name in ("_legend_first", *(f"_legend_{kind}" for kind in _COLOURS), "_legend_last")]
+        ranks = [
+            f"      {name};" for name in ("_legend_first", *(f"_legend_{kind}" for kind in _COLOURS), "_legend_last")
+        ]
         lines += ["    {", "      rank=same;", *ranks, "    }", "  }"]
     return [*lines, "}"]
 

@@ -82,7 +82,11 @@ def _select_by_dependencies(planned: list[Planned], args: Namespace) -> None:
         _keep(planned, sorted(wanted), lambda each, names: each.package.name in names)
     if args.packages_above is not None:
         _known(planned, args.packages_above, "above")
-        _keep(planned, args.packages_above, lambda each, names: each.package.name in names or bool(needs[each.package.name] & {*names}))
+        _keep(
+            planned,
+            args.packages_above,
+            lambda each, names: each.package.name in names or bool(needs[each.package.name] & {*names}),
+        )
     if args.packages_above_and_dependencies is not None:
         _known(planned, args.packages_above_and_dependencies, "above-and-dependencies")
         roots = [

@@ -59,7 +59,9 @@ def write_package_scripts(prefix: Path, package: str, hooks: Iterable[str], need
 
 def _package_sh(prefix: Path, package: str, hooks: list[str]) -> str:
     lines = [hook for hook in hooks if hook.endswith(".sh")]
-    sources = "".join(f'[ ! -f "$COLCON_CURRENT_PREFIX/{hook}" ] || . "$COLCON_CURRENT_PREFIX/{hook}"\n' for hook in lines)
+    sources = "".join(
+        f'[ ! -f "$COLCON_CURRENT_PREFIX/{hook}" ] || . "$COLCON_CURRENT_PREFIX/{hook}"\n' for hook in lines
+    )
     return f"""{_MADE_BY}
 # adds the package {package} to the environment
 

@@ -226,7 +226,10 @@ def ament_cmake_lists(plan: Plan) -> str:
             _install_library(plan, "include/${PROJECT_NAME}", "export_${PROJECT_NAME}"),
         ]
     if plan.node:
-        parts += [f"\nadd_executable({plan.node} src/{plan.node}.cpp)\n", _includes(plan.node, "include/${PROJECT_NAME}")]
+        parts += [
+            f"\nadd_executable({plan.node} src/{plan.node}.cpp)\n",
+            _includes(plan.node, "include/${PROJECT_NAME}"),
+        ]
         if plan.library:
             parts.append(f"target_link_libraries({plan.node} {plan.library})\n")
         else:

@@ -30,10 +30,14 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
     if find_spec("pytest") is not None:
         options = ["--tb=short", f"--junit-xml={results.as_posix()}", f"--junit-prefix={package.name}"]
         options += ["-o", f"cache_dir={(settings.build_base / package.name / '.pytest_cache').as_posix()}"]
-        env["PYTEST_ADDOPTS"] = " ".join(f'"{each}"' if " " in each else each for each in (*options, *settings.pytest_args))
+        env["PYTEST_ADDOPTS"] = " ".join(
+            f'"{each}"' if " " in each else each for each in (*options, *settings.pytest_args)
+        )
         status = work.run([sys.executable, "-m", "pytest"], package.path, env)
     else:
-        work.stderr("pytest is not installed in this Python: the tests are run by unittest, which knows fewer of them\n")
+        work.stderr(
+            "pytest is not installed in this Python: the tests are run by unittest, which knows fewer of them\n"
+        )
         status = work.run([sys.executable, "-m", "unittest", "discover", "-v"], package.path, env)
         _write_unittest(results, package.name, status)
     if status == _TESTS_FAILED:

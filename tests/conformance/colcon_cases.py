@@ -47,8 +47,8 @@ def load_cases() -> list[Case]:
             row["stdout"],
             row["stderr"],
             row["exit_code"],
-            row["tree"] or [],
-            row["contents"] or {},
+            row.get("tree") or [],
+            row.get("contents") or {},
         )
         for row in rows
     ]
@@ -125,7 +125,7 @@ PREPARATIONS: dict[str, Prepare] = {
     "build_symlink_fresh": _package,
     "build_tty": _package,
     "setup_py_missing_comma": _edited(SETUP, "version='0.0.0',", "version='0.0.0'"),
-    "setup_py_unclosed_bracket": _edited(SETUP, "        ],\n    },\n)", "    },\n)"),
+    "setup_py_unclosed_bracket": _edited(SETUP, "        ],\n    },\n)", "        ,\n    },\n)"),
     "setup_py_name_error": _edited(SETUP, "name=package_name", "name=pakage_name"),
     "setup_py_bad_entry_no_equals": _edited(SETUP, "talker = day6", "talker day6"),
     "setup_py_empty": _emptied(SETUP),

@@ -30,7 +30,9 @@ def _parameters() -> list:
         return [pytest.param(None, id="no-golden-data")]
     return [
         pytest.param(
-            case, id=case.name, marks=[pytest.mark.xfail(reason=EXCEPTIONS[case.name], strict=True)] if case.name in EXCEPTIONS else []
+            case,
+            id=case.name,
+            marks=[pytest.mark.xfail(reason=EXCEPTIONS[case.name], strict=True)] if case.name in EXCEPTIONS else [],
         )
         for case in CASES
     ]
@@ -43,7 +45,9 @@ def test_the_build_is_that_of_the_real_colcon(workshop: Workshop, monkeypatch: p
     prepare = PREPARATIONS.get(case.name)
     if prepare is not None:
         prepare(workshop)
-    done = workshop.run(case.command.partition("setup.py && ")[2] or case.command, workshop.terminal(workshop.workspace / case.folder))
+    done = workshop.run(
+        case.command.partition("setup.py && ")[2] or case.command, workshop.terminal(workshop.workspace / case.folder)
+    )
     found = differences(case, workshop, done.out, done.err, done.status)
     assert not found, f"{case.command}\n{found}"
 

@@ -70,6 +70,7 @@ def play(case: Case, folder: Path, command: Sequence[str], environment: Mapping[
     shutil.copytree(LAB, prefix)
     prefixes = os.pathsep.join(filter(None, (str(prefix), environment.get("AMENT_PREFIX_PATH"))))
     env = {**environment, "AMENT_PREFIX_PATH": prefixes, "ROS_LOG_DIR": str(logs), "COLUMNS": "80", "LANG": "C.UTF-8"}
+    env.pop("PYTHONUNBUFFERED", None)  # with it, what is printed comes in two pieces
     process = subprocess.Popen(
         [*command, "launch", *case.argv],
         cwd=here,

@@ -116,7 +116,9 @@ class Workshop:
     def create(self, name: str, *more: str) -> Path:
         """Make an ament_python package in `src`."""
         words = " ".join(more)
-        done = self.run(f"ros2 pkg create --build-type ament_python {name} {words}", self.terminal(self.workspace / "src"))
+        done = self.run(
+            f"ros2 pkg create --build-type ament_python {name} {words}", self.terminal(self.workspace / "src")
+        )
         assert done.status == 0, done
         return self.workspace / "src" / name
 
@@ -125,7 +127,11 @@ class Workshop:
         package = self.create("day6_publisher", "--dependencies rclpy std_msgs")
         (package / "day6_publisher" / "talker.py").write_text(TALKER)
         if entry_point:
-            edit(package / "setup.py", "'console_scripts': [\n", "'console_scripts': [\n            'talker = day6_publisher.talker:main',\n")
+            edit(
+                package / "setup.py",
+                "'console_scripts': [\n",
+                "'console_scripts': [\n            'talker = day6_publisher.talker:main',\n",
+            )
         return package
 
     def tree(self, *roots: str) -> list[str]:

@@ -281,6 +281,47 @@ TEXTS = {
     "rviz.seen.lost": " (no transform: white, not in its place)",
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
+    # rqt_console
+    "console.message": "Message",
+    "console.severity": "Severity",
+    "console.node": "Node",
+    "console.stamp": "Stamp",
+    "console.location": "Location",
+    "console.none": "No log message yet: they come from /rosout.",
+    "console.filtered": "All messages are left out; a shows them.",
+    "console.exclude": "Exclude",
+    "console.containing": "Exclude messages containing",
+    "console.containing.note": "Messages with this text are left out; an empty line shows them again.",
+    "console.highlighted": "Highlight messages containing",
+    "console.highlighted.note": "Messages with this text stand out; an empty line ends it.",
+    "console.nodes": "without",
+    "console.count": "{count} messages",
+    "console.shown": "{count} of {total} messages",
+    "console.paused": "paused",
+    "console.pause": "pause",
+    "console.resume": "resume",
+    "console.clear": "clear",
+    "console.leave_out": "exclude text",
+    "console.highlight": "highlight",
+    "console.node_out": "exclude node",
+    "console.all": "show all",
+    # rqt_plot
+    "plot.none": "Nothing is plotted yet: a chooses a field, e types one, like /turtle1/pose/x.",
+    "plot.waiting": "waiting for the topic",
+    "plot.quiet": "nothing came yet",
+    "plot.paused": "paused",
+    "plot.seconds": "{count} s",
+    "plot.add": "add",
+    "plot.type": "type a field",
+    "plot.type.note": "A topic and a field, like /turtle1/pose/x or /joint_states/position[0]; /turtle1/pose/x:y is two.",
+    "plot.choose": "Plot a field",
+    "plot.remove": "remove",
+    "plot.pause": "pause",
+    "plot.resume": "resume",
+    "plot.span": "time",
+    "plot.clear": "clear",
+    "plot.glyphs": "finer, coarser",
+    "plot.no_fields": "No topic has numbers at present.",
     # menus
     "menu.palette": "Commands",
     "menu.windows": "Windows and terminals",
@@ -353,6 +394,16 @@ TEXTS = {
         "End go to its limits, z to its zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
         "between radians and degrees. With the mouse: drag the knob.\n\n"
         "If another node publishes the same joints, the robot jitters: both give orders, and the last one counts."
+    ),
+    "help.rqt_console": (
+        "The log messages of all nodes, from the topic /rosout. The arrow keys choose one, below the table it stands "
+        "in full.\n\nThe letters leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. What a node does not "
+        "log at all is decided by its level: see --log-level, and the logger services."
+    ),
+    "help.rqt_plot": (
+        "Numbers out of messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
+        "The scale of the values fits itself to what is seen.\n\nA field is written like a path: /turtle1/pose/x, for an "
+        "element of a list /joint_states/position[0]. Listening is a subscription, so it counts as one."
     ),
     "help.welcome": (
         "Choose with the arrow keys and Enter, with a number, or with the mouse. The first choices type their commands into "

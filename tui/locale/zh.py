@@ -281,6 +281,47 @@ TEXTS = {
     "rviz.seen.lost": "（没有坐标变换：变成白色，位置不对）",
     "rviz.seen.turned": "，转了 {degrees}°",
     "rviz.seen.more": "还有 {count} 个 link",
+    # rqt_console
+    "console.message": "消息",
+    "console.severity": "级别",
+    "console.node": "节点",
+    "console.stamp": "时间",
+    "console.location": "位置",
+    "console.none": "还没有日志。日志来自 /rosout。",
+    "console.filtered": "所有日志都被排除了，按 a 全部显示。",
+    "console.exclude": "排除",
+    "console.containing": "排除含有这些字的消息",
+    "console.containing.note": "含有这段文字的消息不再显示；留空就重新显示。",
+    "console.highlighted": "突出显示含有这些字的消息",
+    "console.highlighted.note": "含有这段文字的消息会更醒目；留空就取消。",
+    "console.nodes": "不看",
+    "console.count": "{count} 条消息",
+    "console.shown": "{total} 条中的 {count} 条",
+    "console.paused": "已暂停",
+    "console.pause": "暂停",
+    "console.resume": "继续",
+    "console.clear": "清空",
+    "console.leave_out": "排除文字",
+    "console.highlight": "突出显示",
+    "console.node_out": "排除节点",
+    "console.all": "全部显示",
+    # rqt_plot
+    "plot.none": "还没有曲线：按 a 选一个字段，或按 e 输入，例如 /turtle1/pose/x。",
+    "plot.waiting": "等待这个话题出现",
+    "plot.quiet": "还没有数据",
+    "plot.paused": "已暂停",
+    "plot.seconds": "{count} 秒",
+    "plot.add": "添加",
+    "plot.type": "输入字段",
+    "plot.type.note": "话题加字段，例如 /turtle1/pose/x 或 /joint_states/position[0]；/turtle1/pose/x:y 表示两条。",
+    "plot.choose": "选一个字段来画",
+    "plot.remove": "去掉",
+    "plot.pause": "暂停",
+    "plot.resume": "继续",
+    "plot.span": "时间",
+    "plot.clear": "清空",
+    "plot.glyphs": "细一点、粗一点",
+    "plot.no_fields": "现在没有话题带有数字。",
     # menus
     "menu.palette": "命令",
     "menu.windows": "窗口和终端",
@@ -347,6 +388,16 @@ TEXTS = {
         "按数字键或 Enter 输入准确的值。"
         "r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
         "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
+    ),
+    "help.rqt_console": (
+        "所有节点的日志，来自话题 /rosout。用方向键选一条，表格下面会显示它的全文。\n\n字母键排除某个级别：d "
+        "Debug，i Info，w Warn，e Error，f Fatal。节点根本不输出哪些日志，由它自己的级别"
+        "决定：看看 --log-level 和 logger 的服务。"
+    ),
+    "help.rqt_plot": (
+        "把消息里的数字画成随时间变化的曲线。一条曲线就是一个话题的一个字段，图例里是它的最新值。纵轴会自动适应看得见的"
+        "数值。\n\n字段写得像路径：/turtle1/pose/x；列表里的一项写成 /joint_states/pos"
+        "ition[0]。听就是订阅，所以订阅者会多一个。"
     ),
     "help.welcome": "用方向键和 Enter 选择，也可以按数字或点鼠标。前两项会像老师一样，把命令一条一条地输入到终端里。",
     # errors

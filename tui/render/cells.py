@@ -142,7 +142,8 @@ def _cell(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
 
 def _braille(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
     def blocks(array: Array) -> Array:
-        return array[: 4 * rows, : 2 * columns].reshape(rows, 4, columns, 2).transpose(0, 2, 1, 3)
+        block: Array = array[: 4 * rows, : 2 * columns].reshape(rows, 4, columns, 2).transpose(0, 2, 1, 3)
+        return block
 
     lit = blocks(picture.kind) != EMPTY
     bits = (lit * _DOTS).sum(axis=(2, 3))

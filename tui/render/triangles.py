@@ -37,7 +37,8 @@ def paint_triangles(picture: Picture, meshes: Sequence[Triangles], levels: int) 
 def _face_normals(mesh: Triangles) -> Array:
     kept = _normals.get(id(mesh.faces))
     if kept is not None:
-        return kept[1]
+        known: Array = kept[1]
+        return known
     a, b, c = (np.asarray(mesh.vertices)[np.asarray(mesh.faces)[:, index]] for index in range(3))
     normal = np.cross(b - a, c - a)
     length = np.sqrt((normal * normal).sum(axis=1))
@@ -45,7 +46,8 @@ def _face_normals(mesh: Triangles) -> Array:
     _normals[id(mesh.faces)] = (mesh.faces, normal)
     while len(_normals) > _MOST_KEPT:
         _normals.popitem(last=False)
-    return normal
+    result: Array = normal
+    return result
 
 
 def _paint(picture: Picture, mesh: Triangles, light: Array, levels: int) -> None:

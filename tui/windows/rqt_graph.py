@@ -95,6 +95,10 @@ class RqtGraphPane(WindowPane):
             ("t", self.look.texts("rqt.type")),
             ("d s l p f u", self.look.texts("rqt.hide")),
             ("j k", self.look.texts("rqt.choose")),
+        ]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        return [
             ("/ :", self.look.texts("rqt.filter")),
             ("n", self.look.texts("rqt.namespaces")),
             ("1 2 3", self.look.texts("rqt.group")),

@@ -307,7 +307,7 @@ class RVizPane(WindowPane):
         self._keep_chosen_in_sight()
         self.touch()
 
-    def display(self) -> Display | None:
+    def chosen_display(self) -> Display | None:
         """The display that the chosen line belongs to."""
         prop = self.prop
         return self._display_of(prop) if prop is not None else None
@@ -342,11 +342,11 @@ class RVizPane(WindowPane):
         if prop.kind == BOOL and not isinstance(prop, Display):
             self.toggle(prop)
         elif prop.kind in (GROUP, STATUS) or prop.read_only or isinstance(prop, Display):
-            self.expand(prop, not prop.expanded)
+            self.open_branch(prop, not prop.expanded)
         else:
             dialogs.edit(self, prop)
 
-    def expand(self, prop: Property, on: bool) -> None:
+    def open_branch(self, prop: Property, on: bool) -> None:
         """Open or close a branch."""
         if prop.children:
             prop.expanded = on
@@ -465,9 +465,9 @@ class RVizPane(WindowPane):
             return True
         if prop is None:
             return False
-        display = self.display()
+        display = self.chosen_display()
         if key == "right":
-            self.expand(prop, True)
+            self.open_branch(prop, True)
         elif key == "left":
             self._close_or_up(prop)
         elif key == "enter":
@@ -489,7 +489,7 @@ class RVizPane(WindowPane):
 
     def _close_or_up(self, prop: Property) -> None:
         if prop.expanded and prop.children:
-            self.expand(prop, False)
+            self.open_branch(prop, False)
         elif prop.parent is not None and prop.parent.parent is not None:
             self.choose(prop.parent)
 
@@ -591,7 +591,7 @@ class RVizPane(WindowPane):
         line = self.lines[index]
         zone = panel.zones(line, self.panel_width)
         if line.can_open and zone.opener <= x <= zone.opener + 1:
-            self.expand(line.prop, not line.prop.expanded)
+            self.open_branch(line.prop, not line.prop.expanded)
         elif zone.box is not None and zone.box <= x < zone.box + 3:
             self.toggle(line.prop)
         elif x >= zone.value or event.chain > 1:

@@ -24,11 +24,17 @@ async def run(session: Session, kind: type[Component]) -> int:
     """Be the executable of one component: spin until Ctrl-C, or until the component shuts its context down."""
     node = create_node(session, kind.NAME, **kind.OPTIONS)
     component = kind(node)
+    status = await spin_cpp(session, node)
+    del component  # it lives as long as its node spins
+    return status
+
+
+async def spin_cpp(session: Session, *nodes: Node) -> int:
+    """Spin as a C++ program does, which says on Ctrl-C that it was interrupted."""
     try:
-        await session.spin(node)
+        await session.spin(*nodes)
     except KeyboardInterrupt:
         log_interrupt(session)
-    del component
     return 0
 
 

@@ -111,6 +111,7 @@ COMMANDS: dict[str, Main] = {
     "rviz2": _program("rviz2", "rviz2"),
     "check_urdf": _program("urdfdom", "check_urdf"),
     "urdf_to_graphviz": _program("urdfdom", "urdf_to_graphviz"),
+    "xacro": _program("xacro", "xacro"),
     "sudo": sudo,
     "apt": apt,
     "apt-get": apt,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs._component import spin_cpp
+from day6_tui.core.ros.programs._rclcpp import create_node
 from day6_tui.core.ros.programs.composition._components import Client, Listener, Server, Talker
 
 if TYPE_CHECKING:
@@ -17,9 +18,6 @@ async def run_together(session: Session) -> int:
     kinds: tuple[type[Component], ...] = (Talker, Listener, Server, Client)
     nodes = [create_node(session, kind.NAME, **kind.OPTIONS) for kind in kinds]
     components = [kind(node) for kind, node in zip(kinds, nodes, strict=True)]
-    try:
-        await session.spin(*nodes)
-    except KeyboardInterrupt:
-        log_interrupt(session)
+    status = await spin_cpp(session, *nodes)
     del components
-    return 0
+    return status

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,7 +24,7 @@ class Reader:
         """Read a robot description; `source` is its file, '' if it came by a topic. Calls `done` with RobotParts."""
         session, rviz = self._session, self._rviz
         # What the thread may use of the session is copied now.
-        prefixes = session.env.get("AMENT_PREFIX_PATH", "")
+        share_of = self._packages()
         folder = (session.cwd / source).parent if source else None
 
         def work() -> Any:
@@ -36,7 +35,7 @@ class Reader:
                 rviz.progress = text
                 rviz.touch()
 
-            store = MeshStore(prefixes.split(os.pathsep), folder, cancelled, progress)
+            store = MeshStore(share_of, folder, cancelled, progress)
             return read_robot(text, store.read)
 
         async def run() -> None:
@@ -47,6 +46,38 @@ class Reader:
             rviz.touch()
 
         session.spawn(run())
+
+    def mesh(self, uri: str, done: Callable[[Any], None]) -> None:
+        """Read one mesh of a marker. Calls `done` with its MeshData, None if it cannot be read."""
+        share_of = self._packages()
+
+        def work() -> Any:
+            from day6_tui.core.ros.programs.rviz2.model.meshes import MeshStore
+
+            try:
+                return MeshStore(share_of).read(uri)
+            except (OSError, ValueError, MemoryError):
+                return None
+
+        async def run() -> None:
+            done(await in_thread(work))
+            self._rviz.touch()
+
+        self._session.spawn(run())
+
+    def _packages(self) -> Callable[[str], str]:
+        """What finds a package's share folder as this program's environment is now; for any thread."""
+        from ament_index_python.packages import get_package_share_directory
+
+        environment = dict(self._session.env)
+
+        def share_of(package: str) -> str:
+            try:
+                return get_package_share_directory(package, False, environment)
+            except ValueError as error:
+                raise LookupError(str(error)) from None
+
+        return share_of
 
     def file(self, name: str, done: Callable[[str], None]) -> None:
         """Read a text file; one that cannot be read is empty, as for RViz."""

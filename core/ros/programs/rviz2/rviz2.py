@@ -124,7 +124,7 @@ async def main(session: Session) -> int:
     changed = Signal()
     rviz.wake = changed.set
     reader = Reader(session, rviz)
-    rviz.read_robot, rviz.read_file = reader.robot, reader.file
+    rviz.read_robot, rviz.read_file, rviz.read_mesh = reader.robot, reader.file, reader.mesh
     rviz.write_file, rviz.path = reader.write, reader.path
     listener = listen(session, buffer)
     _configure(session, rviz, options)

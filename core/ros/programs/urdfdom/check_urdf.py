@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot
+from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
 from day6_tui.core.session.session import Session
 from day6_tui.urdf import Robot
 
 
 async def main(session: Session) -> int:
     """Print the tree; status 255 if the description is refused."""
+    hints = take_hint_option(session)
     if len(session.argv) < 2:
         session.print_error("Expect URDF xml file to parse. Use - for stdin")
         return FAILED
-    robot = await read_robot(session, session.argv[1])
+    robot = await read_robot(session, session.argv[1], hints)
     if robot is None:
         return FAILED
     session.print(f"robot name is: {robot.name}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 
-from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot
+from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf import Robot
@@ -16,13 +16,14 @@ from day6_tui.urdf import Robot
 
 async def main(session: Session) -> int:
     """Write NAME.gv and NAME.pdf; NAME is by default the robot's name. Status 255 if the description is refused."""
+    hints = take_hint_option(session)
     if not 2 <= len(session.argv) <= 3:
         session.print_error(
             "Usage: urdf_to_graphviz input.xml [OUTPUT]"
             "  Will create either $ROBOT_NAME.gv & $ROBOT_NAME.pdf in CWD  or OUTPUT.gv & OUTPUT.pdf."
         )
         return FAILED
-    robot = await read_robot(session, session.argv[1])
+    robot = await read_robot(session, session.argv[1], hints)
     if robot is None:
         return FAILED
     name = session.argv[2] if len(session.argv) == 3 else robot.name

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rclpy._rclpy_pybind11 import RCLError, UnknownROSArgsError
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 
 if TYPE_CHECKING:
     from day6_tui.core.graph.names import RemapRule
@@ -137,6 +137,9 @@ def _log(severity: int, message: str) -> None:
 def _check_texts(args: Sequence[str]) -> None:
     if not all(isinstance(arg, str) for arg in args):
         raise TypeError("bad argument type for built-in operation")
+    for arg in args:
+        # Raises UnicodeEncodeError for what a wrong locale has made of an argument (PEP 383), as the real one does.
+        arg.encode()
 
 
 def parse_arguments(args: Sequence[str]) -> RosArguments:
@@ -188,6 +191,15 @@ def _take_old_rule(found: RosArguments, word: str) -> None:
         return
     hint = f"This syntax is deprecated. Use '--ros-args --remap {word}' instead."
     _log(30, f"Found remap rule '{word}'. {hint}")
+
+
+def parse_node_arguments(args: Sequence[str]) -> RosArguments:
+    """Read the arguments of one node: RCLInvalidROSArgsError for bad ones."""
+    try:
+        return parse_arguments(args)
+    except RCLError as error:
+        reason = str(error).replace("failed to initialize rcl: ", "Failed to parse ROS arguments: ", 1)
+        raise RCLInvalidROSArgsError(reason) from None
 
 
 def parse_global_arguments(args: Sequence[str]) -> RosArguments:

@@ -196,7 +196,7 @@ def _check_kinds(left: _Operand, right: _Operand) -> None:
         # An element of a sequence that is empty now.
         return
     texts = [isinstance(sample, str) for sample in samples]
-    plain = [isinstance(sample, (str, int, float)) for sample in samples]
+    plain = [isinstance(sample, str) or hasattr(sample, "__float__") for sample in samples]
     if not all(plain) or texts[0] != texts[1]:
         raise FilterError("the two sides of a comparison have different types")
 

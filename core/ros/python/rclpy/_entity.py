@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.event_handler import EventHandler
     from rclpy.executors import Executor
 
 # The order in which real rclpy's executor runs what is ready at the same time: first waitables of all nodes, then node by node.
@@ -40,8 +39,8 @@ class Scope:
         self.home: Executor | None = None
         """The executor the node was in last; entities may still lie in its round."""
         self.stash: deque[Entity] = deque()
-        self.timed: list[EventHandler] = []
-        """Handlers of deadlines and leases: what beside the node's timers the passing of time makes ready."""
+        self.timed: list[Any] = []
+        """What beside the node's timers the passing of time makes ready: events of deadlines and leases, timers of waitables."""
         self.number = next(_numbers)
 
     def put_aside(self, entity: Entity) -> None:

@@ -45,7 +45,7 @@ class LoggingSettings:
         if name:
             self.levels[name] = level
         else:
-            self.default_level = level or INFO
+            self.default_level = level
         self._effective.clear()
 
     def level(self, name: str) -> int:

@@ -8,11 +8,65 @@ from __future__ import annotations
 
 import builtins
 from enum import Enum
+from importlib import import_module
+from typing import Any
 
 RCL_DEFAULT_DOMAIN_ID = 18446744073709551615
 RMW_DURATION_INFINITE = 9223372036854775807
 RMW_QOS_DEADLINE_BEST_AVAILABLE = 9223372036854775806
 RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = 9223372036854775806
+
+# What needs more of rclpy than exceptions is found where it is, when somebody asks.
+_ELSEWHERE = {
+    "rclpy._endpoint_handles": {
+        "Client": "ClientHandle",
+        "Publisher": "PublisherHandle",
+        "Service": "ServiceHandle",
+        "Subscription": "SubscriptionHandle",
+        "rmw_service_info_t": "ServiceInfo",
+    },
+    "rclpy._handles": {"Node": "NodeHandle"},
+    "rclpy._wait_set": {"WaitSet": "WaitSet"},
+    "rclpy.clock": {"Clock": "ClockHandle"},
+    "rclpy.context": {"Context": "ContextHandle"},
+    "rclpy.event_handler": {
+        "EventHandle": "EventHandle",
+        "rmw_incompatible_type_status_t": "IncompatibleTypeInfo",
+        "rmw_liveliness_changed_status_t": "QoSLivelinessChangedInfo",
+        "rmw_liveliness_lost_status_t": "QoSLivelinessLostInfo",
+        "rmw_matched_status_t": "QoSSubscriptionMatchedInfo",
+        "rmw_message_lost_status_t": "QoSMessageLostInfo",
+        "rmw_offered_deadline_missed_status_t": "QoSOfferedDeadlineMissedInfo",
+        "rmw_requested_deadline_missed_status_t": "QoSRequestedDeadlineMissedInfo",
+        "rmw_requested_qos_incompatible_event_status_t": "QoSRequestedIncompatibleQoSInfo",
+    },
+    "rclpy.experimental.events_executor": {"EventsExecutor": "EventsExecutor"},
+    "rclpy.expand_topic_name": {"rclpy_expand_topic_name": "expand_topic_name"},
+    "rclpy.guard_condition": {"GuardCondition": "GuardHandle"},
+    "rclpy.lifecycle._state_machine": {"LifecycleStateMachine": "StateMachine"},
+    "rclpy.qos": {"rmw_qos_profile_t": "rmw_qos_profile_t", "rclpy_qos_check_compatible": "qos_check_compatible"},
+    "rclpy.serialization": {"rclpy_deserialize": "deserialize_message"},
+    "rclpy.signals": {
+        "install_signal_handlers": "install_signal_handlers",
+        "uninstall_signal_handlers": "uninstall_signal_handlers",
+        "get_current_signal_handlers_options": "get_current_signal_handlers_options",
+    },
+    "rclpy.timer": {"Timer": "TimerHandle"},
+    "rclpy.utilities": {
+        "rclpy_get_rmw_implementation_identifier": "get_rmw_implementation_identifier",
+        "rclpy_remove_ros_args": "remove_ros_args",
+    },
+    "day6_tui.core.graph": {"rmw_request_id_t": "RequestId"},
+}
+_PLACES = {name: (module, own) for module, names in _ELSEWHERE.items() for name, own in names.items()}
+
+
+def __getattr__(name: str) -> Any:
+    place = _PLACES.get(name)
+    if place is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(place[0]), place[1])
+
 
 DESTROYED = "cannot use Destroyable because destruction was requested"
 
@@ -174,6 +228,21 @@ class rcl_subscription_event_type_t(_NumberedEnum):
     RCL_SUBSCRIPTION_MESSAGE_LOST = 3
     RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
     RCL_SUBSCRIPTION_MATCHED = 5
+
+
+class rcl_duration_t:
+    """A duration in nanoseconds."""
+
+    def __init__(self, nanoseconds: int) -> None:
+        self.nanoseconds = nanoseconds
+
+
+class rcl_time_point_t:
+    """A time in nanoseconds of a kind of clock."""
+
+    def __init__(self, nanoseconds: int, clock_type: int) -> None:
+        self.nanoseconds = nanoseconds
+        self.clock_type = ClockType(int(clock_type))
 
 
 class Destroyable:

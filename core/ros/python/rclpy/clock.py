@@ -109,6 +109,14 @@ class JumpHandle:
         self.unregister()
 
 
+class ClockHandle(Destroyable):
+    """The handle of a clock."""
+
+    def __init__(self, clock: Clock) -> None:
+        super().__init__()
+        self._clock = weakref.ref(clock)
+
+
 class Clock:
     """A clock; `Clock(clock_type=ClockType.ROS_TIME)` makes a ROSClock. TypeError for anything that is no ClockType."""
 
@@ -122,7 +130,7 @@ class Clock:
             raise TypeError("Clock type must be a ClockType enum")
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
         self._clock_type = clock_type
-        self._handle = Destroyable()
+        self._handle = ClockHandle(self)
         self._jump_handles = []
         if isinstance(self, ROSClock):
             self._active = False

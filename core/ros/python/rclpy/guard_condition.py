@@ -22,12 +22,27 @@ __getattr__ = also(__name__, "CallbackGroup Context")
 GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
 
 
-class _GuardHandle(Destroyable):
-    """The handle of a guard condition; a waitable adds that to its wait set."""
+class GuardHandle(Destroyable):
+    """The handle of a guard condition, and one by itself: made with a context's handle, waited for in a wait set."""
 
-    def __init__(self, guard: GuardCondition) -> None:
+    def __init__(self, context: Any, entity: GuardCondition | None = None) -> None:
         super().__init__()
-        self._entity = weakref.ref(guard)
+        with context:
+            pass
+        self._owner = None if entity is None else weakref.ref(entity)
+        self._own: GuardCondition | None = None
+        if entity is None:
+            self._own = GuardCondition(None, None, context._context())
+
+    def _entity(self) -> GuardCondition | None:
+        return self._own if self._owner is None else self._owner()
+
+    def trigger_guard_condition(self) -> None:
+        """Make it ready; InvalidHandle after destruction."""
+        entity = self._entity()
+        if self._destroyed or entity is None:
+            raise InvalidHandle(DESTROYED)
+        entity.trigger()
 
 
 class GuardCondition(Entity):
@@ -53,7 +68,7 @@ class GuardCondition(Entity):
                 "failed to create guard_condition: the given context is not valid, either rcl_init() was not called or "
                 "rcl_shutdown() was called., at /project/src/rcl/guard_condition.c:65"
             )
-        self._handle = _GuardHandle(self)
+        self._handle = GuardHandle(self._context.handle, self)
         self.callback = callback
         self.callback_group = callback_group
         self._executor_event = False
@@ -80,7 +95,7 @@ class GuardCondition(Entity):
         return self._executor_triggered
 
     @property
-    def handle(self) -> Destroyable:
+    def handle(self) -> GuardHandle:
         """The handle."""
         return self._handle
 

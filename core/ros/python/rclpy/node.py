@@ -8,7 +8,7 @@ from types import FunctionType, TracebackType
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from day6_tui.core.graph import names
-from rclpy._arguments import parse_arguments
+from rclpy._arguments import parse_node_arguments
 from rclpy._endpoint_handles import PublisherHandle, ServiceHandle
 from rclpy._handles import NodeHandle
 from rclpy._incidental import also
@@ -135,7 +135,7 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
         """Put the node into the graph under its remapped name; returns the parameters its arguments name."""
         context = self._context
         namespace = checked_namespace(node_name, namespace or "", context, self)
-        arguments = [parse_arguments(list(cli_args))] if cli_args else []
+        arguments = [parse_node_arguments(list(cli_args))] if cli_args else []
         if use_global_arguments and context._arguments is not None:
             arguments.append(context._arguments)
         rules = [rule for each in arguments for rule in each.rules]

@@ -136,6 +136,35 @@ QoSLivelinessPolicy = LivelinessPolicy
 _NO_TIME = Duration()
 
 
+class rmw_qos_profile_t(QoS):
+    """A profile as the graph holds it, with the face of rmw's."""
+
+    __slots__ = ()
+
+    @staticmethod
+    def predefined(name: str) -> rmw_qos_profile_t:
+        """Return a profile of rmw/qos_profiles.h, like `qos_profile_default`; ValueError if there is none."""
+        known = {each.name.lower(): each.value for each in QoSPresetProfiles if each.name != "ACTION_STATUS_DEFAULT"}
+        profile = known.get(name.removeprefix("qos_profile_")) if name.startswith("qos_profile_") else None
+        if profile is None:
+            raise ValueError(f"Requested unknown rmw_qos_profile: {name}")
+        return profile.get_c_qos_profile()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what makes a QoSProfile."""
+        return {
+            "depth": self.depth,
+            "history": int(self.history),
+            "reliability": int(self.reliability),
+            "durability": int(self.durability),
+            "lifespan": Duration(nanoseconds=self.lifespan),
+            "deadline": Duration(nanoseconds=self.deadline),
+            "liveliness": int(self.liveliness),
+            "liveliness_lease_duration": Duration(nanoseconds=self.liveliness_lease_duration),
+            "avoid_ros_namespace_conventions": self.avoid_ros_namespace_conventions,
+        }
+
+
 class QoSProfile:
     """All policies of one endpoint.
 
@@ -291,9 +320,10 @@ class QoSProfile:
         assert isinstance(value, bool)
         self._avoid_ros_namespace_conventions = value
 
-    def get_c_qos_profile(self) -> QoS:
+    def get_c_qos_profile(self) -> rmw_qos_profile_t:
         """Return the profile as the graph holds it."""
-        return QoS(
+        return rmw_qos_profile_t.__new__(
+            rmw_qos_profile_t,
             self._depth,
             graph_qos.History(self._history),
             graph_qos.Reliability(self._reliability),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import weakref
 from collections.abc import Callable, Coroutine
 from types import FunctionType, MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING, TIMER, Entity
 from rclpy._incidental import also
-from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError
+from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError, TimerCancelledError
 from rclpy._time_source import wait_interruptibly
 from rclpy.clock import Clock, ROSClock
 from rclpy.clock_type import ClockType
@@ -90,7 +91,7 @@ class Timer(Entity):
             raise RCLError(_INVALID_CONTEXT)
         if timer_period_ns < 0:
             raise RCLError("failed to create timer: timer period must be non-negative, at /project/src/rcl/timer.c:144")
-        self._handle = Destroyable()
+        self._handle = TimerHandle._of(self)
         self._steady_ns = self._context._time.steady_ns
         self._period = int(timer_period_ns)
         self._heap: TimerHeap | None = None
@@ -154,12 +155,7 @@ class Timer(Entity):
         if self._canceled or due > now or self._handle._destroyed:
             self._schedule()
             return NOTHING
-        self._last = now
-        self._next = due + self._period
-        if self._next < now:
-            self._next = (
-                now if self._period == 0 else self._next + -(-(now - self._next) // self._period) * self._period
-            )
+        self._advance(now)
         self._schedule()
         callback = self._callback
         if callback is None:
@@ -170,19 +166,32 @@ class Timer(Entity):
         result = self._call_slowly(callback, due, now)
         return result if is_coroutine_function(callback) else None
 
+    def _advance(self, now: int) -> None:
+        """Note a call; the next one is due at the next whole period that is not over."""
+        due = self._next
+        self._last = now
+        self._next = due + self._period
+        if self._next < now:
+            self._next = (
+                now if self._period == 0 else self._next + -(-(now - self._next) // self._period) * self._period
+            )
+
+    def _info(self, due: int, now: int) -> TimerInfo:
+        """Describe a call that was due at `due` and is made at `now`, by the timer's clock."""
+        clock_now = self._clock._now_ns()
+        return TimerInfo(
+            expected_call_time=max(0, clock_now - (now - due)),
+            actual_call_time=clock_now,
+            clock_type=self._clock.clock_type,
+        )
+
     def _call_slowly(self, callback: Callable[..., Any], due: int, now: int) -> Any:
         """Call a callback that may want a TimerInfo, or is something else than a function or method without arguments."""
         import inspect
 
         for parameter in inspect.signature(callback).parameters.values():
             if parameter.annotation == TimerInfo:
-                clock_now = self._clock._now_ns()
-                info = TimerInfo(
-                    expected_call_time=max(0, clock_now - (now - due)),
-                    actual_call_time=clock_now,
-                    clock_type=self._clock.clock_type,
-                )
-                return callback(**{parameter.name: info})
+                return callback(**{parameter.name: self._info(due, now)})
         return callback()
 
     @property
@@ -207,7 +216,7 @@ class Timer(Entity):
             raise InvalidHandle(DESTROYED)
 
     @property
-    def handle(self) -> Destroyable:
+    def handle(self) -> TimerHandle:
         """The handle."""
         return self._handle
 
@@ -274,6 +283,74 @@ class Timer(Entity):
         exc_tb: TracebackType | None,
     ) -> None:
         self.destroy()
+
+
+class TimerHandle(Destroyable):
+    """The handle of a timer, and one by itself: made with the handles of a clock and a context, called by hand."""
+
+    def __init__(self, clock: Any, context: Any, period_nsec: int, autostart: bool) -> None:
+        timer = Timer(None, None, period_nsec, clock._clock(), context=context._context(), autostart=autostart)
+        self.__dict__.update(timer._handle.__dict__)
+        timer._handle = self
+        self._keep = timer
+
+    @classmethod
+    def _of(cls, timer: Timer) -> TimerHandle:
+        handle = cls.__new__(cls)
+        Destroyable.__init__(handle)
+        handle._timer = weakref.ref(timer)
+        return handle
+
+    def _entity(self) -> Timer:
+        timer: Timer | None = self._timer()
+        if self._destroyed or timer is None:
+            raise InvalidHandle(DESTROYED)
+        return timer
+
+    def call_timer(self) -> None:
+        """Note that the timer was called; RCLError for a cancelled one."""
+        self.call_timer_with_info()
+
+    def call_timer_with_info(self) -> TimerInfo:
+        """Note that the timer was called; returns when that was due and when it was. RCLError for a cancelled one."""
+        timer = self._entity()
+        if timer._canceled:
+            raise TimerCancelledError("Timer has been canceled: timer is canceled, at /project/src/rcl/timer.c:277")
+        now, due = timer._base_now(), timer._next
+        timer._advance(now)
+        return timer._info(due, now)
+
+    def is_timer_ready(self) -> bool:
+        """Say whether a call is due."""
+        return self._entity()._due()
+
+    def is_timer_canceled(self) -> bool:
+        """Say whether the timer was cancelled."""
+        return self._entity()._canceled
+
+    def cancel_timer(self) -> None:
+        """Make no more calls until `reset_timer`."""
+        self._entity().cancel()
+
+    def reset_timer(self) -> None:
+        """Start anew."""
+        self._entity().reset()
+
+    def get_timer_period(self) -> int:
+        """Return the period in nanoseconds."""
+        return self._entity()._period
+
+    def change_timer_period(self, period_nsec: int) -> None:
+        """Set the period in nanoseconds."""
+        self._entity()._period = period_nsec
+
+    def time_since_last_call(self) -> int:
+        """Return nanoseconds since the last call."""
+        return self._entity().time_since_last_call()
+
+    def time_until_next_call(self) -> int | None:
+        """Return nanoseconds until the next call, None for a cancelled timer."""
+        return self._entity().time_until_next_call()
 
 
 class Rate:

@@ -61,7 +61,7 @@ class Waitable(Entity, Generic[T]):
     """Base of what an executor runs beside topics, services, timers and guard conditions.
 
     A derived class of a program implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute`,
-    as in real rclpy, of guard conditions, subscriptions, services and clients; `rclpy._wait_set` stands in for rcl's wait set.
+    as in real rclpy, of the handles of entities; `rclpy._wait_set` stands in for rcl's wait set.
     """
 
     _kind = WAITABLE
@@ -78,7 +78,7 @@ class Waitable(Entity, Generic[T]):
         if type(self)._process is Waitable._process and self._wait_set is None:
             from rclpy._wait_set import WaitSet
 
-            self._wait_set = WaitSet(self._notify)
+            self._wait_set = WaitSet._of_waitable(self._notify, scope)
             self.add_to_wait_set(self._wait_set)
             self._notify()
 
@@ -88,7 +88,9 @@ class Waitable(Entity, Generic[T]):
         if wait_set is None or not self.is_ready(wait_set):
             return NOTHING
         wait_set.reset()
-        return self.execute(self.take_data())
+        taken = self.take_data()
+        wait_set.rearm()
+        return self.execute(taken)
 
     def __enter__(self) -> None:
         raise NotImplementedError("Must be implemented by subclass")

@@ -39,9 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         choices=["cmake", "ament_cmake", "ament_python"],
         help="The build type to process the package with",
     )
-    completed(
-        parser.add_argument("--dependencies", nargs="+", default=[], help="list of dependencies"), package_names
-    )
+    completed(parser.add_argument("--dependencies", nargs="+", default=[], help="list of dependencies"), package_names)
     parser.add_argument("--maintainer-email", help="email address of the maintainer of this package")
     parser.add_argument("--maintainer-name", help="name of the maintainer of this package")
     parser.add_argument("--node-name", help="name of the empty executable")

@@ -120,4 +120,5 @@ def _is_plain(text: str) -> bool:
 
     if not text.isprintable():
         return False
-    return bool(yaml.SafeLoader("").resolve(yaml.ScalarNode, text, (True, False)) == "tag:yaml.org,2002:str")
+    loader: Any = yaml.SafeLoader("")
+    return bool(loader.resolve(yaml.ScalarNode, text, (True, False)) == "tag:yaml.org,2002:str")

@@ -49,6 +49,7 @@ class RViz:
         self.pace = 0.0
         """Seconds between two pictures that the viewer can show."""
         self.read_robot: RobotReader = lambda text, folder, done, cancelled: None
+        self.read_mesh: Callable[[str, Callable[[Any], None]], None] = lambda uri, done: None
         self.read_file: Callable[[str, Callable[[str], None]], None] = lambda path, done: None
         self.path: Callable[[str], Path] = Path
         """The file that a name means to the program."""

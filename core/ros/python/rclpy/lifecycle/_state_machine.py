@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from rclpy._logging_settings import LoggingSettings
 from rclpy._rclpy_pybind11 import RCLError
@@ -66,6 +66,11 @@ class StateMachine:
         self._state = 1
         self._settings = settings
         self._on_transition = on_transition
+        self.service_change_state: Any = None
+        self.service_get_state: Any = None
+        self.service_get_available_states: Any = None
+        self.service_get_available_transitions: Any = None
+        self.service_get_transition_graph: Any = None
 
     @property
     def current_state(self) -> tuple[int, str]:

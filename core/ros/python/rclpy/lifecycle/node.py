@@ -68,7 +68,9 @@ class LifecycleNodeMixin(ManagedEntity):
             (srv.GetAvailableTransitions, "get_available_transitions", self._on_get_available_transitions),
             (srv.GetAvailableTransitions, "get_transition_graph", self._on_get_transition_graph),
         ):
-            node.create_service(srv_type, f"~/{name}", answer, callback_group=group)
+            service = node.create_service(srv_type, f"~/{name}", answer, callback_group=group)
+            setattr(self._state_machine, f"service_{name}", service.handle)
+            setattr(self, f"_service_{name}", service)
         publisher = node.create_publisher(TransitionEvent, "~/transition_event", 10)
         # In real ROS it belongs to the state machine and is none of the node's publishers.
         node._publishers.remove(publisher)

@@ -43,8 +43,8 @@ class LaserScanDisplay(FilteredDisplay):
         self.low_colour = self.add(Property("Min Color", COLOUR, (0, 0, 0), on_change=changed))
         self.high_colour = self.add(Property("Max Color", COLOUR, (255, 255, 255), on_change=changed))
         self.auto = self.add(Property("Autocompute Intensity Bounds", BOOL, True, on_change=changed))
-        self.low = self.add(floats("Min Intensity", 0, on_change=changed))
-        self.high = self.add(floats("Max Intensity", 4096, on_change=changed))
+        self.least = self.add(floats("Min Intensity", 0, on_change=changed))
+        self.most = self.add(floats("Max Intensity", 4096, on_change=changed))
         self.axis = self.add(Property("Axis", ENUM, "Z", options=("X", "Y", "Z"), on_change=changed))
         self.colour = self.add(Property("Color", COLOUR, (255, 255, 255), on_change=changed))
         self._scans: deque[tuple[int, Any, Any]] = deque(maxlen=MOST_SCANS)
@@ -60,7 +60,7 @@ class LaserScanDisplay(FilteredDisplay):
     def _hide(self) -> None:
         self.size.hidden, self.pixels.hidden = self.style.value == "Points", self.style.value != "Points"
         how = self.how.value
-        for each in (self.channel, self.rainbow, self.invert, self.auto, self.low, self.high):
+        for each in (self.channel, self.rainbow, self.invert, self.auto, self.least, self.most):
             each.hidden = how != INTENSITY
         self.low_colour.hidden = self.high_colour.hidden = how != INTENSITY
         self.axis.hidden, self.colour.hidden = how != AXIS, how != FLAT
@@ -98,7 +98,9 @@ class LaserScanDisplay(FilteredDisplay):
         intensities = intensities[good] if len(intensities) == len(ranges) else np.zeros(len(flat))
         self._scans.append((self.rviz.now_ns(), _moved(flat, pose), intensities))
         shown = sum(len(points) for _, points, _ in self._scans) if self.decay.value else len(flat)
-        self.put_status(OK, "Points", f"Showing [{shown}] points from [{len(self._scans) if self.decay.value else 1}] messages")
+        self.put_status(
+            OK, "Points", f"Showing [{shown}] points from [{len(self._scans) if self.decay.value else 1}] messages"
+        )
 
     @property
     def fading(self) -> bool:
@@ -130,7 +132,9 @@ class LaserScanDisplay(FilteredDisplay):
             low, high = float(values.min()), float(values.max())
         else:
             values = intensities
-            low, high = (float(values.min()), float(values.max())) if self.auto.value else (self.low.value, self.high.value)
+            low, high = (
+                (float(values.min()), float(values.max())) if self.auto.value else (self.least.value, self.most.value)
+            )
         part = np.clip((values - low) / (high - low), 0, 1) if high > low else np.ones(len(values))
         if self.how.value == INTENSITY and not self.rainbow.value:
             a, b = np.array(rgba(self.low_colour, alpha)), np.array(rgba(self.high_colour, alpha))

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import WARN_SCALE, draw_marker, problem_of
+from day6_tui.core.ros.programs.rviz2.model.displays.marker_shapes import MESH, draw_marker, problem_of
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, Property
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN
-from day6_tui.core.ros.programs.rviz2.model.topics import FilteredDisplay, TopicDisplay, all_finite, pose_numbers, stamp_ns
+from day6_tui.core.ros.programs.rviz2.model.topics import (
+    FilteredDisplay,
+    TopicDisplay,
+    all_finite,
+    pose_numbers,
+    stamp_ns,
+)
 from day6_tui.urdf.kinematics import Transform
 
 ADD, DELETE, DELETE_ALL = 0, 2, 3
@@ -23,6 +29,7 @@ class _Marker:
     def __init__(self, message: Any, now_ns: int) -> None:
         self.message = message
         self.frame: Transform | None = None
+        self.mesh: Any = None
         lifetime = stamp_ns(message.lifetime)
         self.ends_ns = now_ns + lifetime if lifetime > 100_000 else None
 
@@ -36,6 +43,7 @@ class Markers:
         self._switches: dict[str, Property] = {}
         self.wanted: dict[str, bool] = {}
         self._markers: dict[Key, _Marker] = {}
+        self._meshes: dict[str, Any] = {}
 
     # -- messages ------------------------------------------------------------------------------------------------------
 
@@ -80,8 +88,28 @@ class Markers:
             del self._markers[next(iter(self._markers))]
         entry = self._markers[key] = _Marker(marker, self.display.rviz.now_ns())
         self._place(key, entry)
+        if marker.type == MESH:
+            self._read_mesh(key, entry)
         if problem := problem_of(marker):
-            self._say(key, WARN if problem == WARN_SCALE or "Scale" in problem else ERROR, problem)
+            self._say(key, WARN if problem.startswith("Scale") else ERROR, problem)
+
+    def _read_mesh(self, key: Key, entry: _Marker) -> None:
+        uri = entry.message.mesh_resource
+        if uri in self._meshes:
+            self._mesh_is_here(key, entry, self._meshes[uri])
+            return
+
+        def done(mesh: Any) -> None:
+            self._meshes[uri] = mesh
+            self._mesh_is_here(key, entry, mesh)
+
+        self.display.rviz.read_mesh(uri, done)
+
+    def _mesh_is_here(self, key: Key, entry: _Marker, mesh: Any) -> None:
+        entry.mesh = mesh
+        if mesh is None and self._markers.get(key) is entry:
+            name, uri = _line(key), entry.message.mesh_resource
+            self._say(key, ERROR, f"Mesh resource marker [{name}] could not load [{uri}]")
 
     def _place(self, key: Key, entry: _Marker) -> None:
         frames = self.display.rviz.frames
@@ -134,7 +162,7 @@ class Markers:
     def draw(self, scene: Scene) -> None:
         for entry in self._markers.values():
             if entry.frame is not None:
-                draw_marker(scene, entry.message, entry.frame)
+                draw_marker(scene, entry.message, entry.frame, entry.mesh)
 
     def clear(self) -> None:
         self._markers.clear()

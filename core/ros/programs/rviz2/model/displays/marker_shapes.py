@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.scene import (
@@ -24,11 +25,24 @@ from day6_tui.core.ros.programs.rviz2.model.topics import pose_of
 from day6_tui.urdf.kinematics import Transform, compose
 from day6_tui.urdf.model import Vector
 
-ARROW, CUBE, SPHERE_TYPE, CYLINDER_TYPE, LINE_STRIP, LINE_LIST, CUBE_LIST, SPHERE_LIST, POINTS, TEXT, MESH, TRIANGLES = (
-    range(12)
-)
+(
+    ARROW,
+    CUBE,
+    SPHERE_TYPE,
+    CYLINDER_TYPE,
+    LINE_STRIP,
+    LINE_LIST,
+    CUBE_LIST,
+    SPHERE_LIST,
+    POINTS,
+    TEXT,
+    MESH,
+    TRIANGLES,
+) = range(12)
 
 WARN_SCALE = "Scale of 0 in one of x/y/z"
+
+_GREY = (0.7, 0.7, 0.7)
 
 MOST_SOLIDS = 1000
 """Of a list of cubes or spheres; the rest is drawn as points."""
@@ -47,13 +61,22 @@ def problem_of(marker: Any) -> str:
         return WARN_SCALE
     if kind == LINE_LIST and len(marker.points) % 2:
         return f"Line list marker [{key}] has an odd number of points."
-    if kind == TRIANGLES and (len(marker.points) % 3 or not marker.points):
+    if kind == TRIANGLES and not marker.points:
+        return f"TriMesh marker [{key}] has no points."
+    if kind == TRIANGLES and len(marker.points) % 3:
         return f"TriMesh marker [{key}] has a point count which is not divisible by 3 [{len(marker.points)}]"
     return ""
 
 
-def draw_marker(scene: Scene, marker: Any, frame: Transform) -> None:
-    """Add a marker to the scene; `frame` is the pose of its frame."""
+def draw_marker(scene: Scene, marker: Any, frame: Transform, mesh: Any = None) -> None:
+    """Add a marker to the scene; `frame` is the pose of its frame, `mesh` the data of its mesh as soon as it is read."""
+    if marker.type == MESH:
+        if mesh is not None:
+            colours = mesh.colours if marker.mesh_use_embedded_materials else None
+            pose = compose(frame, pose_of(marker.pose))
+            colour = (*_GREY, 1.0) if marker.mesh_use_embedded_materials else _colour(marker)
+            scene.triangles.append(Triangles(mesh.vertices, mesh.faces, pose, _size(marker), colour, colours))
+        return
     draw = _DRAW.get(marker.type)
     if draw is not None:
         draw(scene, marker, compose(frame, pose_of(marker.pose)))
@@ -104,9 +127,9 @@ def _arrow(scene: Scene, marker: Any, pose: Transform) -> None:
 def _strip(scene: Scene, marker: Any, pose: Transform) -> None:
     points = _points(marker)
     colours = _colours(marker, len(points))
-    ends = [point for pair in zip(points, points[1:], strict=False) for point in pair]
+    ends = [point for pair in pairwise(points) for point in pair]
     if len(colours) > 1:
-        colours = [colour for pair in zip(colours, colours[1:], strict=False) for colour in pair]
+        colours = [colour for pair in pairwise(colours) for colour in pair]
     if ends:
         scene.lines.append(Lines(ends, colours, pose, marker.scale.x))
 
@@ -170,4 +193,4 @@ _DRAW: dict[int, Callable[[Scene, Any, Transform], None]] = {
     TEXT: _text,
     TRIANGLES: _triangles,
 }
-"""MESH_RESOURCE is not in it."""
+"""Of every type but MESH_RESOURCE, which needs its mesh."""

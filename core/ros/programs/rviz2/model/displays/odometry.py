@@ -85,7 +85,8 @@ class OdometryDisplay(FilteredDisplay):
         p, q = new.orientation, old.orientation
         cosine = abs(p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w)
         turned = 2 * math.acos(min(1.0, cosine))
-        return moved >= self.distance.value or turned >= self.angle.value
+        far: bool = moved >= self.distance.value or turned >= self.angle.value
+        return far
 
     def draw(self, scene: Scene) -> None:
         keep = self.keep.value or MOST_KEPT
@@ -95,6 +96,4 @@ class OdometryDisplay(FilteredDisplay):
         if self._arrows and self._spread is not None and self.covariance.value and self._ball.value:
             # Two standard deviations, at least a tenth of a millimetre thick.
             size = tuple(max(1e-4, 2 * self.ball_scale.value * part) for part in self._spread)
-            scene.shapes.append(
-                Shape(SPHERE, self._arrows[-1], size, rgba(self.ball_colour, self.ball_alpha.value))  # type: ignore[arg-type]
-            )
+            scene.shapes.append(Shape(SPHERE, self._arrows[-1], size, rgba(self.ball_colour, self.ball_alpha.value)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from day6_tui.core.ros.programs.rviz2.model.displays.arrows import rgba
@@ -78,7 +79,7 @@ class PathDisplay(FilteredDisplay):
         colour = rgba(self.colour, self.alpha.value)
         width = self.width.value if self.style.value == "Billboards" else 0.0
         for path in self._paths:
-            ends = [pose.xyz for pair in zip(path, path[1:], strict=False) for pose in pair]
+            ends = [pose.xyz for pair in pairwise(path) for pose in pair]
             if ends:
                 scene.lines.append(Lines(ends, [colour], lift, width))
             for pose in path[:MOST_POSES] if self.pose_style.value != "None" else ():

@@ -1,0 +1,18 @@
+"""turtle_tf2_broadcaster: broadcasts where a turtle is."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_tui.core.ros.programs._component import spin_cpp
+from day6_tui.core.ros.programs._rclcpp import create_node
+from day6_tui.core.ros.programs.turtle_tf2_py._frames import broadcast_turtle
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+async def main(session: Session) -> int:
+    node = create_node(session, "turtle_tf2_frame_publisher")
+    broadcast_turtle(node)
+    return await spin_cpp(session, node)

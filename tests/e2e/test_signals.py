@@ -1,0 +1,193 @@
+"""Ctrl-C and kill as real rclpy treats them: every program here was run on real rclpy 9.1.2 with the result that stands beside it.
+
+With DAY6_REAL_PYTHON naming an interpreter that has real rclpy, they are run on that instead.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import NamedTuple
+
+import pytest
+from place import Place
+
+from day6_tui.core.ros.environment import program_environment
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals of Unix")
+
+START = """\
+import atexit, os, signal, sys, threading, time
+import rclpy
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+from std_msgs.msg import String
+from std_srvs.srv import Empty
+
+def say(*words):
+    print(*words, flush=True)
+
+"""
+NODE = "rclpy.init(); n = Node('n')\n"
+SPIN = "say('ready')\nrclpy.spin(n)\n"
+CATCH = "except BaseException as e: say(type(e).__name__, rclpy.ok())\n"
+INTO_SPIN = 0.5
+"""Seconds from the line 'ready' to the call after it."""
+
+
+class Case(NamedTuple):
+    """A program, the signals it gets after its line 'ready', and how it ends."""
+
+    code: str
+    signals: tuple[str, ...]
+    status: int
+    said: tuple[str, ...] = ()
+    error: str = ""
+    """The last line of what it wrote to stderr."""
+
+
+KI, ESE = "KeyboardInterrupt", "rclpy.executors.ExternalShutdownException"
+INVALID = "rclpy._rclpy_pybind11.RCLError: {}'s context is invalid, at "
+CASES = {
+    "spin": Case(NODE + SPIN, ("INT",), -2, error=KI),
+    "spin, SIGTERM": Case(NODE + SPIN, ("TERM",), 1, error=ESE),
+    "spin with a timer": Case(NODE + "n.create_timer(0.2, lambda: None)\n" + SPIN, ("INT",), -2, error=KI),
+    "inside a callback": Case(
+        NODE + "def f():\n    say('ready')\n    time.sleep(5)\nn.create_timer(0.1, f)\nrclpy.spin(n)\n",
+        ("INT",), -2, error=KI,
+    ),
+    "caught": Case(
+        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: say(rclpy.ok())\n"
+        "n.destroy_node()\nrclpy.try_shutdown()\nsay('end')\n",
+        ("INT",), 0, ("False", "end"),
+    ),
+    "caught, then shutdown": Case(
+        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt: pass\n"
+        "finally:\n    n.destroy_node()\n    rclpy.shutdown()\nsay('end')\n",
+        ("INT",), 0, ("end",),
+    ),
+    "caught, SIGTERM": Case(
+        NODE + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}", ("TERM",), 0, ("ExternalShutdownException False",)
+    ),
+    "with rclpy.init()": Case(
+        "with rclpy.init():\n    n = Node('n')\n    say('ready')\n    rclpy.spin(n)\n", ("INT",), -2, error=KI
+    ),
+    "spin_once in a loop": Case(
+        NODE + "say('ready')\nwhile rclpy.ok(): rclpy.spin_once(n, timeout_sec=0.1)\n", ("INT",), -2, error=KI
+    ),
+    "spin_once in a loop, SIGTERM": Case(
+        NODE + "say('ready')\nwhile rclpy.ok(): rclpy.spin_once(n)\n", ("TERM",), 1, error=ESE
+    ),
+    "no spin at all": Case(NODE + "say('ready')\ntime.sleep(20)\n", ("INT",), -2, error=KI),
+    "no spin at all, SIGTERM": Case(
+        NODE + "say('ready')\ntime.sleep(1.5)\nsay(rclpy.ok())\n", ("TERM",), 0, ("False",)
+    ),
+    "publishing while ok, SIGTERM": Case(
+        NODE + "p = n.create_publisher(String, 't', 10)\nsay('ready')\n"
+        "while rclpy.ok():\n    p.publish(String(data='x'))\n    time.sleep(0.05)\nsay('left')\n",
+        ("TERM",), 0, ("left",),
+    ),
+    "publishing afterwards": Case(
+        NODE + "p = n.create_publisher(String, 't', 10)\nsay('ready')\ntry: rclpy.spin(n)\n"
+        "except KeyboardInterrupt: p.publish(String(data='stop'))\n",
+        ("INT",), 1, error=INVALID.format("Failed to publish: publisher"),
+    ),
+    "MultiThreadedExecutor": Case(
+        NODE + "e = MultiThreadedExecutor(); e.add_node(n)\nsay('ready')\ne.spin()\n", ("INT",), -2, error=KI
+    ),
+    "MultiThreadedExecutor, SIGTERM": Case(
+        NODE + "e = MultiThreadedExecutor(); e.add_node(n)\nsay('ready')\ne.spin()\nsay('left')\n",
+        ("TERM",), 0, ("left",),
+    ),
+    "SingleThreadedExecutor, SIGTERM": Case(
+        NODE + "e = SingleThreadedExecutor(); e.add_node(n)\nsay('ready')\ne.spin()\n", ("TERM",), 1, error=ESE
+    ),
+    "waiting for a service": Case(
+        NODE + "c = n.create_client(Empty, 'nope')\nsay('ready')\nwhile not c.wait_for_service(1.0): pass\n",
+        ("INT",), -2, error=KI,
+    ),
+    "waiting for a service, SIGTERM": Case(
+        NODE + "c = n.create_client(Empty, 'nope')\nsay('ready')\nwhile not c.wait_for_service(0.2): pass\n",
+        ("TERM",), 1, error=INVALID.format("failed to check service availability: rcl node"),
+    ),
+    "waiting for a future": Case(
+        NODE + "say('ready')\nrclpy.spin_until_future_complete(n, rclpy.task.Future())\n", ("INT",), -2, error=KI
+    ),
+    "without handlers, SIGTERM": Case(
+        "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)\nn = Node('n')\n" + SPIN, ("TERM",), -15
+    ),
+    "an own handler from before": Case(
+        "signal.signal(signal.SIGINT, lambda number, frame: say('mine'))\n" + NODE
+        + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}",
+        ("INT",), 0, ("mine", "ExternalShutdownException False"),
+    ),
+    "SIGINT ignored from the start": Case(
+        "#ignore\n" + NODE + f"say('ready')\ntry: rclpy.spin(n)\n{CATCH}",
+        ("INT",), 0, ("ExternalShutdownException False",),
+    ),
+    "twice": Case(
+        NODE + "say('ready')\ntry: rclpy.spin(n)\nexcept KeyboardInterrupt:\n    say('first')\n"
+        "    try: time.sleep(5)\n    except KeyboardInterrupt: say('second')\n",
+        ("INT", "INT"), 0, ("first", "second"),
+    ),
+    "atexit": Case("atexit.register(say, 'at exit')\n" + NODE + SPIN, ("INT",), -2, ("at exit",), KI),
+    "SIGHUP": Case(NODE + SPIN, ("HUP",), -1),
+    "sys.exit in a callback": Case(NODE + "n.create_timer(0.1, lambda: sys.exit(3))\n" + SPIN, (), 3),
+    "an error in a callback": Case(
+        NODE + "n.create_timer(0.1, lambda: 1 / 0)\n" + SPIN, (), 1, error="ZeroDivisionError: division by zero"
+    ),
+    "shutdown in a callback": Case(
+        NODE + "n.create_timer(0.1, rclpy.shutdown)\n" + SPIN + "say('end')\n", (), 0, ("end",)
+    ),
+}  # fmt: skip
+
+REAL = os.environ.get("DAY6_REAL_PYTHON")
+
+
+@pytest.fixture(scope="module")
+def outcomes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Future[tuple[int, list[str], str]]]]:
+    """All of them at once: they mostly wait."""
+    place = Place(tmp_path_factory.mktemp("signals"))
+    with ThreadPoolExecutor(4) as pool:
+        yield {name: pool.submit(_run, place, number, case) for number, (name, case) in enumerate(CASES.items())}
+    place.close()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_signal_ends_a_program_as_on_real_rclpy(name: str, outcomes: dict[str, Future[object]]) -> None:
+    case = CASES[name]
+    status, said, error = outcomes[name].result(60)  # type: ignore[misc]
+    assert (status, tuple(said)) == (case.status, case.said), error
+    assert error.startswith(case.error) if case.error else not error
+
+
+def _run(place: Place, number: int, case: Case) -> tuple[int, list[str], str]:
+    env = {name: value for name, value in {**os.environ, **place.environment()}.items() if value is not None}
+    file = place.file(f"case{number}.py", START + case.code)
+    handler = signal.SIG_IGN if "#ignore" in case.code else signal.SIG_DFL
+    process = subprocess.Popen(
+        [REAL or sys.executable, str(file)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**env, "ROS_DOMAIN_ID": "93"} if REAL else program_environment(env),
+        preexec_fn=lambda: signal.signal(signal.SIGINT, handler),
+    )
+    assert process.stdout is not None
+    said = [process.stdout.readline().rstrip()]
+    for name in case.signals:
+        time.sleep(INTO_SPIN)
+        process.send_signal(getattr(signal, f"SIG{name}"))
+    try:
+        out, error = process.communicate(timeout=20)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise
+    said = [line for line in said + out.splitlines() if line != "ready"]
+    return process.returncode, said, error.strip().rpartition("\n")[2]

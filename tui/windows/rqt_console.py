@@ -1,0 +1,305 @@
+"""The console's window: a table of log messages, below it all of the chosen one, and which severities are left out."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.core.ros.programs.rqt_console._model import SEVERITIES, Console, Record
+from day6_tui.core.session.display import Window
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+
+NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 5, 5, 12
+LOCATION_FROM = 100
+"""Columns of the window from which there is room for the location."""
+
+DETAIL_LINES = 4
+"""Lines for all of the chosen message, in a window that is high enough."""
+
+_LEVEL_OF_KEY = {"d": 10, "i": 20, "w": 30, "e": 40, "f": 50}
+_STEPS = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -(10**9), "end": 10**9}
+
+Line = list[Segment]
+
+
+class RqtConsolePane(WindowPane):
+    """Draws `Console.shown()`; keeps which message is chosen, or that the newest is followed."""
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self.console: Console = window.model
+        self._chosen: Record | None = None
+        """None follows the newest message."""
+        self._first = 0
+        self._lines: list[Line] = []
+        self._version = -1
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        if self.console.version != self._version or len(self._lines) != self.inner_height:
+            self._version = self.console.version
+            self._show()
+        return False
+
+    def _show(self) -> None:
+        """Build all lines and touch those that differ."""
+        before, self._lines = self._lines, self._build(self.inner_width, self.inner_height)
+        if len(before) != len(self._lines):
+            super().touch()
+        else:
+            pairs = zip(before, self._lines, strict=True)
+            self.touch_lines(line for line, (old, new) in enumerate(pairs) if old != new)
+            self.touch_frame()
+
+    def touch(self) -> None:
+        self._lines = self._build(self.inner_width, self.inner_height) if self.is_mounted else []
+        super().touch()
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._lines = []
+
+    # -- building ------------------------------------------------------------------------------------------------------
+
+    def _build(self, width: int, height: int) -> list[Line]:
+        if width < 10 or height < 1:
+            return [[] for _ in range(height)]
+        records = self.console.shown()
+        details = DETAIL_LINES if height >= 12 else 0
+        room = max(1, height - 2 - (details + 1 if details else 0))
+        chosen = self._index(records)
+        follow = self._chosen is None
+        self._first = max(0, min(self._first, len(records) - room))
+        if follow:
+            self._first = max(0, len(records) - room)
+        elif chosen < self._first or chosen >= self._first + room:
+            self._first = max(0, min(chosen - room // 2, len(records) - room))
+        lines = [self._heading(width)]
+        for index in range(self._first, self._first + room):
+            lines.append(self._row(records[index], index == chosen, width) if index < len(records) else [])
+        if not records:
+            key = "console.filtered" if self.console.total else "console.none"
+            text = clip(self.look.texts(key), width - 1, self.look.glyphs.ellipsis)
+            lines[1] = [Segment(" " + text, self.look.colours.muted)]
+        if details:
+            lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
+            lines += self._details(records[chosen] if records else None, width, details)
+        lines.append(self._switches(width))
+        return lines[:height]
+
+    def _index(self, records: Sequence[Record]) -> int:
+        """The index of the chosen message; of the next newer one if it is left out now."""
+        if self._chosen is None:
+            return len(records) - 1
+        low, high = 0, len(records)
+        while low < high:
+            middle = (low + high) // 2
+            if records[middle].number < self._chosen.number:
+                low = middle + 1
+            else:
+                high = middle
+        return min(low, len(records) - 1)
+
+    def _widths(self, width: int) -> tuple[int, int, int]:
+        """Columns of message, node and location; 0 where there is no room."""
+        rest = width - NUMBER_WIDTH - SEVERITY_WIDTH - STAMP_WIDTH - 4
+        node = max(10, min(22, rest // 4))
+        location = min(36, rest // 3) if width >= LOCATION_FROM else 0
+        return max(4, rest - node - location - (1 if location else 0)), node, location
+
+    def _columns(self, width: int, number: str, text: str, severity: str, node: str, stamp: str, place: str) -> str:
+        message_width, node_width, place_width = self._widths(width)
+        dots = self.look.glyphs.ellipsis
+        parts = [
+            number.rjust(NUMBER_WIDTH - 1) + " ",
+            fit(text, message_width, dots),
+            fit(severity, SEVERITY_WIDTH, dots),
+            fit(node, node_width, dots),
+            fit(stamp, STAMP_WIDTH, dots),
+        ]
+        if place_width:
+            parts.append(fit(place, place_width, dots))
+        return " ".join(parts)
+
+    def _heading(self, width: int) -> Line:
+        texts = self.look.texts
+        keys = ("message", "severity", "node", "stamp", "location")
+        return [Segment(self._columns(width, "#", *(texts(f"console.{key}") for key in keys)), self.look.colours.muted)]
+
+    def _row(self, record: Record, chosen: bool, width: int) -> Line:
+        colours = self.look.colours
+        text = self._columns(
+            width,
+            f"#{record.number}",
+            " ".join(record.text.split()),
+            record.severity,
+            record.node,
+            _time_of_day(record.stamp_ns),
+            record.location,
+        )
+        if chosen and self.has_focus:
+            style = colours.choice
+        elif self.console.choice.highlights(record):
+            style = colours.hint
+        else:
+            style = self._style(record)
+        mark = self.look.glyphs.marker if chosen else " "
+        return [Segment(mark, style), Segment(text[1:], style)]
+
+    def _style(self, record: Record) -> Style:
+        colours = self.look.colours
+        if record.level >= 40:
+            return colours.error
+        return {10: colours.muted, 30: colours.warning}.get(record.level, colours.text)
+
+    def _details(self, record: Record | None, width: int, height: int) -> list[Line]:
+        colours, texts = self.look.colours, self.look.texts
+        if record is None:
+            return [[] for _ in range(height)]
+        head: Line = [
+            Segment(f" #{record.number} ", colours.strong),
+            Segment(f"{record.severity} ", self._style(record)),
+            Segment(f"{record.node}  ", colours.node),
+            Segment(_whole_time(record.stamp_ns), colours.muted),
+        ]
+        used = sum(cell_len(segment.text) for segment in head)
+        if record.location:
+            place = clip(f"  {texts('console.location')} {record.location}", width - used, self.look.glyphs.ellipsis)
+            head.append(Segment(place, colours.muted))
+        lines = wrap(record.text, width - 2)
+        if len(lines) > height - 1:
+            lines = [*lines[: height - 2], clip(" ".join(lines[height - 2 :]), width - 2, self.look.glyphs.ellipsis)]
+        body: list[Line] = [[Segment(" " + line, colours.text)] for line in lines]
+        return [head, *body, *([[]] * (height - 1 - len(body)))]
+
+    def _switches(self, width: int) -> Line:
+        """The severities with their boxes: a ticked one is left out, as in the real window's list."""
+        colours, choice = self.look.colours, self.console.choice
+        line: Line = [Segment(f" {self.look.texts('console.exclude')}: ", colours.muted)]
+        for key, level in _LEVEL_OF_KEY.items():
+            on = level in choice.levels
+            line.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
+            line.append(Segment(f"{SEVERITIES[level]}({key}) ", colours.strong if on else colours.text))
+        for title, text in (("console.containing", choice.text), ("console.highlighted", choice.highlight)):
+            if text:
+                line.append(Segment(f" {self.look.texts(title)}: ", colours.muted))
+                line.append(Segment(clip(text, 20, self.look.glyphs.ellipsis), colours.accent))
+        if choice.nodes:
+            line.append(Segment(f" {self.look.texts('console.nodes')}: ", colours.muted))
+            line.append(Segment(clip(", ".join(sorted(choice.nodes)), 30, self.look.glyphs.ellipsis), colours.accent))
+        return line
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if len(self._lines) != self.inner_height:
+            self._lines = self._build(width, self.inner_height)
+        return self._lines[y] if y < len(self._lines) else ()
+
+    def status(self) -> list[Piece]:
+        texts, colours = self.look.texts, self.look.colours
+        total, shown = self.console.total, len(self.console.shown())
+        if total == shown:
+            text = texts("console.count", count=total)
+        else:
+            text = texts("console.shown", count=shown, total=total)
+        pieces = [Piece(f" {text} ", colours.muted)]
+        if self.console.paused:
+            pieces.append(Piece(f" {self.look.glyphs.paused} {texts('console.paused')} ", colours.hint))
+        return pieces
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [
+            ("p", texts("console.resume" if self.console.paused else "console.pause")),
+            ("c", texts("console.clear")),
+            ("/", texts("console.leave_out")),
+            ("h", texts("console.highlight")),
+            ("n", texts("console.node_out")),
+            ("a", texts("console.all")),
+        ]
+
+    def on_key(self, event: events.Key) -> None:
+        key = event.key
+        if key in _STEPS:
+            self._move(_STEPS[key])
+        elif key in _LEVEL_OF_KEY:
+            self.console.toggle_level(_LEVEL_OF_KEY[key])
+        elif key in ("p", "space"):
+            self.console.toggle_paused()
+        elif key == "c":
+            self.console.clear()
+            self._chosen = None
+        elif key == "a":
+            self.console.show_everything()
+        elif key == "n":
+            self._leave_node_out()
+        elif key == "slash":
+            self._ask("console.containing", self.console.choice.text, self.console.exclude_text)
+        elif key == "h":
+            self._ask("console.highlighted", self.console.choice.highlight, self.console.highlight)
+        elif key == "escape" and self._chosen is not None:
+            self._chosen = None
+        else:
+            return
+        event.stop()
+        event.prevent_default()
+        self._show()
+        self.look.wake()
+
+    def _move(self, step: int) -> None:
+        """Choose another message; behind the last one the newest is followed again."""
+        records = self.console.shown()
+        if not records:
+            return
+        place = self._index(records) + step
+        self._chosen = None if place >= len(records) - 1 else records[max(0, place)]
+
+    def _leave_node_out(self) -> None:
+        records = self.console.shown()
+        if records:
+            self.console.toggle_node(records[self._index(records)].node)
+
+    def _ask(self, title: str, value: str, give: Callable[[str], None]) -> None:
+        def taken(text: str) -> None:
+            give(text)
+            self.look.wake()
+
+        self.ask(self.look.texts(title), value, taken, note=self.look.texts(f"{title}.note"))
+
+    def on_click(self, event: events.Click) -> None:
+        super().on_click(event)
+        index = self._first + event.y - 1 - self.inner_offset
+        records = self.console.shown()
+        if event.y > self.inner_offset and 0 <= index < len(records):
+            self._chosen = records[index]
+            self._show()
+            self.look.wake()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._move(3)
+        self._show()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._move(-3)
+        self._show()
+
+
+def _time_of_day(stamp_ns: int) -> str:
+    local = time.localtime(stamp_ns // 1_000_000_000)
+    return f"{local.tm_hour:02d}:{local.tm_min:02d}:{local.tm_sec:02d}.{stamp_ns // 1_000_000 % 1000:03d}"
+
+
+def _whole_time(stamp_ns: int) -> str:
+    local = time.localtime(stamp_ns // 1_000_000_000)
+    return f"{local.tm_year}-{local.tm_mon:02d}-{local.tm_mday:02d} {_time_of_day(stamp_ns)}"
