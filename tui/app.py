@@ -347,6 +347,8 @@ def run(options: Any) -> int:
     except (KeyError, ValueError) as error:
         print(f"day6-tui: {error}", file=sys.stderr)
         return 2
+    # For programs on the desk that explain something: new terminals pass it on.
+    os.environ["DAY6_LANG"] = app.look.texts.language
     try:
         app.run()
     finally:

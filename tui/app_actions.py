@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -174,6 +175,8 @@ class AppActions:
     def do_language(self) -> None:
         if self.look.glyphs.chinese:
             self.look.texts.switch()
+            if "DAY6_LANG" in os.environ:
+                os.environ["DAY6_LANG"] = self.look.texts.language
             self._redraw()
 
     def do_theme(self) -> None:

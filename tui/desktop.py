@@ -42,6 +42,11 @@ class _DesktopLayout(Layout):
         return placements
 
 
+def _pane_of(widget: Widget) -> Pane | None:
+    """The pane that a focused widget is, or is in (the text of an editor)."""
+    return next((found for found in widget.ancestors_with_self if isinstance(found, Pane)), None)
+
+
 def _column_for_overlays(found: Arrangement, size: Size) -> Place:
     """The part of the desktop over which something may lie: one column of panes.
 
@@ -133,7 +138,7 @@ class Desktop(Container):
         focused_gone = False
         for number in [number for number in self.panes if number not in open_numbers]:
             pane = self.panes.pop(number)
-            focused_gone = focused_gone or pane.has_focus
+            focused_gone = focused_gone or self.focused_pane() is pane
             pane.remove()
         for window in windows:
             if window.number not in self.panes:
@@ -141,6 +146,8 @@ class Desktop(Container):
                 self.panes[window.number] = pane
                 self.active = window.number
                 self.mount(pane)
+                if pane.takes_focus:
+                    self.call_after_refresh(self.focus_pane, pane)
         if self.active not in self.panes:
             self.active = next(reversed(self.panes), WELCOME)
             if self.enlarged == "window":
@@ -201,10 +208,10 @@ class Desktop(Container):
         return last if last is not None and last.is_attached else self.terminals
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
-        pane = event.widget
-        if not isinstance(pane, Pane) or isinstance(pane, Overlay) or pane is self._last_focus:
+        pane = _pane_of(event.widget)
+        if pane is None or isinstance(pane, Overlay) or pane is self._last_focus:
             return
-        if pane is not self.screen.focused:
+        if event.widget is not self.screen.focused:
             return  # quick keys: the news of one pane may come when the next already has the focus
         self._last_focus = pane
         if (number := getattr(pane, "number", None)) is not None:

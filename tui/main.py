@@ -26,7 +26,7 @@ commands:
   colcon ...                  build a workspace
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
   shell                       a real sub-shell in which ros2, colcon and python3 are these
-  env                         print the variables that do the same for this shell or an IDE
+  env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE
 
 day6-tui COMMAND --help says more."""
 

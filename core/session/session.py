@@ -115,8 +115,7 @@ class Session:
             graph = self.graph
             if graph is None:
                 raise RuntimeError("this session has no graph")
-            self._context = Context._for_session(graph, self.clock, self.argv)
-            self._context._log_write = self._log_write
+            self._context = Context._for_session(graph, self.clock, self.argv, write=self._log_write)
             self._context.on_shutdown(lambda: self._ros_wake.set())
         return self._context
 

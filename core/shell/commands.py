@@ -23,6 +23,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
         "search": "grep",
+        "edit": "nano gedit vim vi code mousepad gnome-text-editor",
         "times": "sleep timeout date",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",

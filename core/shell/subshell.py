@@ -116,15 +116,51 @@ def call(words: list[str], env: dict[str, str]) -> int:
 
 
 def print_environment(arguments: list[str]) -> int:
-    """`day6-tui env`: print what `eval "$(day6-tui env)"` needs."""
+    """`day6-tui env`: print what `eval "$(day6-tui env)"` needs, or write the settings of an editor."""
+    parser = argparse.ArgumentParser(
+        prog="day6-tui env",
+        description='Print variables for a shell: eval "$(day6-tui env)". Or write what an editor needs, into a project.',
+    )
+    parser.add_argument(
+        "--vscode", action="store_true", help="write .vscode/settings.json, .vscode/launch.json and .env"
+    )
+    parser.add_argument("--pycharm", action="store_true", help="write source roots and variables into .idea")
+    parser.add_argument(
+        "project",
+        nargs="?",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="the project's folder (default: this one)",
+    )
+    options = parser.parse_args(arguments)
+    if options.vscode or options.pycharm:
+        return _write_settings(options)
     from day6_tui.core.ros.environment import program_environment
 
-    parser = argparse.ArgumentParser(
-        prog="day6-tui env", description='Print variables for a shell or an IDE: eval "$(day6-tui env)".'
-    )
-    parser.parse_args(arguments)
     before = dict(os.environ)
     for name, value in program_environment().items():
         if before.get(name) != value:
             print(f"set {name}={value}" if os.name == "nt" else f"export {name}={shlex.quote(value)}")
+    return 0
+
+
+def _write_settings(options: argparse.Namespace) -> int:
+    from day6_tui.core.ros.environment import activate
+    from day6_tui.core.shell import ide
+
+    activate()
+    project, stubs = options.project.absolute(), ide.stub_folder()
+    try:
+        if not project.is_dir():
+            raise ValueError(f"{project} is no folder")
+        count = ide.write_stubs(stubs)
+        files = ide.write_vscode(project, stubs) if options.vscode else []
+        files += ide.write_pycharm(project, stubs) if options.pycharm else []
+    except (OSError, ValueError) as error:
+        print(f"day6-tui env: {error}", file=sys.stderr)
+        return 1
+    print(f"{count} packages of interfaces are in {stubs}")
+    for file in files:
+        print(f"wrote {file}")
     return 0

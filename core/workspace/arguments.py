@@ -31,9 +31,7 @@ _ENVIRONMENT = """\
 Environment variables:
   COLCON_DEFAULT_EXECUTOR
                         Select the default executor extension
-  COLCON_LOG_LEVEL      Set the log level (debug|10, info|20, warn|30,
-                        error|40, critical|50, or any other positive numeric
-                        value)
+  COLCON_LOG_PATH       The base path for all log directories
 
 For more help and usage tips, see https://colcon.readthedocs.io"""
 
@@ -48,8 +46,8 @@ _SELECTION: tuple[tuple[str, str | None, str], ...] = (
     (
         "--packages-above-and-dependencies",
         "PKG_NAME",
-        "Only process a subset of packages and packages which recursively depend on them including all their recursive "
-        "dependencies",
+        "Only process a subset of packages and packages which recursively depend on them "  # noqa: ISC004
+        "including all their recursive dependencies",
     ),
     (
         "--packages-above-depth",
@@ -106,13 +104,11 @@ def build_parser(session: Session) -> ColconParser:
         "--log-level",
         help="Set log level for the console output, either by numeric or string value (default: `warning`)",
     )
-    names = "{" + ",".join(VERBS) + "}"
     options: dict[str, Any] = {"parser_class": functools.partial(ColconParser, session)}
     verbs = root.add_subparsers(
         title="colcon verbs",
         description="\n".join(_rows(VERBS)),
         dest="verb_name",
-        metavar=names,
         help="call `colcon VERB -h` for specific help",
         **options,
     )
@@ -128,7 +124,7 @@ def _rows(texts: dict[str, str]) -> list[str]:
 
     lines = []
     for name, text in texts.items():
-        first, *rest = textwrap.wrap(text, 54)
+        first, *rest = textwrap.wrap(text, 56)
         lines += [f"{name:<22}{first}", *(" " * 22 + line for line in rest)]
     return lines
 
@@ -195,8 +191,13 @@ def _add_test(parser: argparse.ArgumentParser) -> None:
     add("--install-base", default="install", help="The base path for all install prefixes (default: install)")
     add("--merge-install", action="store_true", help="Merge all install prefixes into a single location")
     add("--test-result-base", help="The base path for all test results (default: same as `--build-base`)")
-    add("--retest-until-fail", type=int, default=0, metavar="N", help="Rerun tests up to N times if they pass")
-    add("--retest-until-pass", type=int, default=0, metavar="N", help="Rerun failing tests up to N times")
+    again = parser.add_mutually_exclusive_group()
+    again.add_argument(
+        "--retest-until-fail", type=int, default=0, metavar="N", help="Rerun tests up to N times if they pass"
+    )
+    again.add_argument(
+        "--retest-until-pass", type=int, default=0, metavar="N", help="Rerun failing tests up to N times"
+    )
     add(
         "--abort-on-error",
         action="store_true",
@@ -312,7 +313,10 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
 def _add_selection(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("Package selection arguments")
     for option, metavar, text in _SELECTION:
-        group.add_argument(option, nargs="*", metavar=metavar or ("DEPTH", "PKG_NAME"), help=text)
+        if metavar is None:
+            group.add_argument(option, nargs="+", metavar=("DEPTH", "PKG_NAME"), help=text)
+        else:
+            group.add_argument(option, nargs="*", metavar=metavar, help=text)
     exclusive = group.add_mutually_exclusive_group()
     for option, text in _BY_RESULT:
         exclusive.add_argument(option, action="store_true", help=text)
@@ -322,7 +326,24 @@ def _add_selection(parser: argparse.ArgumentParser) -> None:
         group.add_argument(option, metavar="PKG_NAME", help=f"Skip packages {word} this in flat topological ordering")
 
 
+def _add_build_base(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--build-base", default="build", help="The base path for all build directories (default: build)"
+    )
+
+
+_OBSOLETE = {
+    "topological-graph": "",
+    "topological-graph-dot": " --dot",
+    "topological-graph-density": " --density",
+    "topological-graph-legend": " --legend",
+    "topological-graph-dot-cluster": " --dot --dot-cluster",
+    "topological-graph-dot-include-skipped": " --dot --dot-include-skipped",
+}
+
+
 def _add_list(parser: argparse.ArgumentParser) -> None:
+    _add_build_base(parser)
     _add_discovery(parser)
     _add_selection(parser)
     parser.add_argument(
@@ -338,11 +359,14 @@ def _add_list(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--paths-only", "-p", action="store_true", help="Output only the path of each package but not the name"
     )
-    group.add_argument("--topological-graph", "-g", action="store_true", help=argparse.SUPPRESS)
-    group.add_argument("--topological-graph-dot", action="store_true", help=argparse.SUPPRESS)
+    obsolete = parser.add_argument_group("Obsolete arguments")
+    for name, new in _OBSOLETE.items():
+        short = ["-g"] if name == "topological-graph" else []
+        obsolete.add_argument(f"--{name}", *short, action="store_true", help=f"Instead use `colcon graph{new}`")
 
 
 def _add_info(parser: argparse.ArgumentParser) -> None:
+    _add_build_base(parser)
     _add_discovery(parser)
     parser.add_argument(
         "package_names", nargs="*", metavar="PKG_NAME", help="Only show the information of a subset of packages"
@@ -351,15 +375,18 @@ def _add_info(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_graph(parser: argparse.ArgumentParser) -> None:
+    _add_build_base(parser)
     _add_discovery(parser)
     _add_selection(parser)
-    parser.add_argument(
-        "--density", action="store_true", help="Output density for dependency graph (only available without --dot)"
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "--dot",
+        action="store_true",
+        help="Output topological graph in DOT (e.g. pass the output to dot: ` | dot -Tpng -o graph.png`), legend: blue=build, "
+        "red=run, tan=test, dashed=indirect",
     )
-    parser.add_argument("--legend", action="store_true", help="Output legend for dependency graph")
-    parser.add_argument(
-        "--dot", action="store_true", help="Output topological graph in DOT (a graph description language)"
-    )
+    group.add_argument("--density", action="store_true", help="Output density of the graph (only without --dot)")
+    parser.add_argument("--legend", action="store_true", help="Output legend for the graph")
     parser.add_argument(
         "--dot-cluster", action="store_true", help="Cluster packages by their filesystem path (only affects --dot)"
     )

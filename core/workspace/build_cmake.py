@@ -170,7 +170,7 @@ class _CMakeBuild:
             ) from error
         for part in parts:
             for field in part.fields:
-                if field.type.nested:
+                if field.type.nested and "/msg/" in field.type.base:
                     self._check_nested(field.type.base, file, command, known)
         target = self.share / kind / source.name
         if self.settings.symlink_install:

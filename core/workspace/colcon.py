@@ -17,11 +17,11 @@ from day6_tui.core.workspace.jobs import Executor, Job, OnError, Work
 from day6_tui.core.workspace.logs import LogFolder
 from day6_tui.core.workspace.order import OrderError, Planned, check_unique, plan
 from day6_tui.core.workspace.packages import IGNORE_MARKER, Package, find_packages
+from day6_tui.core.workspace.python_tests import test
 from day6_tui.core.workspace.results import show_results
 from day6_tui.core.workspace.selection import SelectionError, select, without_ignored
 from day6_tui.core.workspace.settings import Settings
 from day6_tui.core.workspace.setup_scripts import write_workspace_scripts
-from day6_tui.core.workspace.test_python import test
 
 _INTERRUPT_STATUS = 2
 """What the real colcon returns after Ctrl-C: the number of SIGINT."""
@@ -123,7 +123,7 @@ class Colcon:
         outcome = self._execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
         return 1 if not outcome and failures and self.args.return_code_on_test_failure else outcome
 
-    def list(self) -> int:
+    def list_(self) -> int:
         return reports.list_packages(self.planned(), self.args, self.console)
 
     def info(self) -> int:
@@ -176,13 +176,18 @@ class Colcon:
             if task is None:
                 self.warn("colcon.colcon_core.verb", f"No task extension to '{verb}' a '{each.package.type}' package")
                 continue
-            jobs.append(Job(each.package.name, set(each.needs), _recorded(task, each.package, settings, verb)))
+            jobs.append(
+                Job(
+                    each.package.name, set(each.needs), _recorded(task, each.package, settings, verb), each.package.type
+                )
+            )
         return jobs
 
     def _execute(self, jobs: list[Job], on_error: OnError) -> int:
         handlers = chosen_handlers(self.args.event_handlers or [], self.console, self.args.verb_name, self.log)
         events = Events(handlers)
-        workers = 1 if self.args.executor == "sequential" else self.args.parallel_workers
+        executor_name = self.args.executor or self.environment.get("COLCON_DEFAULT_EXECUTOR")
+        workers = 1 if executor_name == "sequential" else self.args.parallel_workers
         with self._lock:
             executor = self._executor = Executor(events, workers, on_error)
             if self._interrupted:
@@ -259,7 +264,7 @@ def _mark_layout(folder: Path, args: Namespace) -> None:
 _VERBS: dict[str, Callable[[Colcon], int]] = {
     "build": Colcon.build,
     "test": Colcon.test,
-    "list": Colcon.list,
+    "list": Colcon.list_,
     "info": Colcon.info,
     "graph": Colcon.graph,
     "test-result": Colcon.test_result,

@@ -27,7 +27,7 @@ async def main(session: Session) -> int:
     except ParserExit as end:
         return end.status
     if args.verb_name is None:
-        session.stdout.write(build_parser(session).format_usage())
+        session.stdout.write(build_parser(session).format_usage() + "\n")
         session.print_error("Error: No verb provided")
         return 1
     colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, session.env)

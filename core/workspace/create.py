@@ -47,7 +47,7 @@ class _Draft:
 
 
 def create(plan: Plan, destination: Path, shown: str, say: Callable[[str], object]) -> None:
-    """Make the package in `destination` (`shown` as it was typed), telling each step. Raises OSError, and nothing is left then."""
+    """Make the package in `destination` (`shown` as it was typed), telling each step. Raises OSError, leaving nothing."""
     draft = _Draft(os.path.join(shown, plan.name))
     draft.folder()
     draft.file("package.xml", templates.package_xml(plan))

@@ -90,10 +90,9 @@ class ConsolePackageList:
 
     def handle(self, event: Event) -> None:
         if event.kind == "queued":
-            self._queued.append(event.job)
+            self._queued.append(f"- {event.job} ({event.text})\n")
         elif event.kind in ("started", "end") and self._queued:
-            names = "".join(f"- {name}\n" for name in self._queued)
-            self._console.out(f"Topological ordered packages:\n{names}")
+            self._console.out("".join(["Topological order\n", *self._queued]))
             self._queued = []
 
 

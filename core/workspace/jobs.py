@@ -43,6 +43,8 @@ class Job:
     name: str
     needs: set[str]
     run: Callable[[Work], int]
+    kind: str = ""
+    """The package's type."""
 
 
 @dataclass
@@ -83,7 +85,9 @@ class Work:
 
     def start(self, command: list[str], cwd: Path, env: Mapping[str, str]) -> subprocess.Popen[bytes]:
         """Start a command in a group of its own, with pipes."""
-        flags = subprocess.CREATE_NEW_PROCESS_GROUP if sys.platform == "win32" else 0
+        flags = 0
+        if sys.platform == "win32":
+            flags = subprocess.CREATE_NEW_PROCESS_GROUP
         process = subprocess.Popen(
             command,
             cwd=cwd,
@@ -178,7 +182,7 @@ class Executor:
     def run(self, jobs: list[Job]) -> Result | Exception:
         """Run all and return 0, the first other result, INTERRUPTED, or the exception that ended a job."""
         for job in jobs:
-            self._events.tell(Event("queued", job.name))
+            self._events.tell(Event("queued", job.name, job.kind))
         self._events.tell(Event("tick"))
         outcome: Result | Exception = 0
         waiting = {job.name: job for job in jobs}

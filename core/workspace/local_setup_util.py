@@ -6,34 +6,37 @@ terminal imports it. So it stands alone. Sorts of lines in a .dsv file, `;` betw
 `source;PATH`. A relative value is below the package's prefix.
 """
 
+from __future__ import annotations
+
 import os
 import sys
+from collections.abc import Iterator, Mapping
 
 
 class Environment:
     """Variables being changed. `changed` has the new values, `scripts` the hooks that only a shell can run."""
 
-    def __init__(self, variables):
+    def __init__(self, variables: Mapping[str, str]) -> None:
         self.variables = dict(variables)
-        self.changed = {}
-        self.scripts = []
+        self.changed: dict[str, str] = {}
+        self.scripts: list[tuple[str, str]] = []
 
-    def set(self, name, value):
+    def set(self, name: str, value: str) -> None:
         self.variables[name] = self.changed[name] = value
 
-    def extend(self, name, value, front=True):
+    def extend(self, name: str, value: str, front: bool = True) -> None:
         """Add `value` to a list of paths unless it is there."""
         entries = [entry for entry in self.variables.get(name, "").split(os.pathsep) if entry]
         if value not in entries:
             self.set(name, os.pathsep.join([value, *entries] if front else [*entries, value]))
 
-    def put_first(self, name, value):
+    def put_first(self, name: str, value: str) -> None:
         """Make `value` the first of a list of paths."""
         entries = [entry for entry in self.variables.get(name, "").split(os.pathsep) if entry]
         self.set(name, os.pathsep.join([value, *(entry for entry in entries if entry != value)]))
 
 
-def source_workspace(install, environment):
+def source_workspace(install: str, environment: Environment) -> None:
     """Do what `local_setup` does: every package of the install folder, what others need first."""
     environment.put_first("COLCON_PREFIX_PATH", install)
     merged = _layout(install) == "merged"
@@ -41,19 +44,19 @@ def source_workspace(install, environment):
         source_package(install if merged else os.path.join(install, name), name, environment)
 
 
-def source_package(prefix, name, environment):
+def source_package(prefix: str, name: str, environment: Environment) -> None:
     """Do what `share/NAME/package` does for one package."""
     source_dsv(os.path.join(prefix, "share", name, "package.dsv"), prefix, environment)
 
 
-def source_dsv(path, prefix, environment):
+def source_dsv(path: str, prefix: str, environment: Environment) -> None:
     """Carry out the lines of a .dsv file; one that is missing changes nothing. Raises ValueError for a line of no known sort."""
     try:
         with open(path, encoding="utf-8") as file:
             lines = file.read().splitlines()
     except OSError:
         return
-    hooks = {}
+    hooks: dict[str, set[str]] = {}
     for number, line in enumerate(lines, 1):
         if not line.strip() or line.startswith("#"):
             continue
@@ -62,7 +65,7 @@ def source_dsv(path, prefix, environment):
             base, extension = os.path.splitext(rest)
             hooks.setdefault(base, set()).add(extension)
         elif not _carry_out(kind, rest.split(";"), prefix, environment):
-            raise ValueError("Line %d in '%s' contains an unknown environment hook type: %s" % (number, path, kind))
+            raise ValueError(f"Line {number} in '{path}' contains an unknown environment hook type: {kind}")
     for base, extensions in hooks.items():
         whole = base if os.path.isabs(base) else os.path.join(prefix, base)
         if os.path.exists(whole + ".dsv"):
@@ -71,7 +74,7 @@ def source_dsv(path, prefix, environment):
             environment.scripts.extend((prefix, whole + extension) for extension in sorted(extensions))
 
 
-def _carry_out(kind, parts, prefix, environment):
+def _carry_out(kind: str, parts: list[str], prefix: str, environment: Environment) -> bool:
     name, values = parts[0], parts[1:]
     if kind in ("set", "set-if-unset"):
         value = values[0] if values else ""
@@ -88,7 +91,7 @@ def _carry_out(kind, parts, prefix, environment):
     return True
 
 
-def _layout(install):
+def _layout(install: str) -> str:
     try:
         with open(os.path.join(install, ".colcon_install_layout"), encoding="utf-8") as file:
             return file.read().strip()
@@ -96,9 +99,9 @@ def _layout(install):
         return "isolated"
 
 
-def _needs(install, merged):
+def _needs(install: str, merged: bool) -> dict[str, set[str]]:
     """Return {package: names of what it needs at run time}, as the files in share/colcon-core/packages say."""
-    found = {}
+    found: dict[str, set[str]] = {}
     for entry in sorted(os.listdir(install)) if not merged else [""]:
         folder = os.path.join(install, entry, "share", "colcon-core", "packages")
         if entry.startswith(".") or not os.path.isdir(folder):
@@ -110,7 +113,7 @@ def _needs(install, merged):
     return {name: needs & set(found) - {name} for name, needs in found.items()}
 
 
-def _in_order(needs):
+def _in_order(needs: dict[str, set[str]]) -> list[str]:
     ordered = []
     left = {name: set(names) for name, names in needs.items()}
     while left:
@@ -125,27 +128,28 @@ def _in_order(needs):
     return ordered
 
 
-def _quoted(text):
+def _quoted(text: str) -> str:
     return "'" + text.replace("'", "'\"'\"'") + "'"
 
 
-def _lines(environment, shell):
+def _lines(environment: Environment, shell: str) -> Iterator[str]:
     """Yield the commands that make the changes in a shell: 'sh' (bash, zsh too), 'ps1' or 'bat'."""
     for name, value in environment.changed.items():
         if shell == "ps1":
-            yield "$env:%s='%s'" % (name, value.replace("'", "''"))
+            doubled = value.replace("'", "''")
+            yield f"$env:{name}='{doubled}'"
         elif shell == "bat":
-            yield 'set "%s=%s"' % (name, value)
+            yield f'set "{name}={value}"'
         else:
-            yield "export %s=%s" % (name, _quoted(value))
+            yield f"export {name}={_quoted(value)}"
     for prefix, script in environment.scripts:
         if shell == "sh" and script.endswith(".sh"):
-            yield "COLCON_CURRENT_PREFIX=%s; . %s; unset COLCON_CURRENT_PREFIX" % (_quoted(prefix), _quoted(script))
+            yield f"COLCON_CURRENT_PREFIX={_quoted(prefix)}; . {_quoted(script)}; unset COLCON_CURRENT_PREFIX"
         elif shell == "ps1" and script.endswith(".ps1"):
-            yield "$env:COLCON_CURRENT_PREFIX='%s'; . '%s'" % (prefix, script)
+            yield f"$env:COLCON_CURRENT_PREFIX='{prefix}'; . '{script}'"
 
 
-def main(arguments):
+def main(arguments: list[str]) -> int:
     """`_local_setup_util_sh.py sh|ps1|bat [PACKAGE PREFIX]`: print the commands for a whole workspace, or for one package."""
     environment = Environment(os.environ)
     try:

@@ -45,8 +45,8 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
         what = "is not a directory" if base.exists() else "does not exist"
         console.err(
             "usage: colcon test-result [-h] [--test-result-base TEST_RESULT_BASE] [--all]\n"
-            "                          [--result-files-only] [--verbose]\n"
-            "                          [--delete | --delete-yes]\n"
+            "                          [--result-files-only] [--verbose] [--delete]\n"
+            "                          [--delete-yes]\n"
             f"colcon test-result: error: argument --test-result-base: Path '{args.test_result_base}' {what}\n"
         )
         return 2

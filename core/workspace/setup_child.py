@@ -1,24 +1,25 @@
 """Runs a student's setup.py for the build; started as a process of its own with setuptools at hand, in the package's folder.
 
-    python setup_child.py REQUEST          REQUEST is JSON: {"name": what the manifest says or null}
-
 First only what the file says: one line of JSON after a mark on standard output, the mark alone on standard error. Then it
 reads one line of JSON: {"cwd": …, "commands": […]}, and runs those commands of setuptools there. An exception of setup.py
 comes out as it is, so a traceback names the student's line.
 """
+
+from __future__ import annotations
 
 import importlib
 import json
 import os
 import sys
 import warnings
+from typing import Any
 
 MARK = "\x1e"
 
 _FIELDS = ("data_files", "packages", "package_dir", "py_modules", "scripts")
 
 
-def main():
+def main() -> None:
     sys.path[0] = os.getcwd()
     _like_setuptools_68()
     importlib.import_module("setuptools")
@@ -44,7 +45,7 @@ def main():
     core.run_commands(core.run_setup("setup.py", request["commands"], "commandline"))
 
 
-def _like_setuptools_68():
+def _like_setuptools_68() -> None:
     """Keep silent about what the setuptools of Ubuntu 24.04 still took: the file of `ros2 pkg create` is full of it."""
     warnings.filterwarnings("ignore", message=r"(?s).*setup\.py install is deprecated")
     warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
@@ -52,7 +53,7 @@ def _like_setuptools_68():
     os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """Make a value JSON: tuples and iterators become lists, everything unknown its text."""
     if isinstance(value, dict):
         return {str(key): _plain(each) for key, each in value.items()}

@@ -5,10 +5,18 @@ So it is the same on Windows, which has no bash, and a workspace that the real c
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Mapping
+import sys
+from collections.abc import Mapping, Sequence
+from importlib.abc import Loader
+from importlib.machinery import ModuleSpec
 from pathlib import Path, PurePosixPath
+from types import ModuleType
 
+from day6_tui.core.interfaces import add_prefixes
+from day6_tui.core.interfaces.package import package_files
+from day6_tui.core.interfaces.registry import KINDS, package_folder
 from day6_tui.core.ros.environment import DISTRO, PYTHON_PATH, program_environment
 from day6_tui.core.workspace.local_setup_util import Environment, source_package, source_workspace
 from day6_tui.core.workspace.setup_scripts import chained_in
@@ -41,6 +49,37 @@ def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] |
         source_package(str(folder.parent.parent), folder.name, result)
         return result.changed
     return None
+
+
+class _WorkspaceInterfaces:
+    """Finds `day6_msgs` and `day6_msgs.msg` of sourced workspaces for the programs of this process.
+
+    They have environments of their own, but one `sys.path`; a student's other modules must not come onto that.
+    """
+
+    @staticmethod
+    def find_spec(fullname: str, path: Sequence[str] | None = None, target: object = None) -> ModuleSpec | None:
+        package, _, kind = fullname.partition(".")
+        folder = package_folder(package)
+        if folder is None or (kind and (kind not in KINDS or not Path(folder, kind).is_dir())):
+            return None
+        text = package_files(package, [kind] if kind else [])["/".join((*fullname.split("."), "__init__.py"))]
+        return ModuleSpec(fullname, _TextLoader(text), is_package=True)
+
+
+class _TextLoader(Loader):
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def exec_module(self, module: ModuleType) -> None:
+        exec(self._text, module.__dict__)
+
+
+def make_known(changed: Mapping[str, str]) -> None:
+    """Let the programs of this process use the interfaces of the packages that were sourced."""
+    add_prefixes([path for path in changed.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if path])
+    if not any(isinstance(finder, _WorkspaceInterfaces) for finder in sys.meta_path):
+        sys.meta_path.append(_WorkspaceInterfaces())
 
 
 def _source_ros(path: Path, distribution: str, environment: Mapping[str, str]) -> dict[str, str]:

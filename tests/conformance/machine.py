@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import builtins
 import itertools
+import os
+import subprocess
 import threading
 import time
 import types
@@ -19,6 +21,7 @@ from golden_cases import STEPS_BEFORE, Case, differences
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros import environment, ros2
+from day6_tui.core.ros.programs import load
 from day6_tui.core.ros.ros2.cli import daemon
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
@@ -30,6 +33,9 @@ DOMAIN = 30
 PREFIXES = [str(environment.SHARE_PATH.parent)]
 SLEEPING = frozenset({"fibonacci_server", "turtlesim_node"})
 """Stand-ins that sleep in their callbacks."""
+
+PROCESSES = frozenset({"launch"})
+"""Verbs of `ros2` that start processes, which live by the wall clock."""
 
 LONGEST = 20.0
 """Seconds after which a command that should have ended is given up."""
@@ -46,10 +52,15 @@ class Machine:
     def play(self, case: Case) -> str:
         """Play a case with its setup and return how the answer differs from the recording, '' if it does not."""
         world = self._world
-        if world is None or world.nodes != case.nodes or world.with_daemon != case.daemon:
+        with_processes = bool(PROCESSES & set(case.argv[1:2]))
+        if world is None or (world.nodes, world.with_daemon, world.with_processes) != (
+            case.nodes,
+            case.daemon,
+            with_processes,
+        ):
             # Only where a block of cases begins: those of a block build on each other, as they did when recorded.
             self.close()
-            world = self._world = World(self, case.nodes, case.daemon)
+            world = self._world = World(self, case.nodes, case.daemon, with_processes)
         for argv in STEPS_BEFORE.get(case.name, ()):
             world.run(argv)
         return differences(case, *world.run(case.argv, case.stdin, case.interrupt_after), PREFIXES)
@@ -63,11 +74,14 @@ class Machine:
 class World:
     """One graph with its stand-ins, in stepped time or (with a sleeping stand-in) by the wall."""
 
-    def __init__(self, machine: Machine, nodes: tuple[str, ...], with_daemon: bool) -> None:
+    def __init__(
+        self, machine: Machine, nodes: tuple[str, ...], with_daemon: bool, with_processes: bool = False
+    ) -> None:
         self.machine = machine
         self.nodes = nodes
         self.with_daemon = with_daemon
-        self.stepped = not SLEEPING & set(nodes)
+        self.with_processes = with_processes
+        self.stepped = not SLEEPING & set(nodes) and not with_processes
         self.graph = Graph(DOMAIN)
         self.scheduler = Scheduler(WorldClock(wall=None) if self.stepped else WorldClock())
         self._pids = itertools.count(4000)
@@ -75,6 +89,9 @@ class World:
         if not self.stepped:
             self.scheduler.start()
         for name in nodes:
+            if name.startswith("ros2 run "):
+                self._start_program(*name.split()[2:4])
+                continue
             code = compile((machine.nodes_folder / f"{name}.py").read_text(encoding="utf-8"), f"{name}.py", "exec")
             (self._start_stepped if self.stepped else self._start_thread)(name, code)
         if with_daemon:
@@ -87,6 +104,10 @@ class World:
         self.scheduler.stop()
 
     # -- stand-in nodes ------------------------------------------------------------------------------------------------
+
+    def _start_program(self, package: str, executable: str) -> None:
+        Program(self.session([executable]), load(package, executable))
+        self.scheduler.advance()
 
     def _start_stepped(self, name: str, code: types.CodeType) -> None:
         session = self.session([name])
@@ -144,7 +165,13 @@ class World:
             stdout=Captured(),
             stderr=Captured(),
         )
-        session.shell = object()  # a machine that goes on after the command: one with a daemon
+        if self.with_processes:
+            from day6_tui.core.shell.process import run_python
+
+            session.python = run_python
+            session.env.update({name: os.environ[name] for name in ("PATH", "DAY6_RUNTIME_DIR") if name in os.environ})
+            session.env.update(HOME=str(self.machine.files), ROS_DOMAIN_ID=str(DOMAIN))
+        session.shell = _Shell()  # a machine that goes on after the command: one with a daemon
         return session
 
     def run(self, argv: list[str], stdin: str = "", interrupt_after: float | None = None) -> tuple[str, str, int]:
@@ -176,6 +203,16 @@ class World:
             while not condition() and time.monotonic() < deadline:
                 time.sleep(0.002)
         return condition()
+
+
+class _Shell:
+    """The shell that commands see; `ros2 run --prefix` has it run a line."""
+
+    async def run_line(self, line: str, session: Session) -> int:
+        done = subprocess.run(line, shell=True, capture_output=True, text=True, timeout=LONGEST)
+        session.stdout.write(done.stdout)
+        session.stderr.write(done.stderr)
+        return done.returncode
 
 
 class _Spinning(BaseException):

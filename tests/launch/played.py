@@ -151,7 +151,10 @@ def by_source(text: str) -> dict[str, list[str]]:
     for line in text.splitlines():
         tag = _TAG.match(line)
         source = f"{'about' if tag[1] else 'of'} {tag[2]}" if tag else source
-        found.setdefault(source, []).append(line)
+        lines = found.setdefault(source, [])
+        if source.startswith("of ") and (not line or lines[-1:] == [line]):
+            continue  # at a process's end the real launch may write its last line once more, and an empty one
+        lines.append(line)
     return found
 
 
@@ -179,6 +182,8 @@ def _diff(name: str, want: str, have: str) -> str:
 
 def our_command() -> tuple[list[str], dict[str, str]]:
     """Return `ros2` of ours as a command of the real terminal, and its environment."""
-    env = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "AMENT_PREFIX_PATH")}
+    env = {
+        key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "AMENT_PREFIX_PATH", "DAY6_LINK")
+    }
     code = "import sys; from day6_tui.tui.main import main; sys.exit(main())"
     return [sys.executable, "-c", code, "ros2"], env

@@ -160,7 +160,7 @@ def test_a_program_that_does_not_exist_is_told_and_the_rest_goes_on(launch_these
 
 def test_handlers_follow_a_process_through_its_life(launch_these: Callable[..., Any]) -> None:
     heard: list[bytes] = []
-    process = python("print('hello'); import sys; sys.exit(4)")
+    process = python("import sys; sys.stdout.write('hello\\n'); sys.exit(4)")
 
     def on_stdout(event: Any) -> LogInfo:
         heard.append(event.text.strip())

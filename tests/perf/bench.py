@@ -22,10 +22,28 @@ from pathlib import Path
 from screen import Screen
 
 from day6_tui.core.ros.environment import program_environment
+from day6_tui.urdf.shipped import shipped_model
 
 HERE = Path(__file__).resolve().parent
 DAY6 = [sys.executable, "-m", "day6_tui.tui.main"]
 BARE = [sys.executable, str(HERE / "bare_app.py")]
+
+TURNTABLE_VIEW = """\
+Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/Grid
+      Name: Grid
+    - Class: rviz_default_plugins/RobotModel
+      Description Topic:
+        Value: /robot_description
+      Name: RobotModel
+  Global Options:
+    Fixed Frame: stand
+  Views:
+    Current:
+      Class: rviz_default_plugins/Orbit
+      Distance: 0.9
+"""
 
 TWIST = '"{linear: {x: 2.0}, angular: {z: 0.7}}"'
 DENSE = "".join(
@@ -103,6 +121,32 @@ class Bench:
             yield "memory, robot shown and link open", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
             yield "CPU, car with turning wheels", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
 
+    def rviz(self) -> Iterator[Row]:
+        """The car on a turntable in an enlarged RViz: the whole robot turns, not only its wheels."""
+        (self.home / "turntable.urdf").write_text(_on_a_turntable(shipped_model().read_text(encoding="utf-8")))
+        (self.home / "turntable.rviz").write_text(TURNTABLE_VIEW)
+        with self.desktop(120, 40, "--scene", "empty") as screen:
+            screen.first_frame()
+            screen.read(2)
+            screen.send("ros2 run robot_state_publisher robot_state_publisher turntable.urdf > /dev/null 2>&1 &\n")
+            screen.read(2)
+            screen.send("rviz2 -d turntable.rviz > /dev/null 2>&1 &\n")
+            screen.read(5)
+            screen.send("\x1bOR\x1b[19~")  # F3: the window, F8: enlarged
+            screen.read(3)
+            yield "RViz, robot standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "-"
+            screen.send("\x1bOR")  # back to the terminal
+            screen.read(1)
+            joints = "[left_wheel_joint, right_wheel_joint, turntable]"
+            screen.send(f"ros2 run day6_bot wheel_spinner --ros-args -p 'joints:={joints}' > /dev/null 2>&1 &\n")
+            screen.read(2)
+            yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
+            screen.send("\x1bOR")
+            screen.read(3)
+            usage = screen.use(self.seconds)
+            yield "turning robot in RViz, 120x40, 15 fps", f"{usage.cpu_percent:.1f} %", "<= 18 %"
+            yield "  bytes a second", f"{usage.bytes_written / usage.seconds:.0f}", "-"
+
     def keys(self) -> Iterator[Row]:
         """Key to echo, alone and with three runaway student programs, all on one core."""
         for name, code in RUNAWAYS.items():
@@ -117,6 +161,15 @@ class Bench:
                 screen.read(1)
             screen.read(2)
             yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
+
+
+def _on_a_turntable(urdf: str) -> str:
+    """The car's description with a stand below it that turns it about the vertical."""
+    joint = (
+        '<link name="stand"/><joint name="turntable" type="continuous"><parent link="stand"/><child link="base_link"/>'
+        '<axis xyz="0 0 1"/></joint>'
+    )
+    return urdf.replace("</robot>", f"{joint}</robot>")
 
 
 def _echoes(screen: Screen, count: int) -> list[float]:
@@ -191,7 +244,7 @@ def main() -> int:
     options = parser.parse_args()
     bench = Bench(options.quick)
     print("| what | measured | budget |\n| --- | --- | --- |")
-    sections = [bench.start(), bench.screens(), bench.keys(), processes(options.real, bench.rounds)]
+    sections = [bench.start(), bench.screens(), bench.rviz(), bench.keys(), processes(options.real, bench.rounds)]
     if options.messages:
         sections.append(messages(options.messages, options.real))
     for section in sections:

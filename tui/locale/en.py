@@ -132,6 +132,7 @@ TEXTS = {
     "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
     "world.refused": "{robot} may not enter this world:",
     "world.bad_description": "the robot description is broken: {text}",
+    "world.left_away": "parts of the robot could not be read: {text}",
     "world.no_inertial": "{links}: no <inertial>. What has no mass cannot be moved by forces; it would be a ghost",
     "world.bad_mass": "{link}: a mass of {mass} kg is none",
     "world.bad_inertia": "{link}: the inertia is not greater than 0 about every axis",
@@ -168,6 +169,24 @@ TEXTS = {
     "rqt.type": "type",
     "rqt.hide": "Hide",
     "rqt.refresh": "refresh",
+    "editor.save": "save",
+    "editor.find": "find",
+    "editor.line": "line",
+    "editor.close": "close",
+    "editor.undo": "undo, redo",
+    "editor.open": "other file",
+    "editor.reload": "as on disk",
+    "editor.files": "Open a file",
+    "editor.choose": "Enter chooses a file of this folder.",
+    "editor.problem": "line {line}: {text}",
+    "editor.recovered": "not saved last time, here it is again; ^R takes the file as on disk",
+    "editor.outside": "the file was changed elsewhere; ^R takes that, ^S keeps this",
+    "editor.overwrite": "the file was changed elsewhere: ^S again overwrites it",
+    "editor.not_saved": "not saved: {reason}",
+    "editor.not_kept": "no copy of the unsaved text: {reason}",
+    "editor.unsaved": "not saved: ^S saves, the same key again closes (a copy is kept)",
+    "editor.not_found": "{text} does not occur",
+    "editor.lines": "1 to {count}",
     "prompt.keys": "Enter take   Esc back",
     "rqt.choose": "choose",
     "rqt.filter": "filter nodes, topics",
@@ -279,6 +298,7 @@ TEXTS = {
     "rviz.seen.robot": "robot {name}: {parts}",
     "rviz.seen.link": "{colour} {kind} {name} {size}",
     "rviz.seen.lost": " (no transform: white, not in its place)",
+    "rviz.seen.all_lost": "robot {name}, all white: none of its links has a transform to {frame}",
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
     # rqt_console
@@ -374,6 +394,10 @@ TEXTS = {
     "help.rqt_graph": (
         "Which node talks to which. Ellipses are nodes, arrows are topics. A pulse runs along an arrow when messages pass. "
         "The line below says what the filters hide."
+    ),
+    "help.editor": (
+        "A file of your home folder. What is wrong in it is named below and underlined, while you type. Unsaved text is kept and "
+        "comes back, whatever happens. Any other editor on the same files works as well: a change on the disk shows up here."
     ),
     "help.topics": (
         "All topics, with their type and how many publish and subscribe. Enter listens to the chosen topic and measures its "

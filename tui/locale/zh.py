@@ -132,6 +132,7 @@ TEXTS = {
     "world.waiting_for_robot": "世界里还没有机器人：还没有人发布 /robot_description",
     "world.refused": "{robot} 不能进入这个世界：",
     "world.bad_description": "机器人描述有错：{text}",
+    "world.left_away": "机器人有些部分读不出来：{text}",
     "world.no_inertial": "{links}：没有 <inertial>。没有质量的东西，力推不动它，它就是个“幽灵”",
     "world.bad_mass": "{link}：质量不能是 {mass} 千克",
     "world.bad_inertia": "{link}：绕每根轴的转动惯量都要大于 0",
@@ -168,6 +169,24 @@ TEXTS = {
     "rqt.type": "类型",
     "rqt.hide": "隐藏",
     "rqt.refresh": "刷新",
+    "editor.save": "保存",
+    "editor.find": "查找",
+    "editor.line": "行",
+    "editor.close": "关闭",
+    "editor.undo": "撤销、重做",
+    "editor.open": "别的文件",
+    "editor.reload": "读回磁盘上的",
+    "editor.files": "打开文件",
+    "editor.choose": "按 Enter 选择这个文件夹里的文件。",
+    "editor.problem": "第 {line} 行：{text}",
+    "editor.recovered": "上次没有保存，已经找回来了；按 ^R 换成磁盘上的文件",
+    "editor.outside": "文件在别处被改过；^R 读新的，^S 保留这里的",
+    "editor.overwrite": "文件在别处被改过：再按一次 ^S 就覆盖它",
+    "editor.not_saved": "没有保存：{reason}",
+    "editor.not_kept": "没能留下未保存内容的副本：{reason}",
+    "editor.unsaved": "还没有保存：^S 保存，再按一次就关闭（会留一份副本）",
+    "editor.not_found": "没有找到 {text}",
+    "editor.lines": "1 到 {count}",
     "prompt.keys": "Enter 确定   Esc 返回",
     "rqt.choose": "选择",
     "rqt.filter": "过滤节点、话题",
@@ -279,6 +298,7 @@ TEXTS = {
     "rviz.seen.robot": "机器人 {name}：{parts}",
     "rviz.seen.link": "{colour}{kind} {name} {size}",
     "rviz.seen.lost": "（没有坐标变换：变成白色，位置不对）",
+    "rviz.seen.all_lost": "机器人 {name} 全是白色：没有一个 link 有到 {frame} 的坐标变换",
     "rviz.seen.turned": "，转了 {degrees}°",
     "rviz.seen.more": "还有 {count} 个 link",
     # rqt_console
@@ -369,6 +389,10 @@ TEXTS = {
     ),
     "help.rqt_graph": (
         "谁在和谁说话。椭圆是节点，箭头是话题。有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。"
+    ),
+    "help.editor": (
+        "你主目录里的一个文件。有错误时，下面会说是什么错，那一行会加下划线，边打字边检查。没保存的内容会留着，无论发生什么都能找回来。"
+        "用别的编辑器改同一个文件也可以：磁盘上一变，这里就跟着变。"
     ),
     "help.topics": (
         "所有的话题：类型、几个发布者、几个订阅者。按 Enter 开始听选中的话题，测量它的频率和带宽，下面显示最新的一条消息。"

@@ -27,6 +27,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "world": ("world", "WorldPane"),
+    "editor": ("editor", "EditorPane"),
     "rviz2": ("rviz2", "RVizPane"),
 }
 """Kind of window -> module in this package and class in it."""
@@ -34,6 +35,9 @@ KINDS: dict[str, tuple[str, str]] = {
 
 class WindowPane(Pane):
     """Base of the panes that draw a program's window: its number, its title with the others' names, its model."""
+
+    takes_focus = False
+    """Whether the keyboard goes to it when it opens, as to an editor; else it stays in the terminal."""
 
     def __init__(self, window: Window, look: Look) -> None:
         super().__init__(look)

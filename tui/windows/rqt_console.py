@@ -16,12 +16,12 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 
-NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 5, 5, 12
+NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 6, 8, 12
 LOCATION_FROM = 100
 """Columns of the window from which there is room for the location."""
 
 DETAIL_LINES = 4
-"""Lines for all of the chosen message, in a window that is high enough."""
+"""Lines for all of the chosen message, in a window that is high enough; in a lower one it has one line."""
 
 _LEVEL_OF_KEY = {"d": 10, "i": 20, "w": 30, "e": 40, "f": 50}
 _STEPS = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -(10**9), "end": 10**9}
@@ -73,8 +73,8 @@ class RqtConsolePane(WindowPane):
         if width < 10 or height < 1:
             return [[] for _ in range(height)]
         records = self.console.shown()
-        details = DETAIL_LINES if height >= 12 else 0
-        room = max(1, height - 2 - (details + 1 if details else 0))
+        details = DETAIL_LINES if height >= 12 else 1 if height >= 6 else 0
+        room = max(1, height - 2 - details - (1 if details > 1 else 0))
         chosen = self._index(records)
         follow = self._chosen is None
         self._first = max(0, min(self._first, len(records) - room))
@@ -89,8 +89,9 @@ class RqtConsolePane(WindowPane):
             key = "console.filtered" if self.console.total else "console.none"
             text = clip(self.look.texts(key), width - 1, self.look.glyphs.ellipsis)
             lines[1] = [Segment(" " + text, self.look.colours.muted)]
-        if details:
+        if details > 1:
             lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
+        if details:
             lines += self._details(records[chosen] if records else None, width, details)
         lines.append(self._switches(width))
         return lines[:height]
@@ -126,7 +127,7 @@ class RqtConsolePane(WindowPane):
             fit(stamp, STAMP_WIDTH, dots),
         ]
         if place_width:
-            parts.append(fit(place, place_width, dots))
+            parts.append(fit(_end_of(place, place_width, dots), place_width))
         return " ".join(parts)
 
     def _heading(self, width: int) -> Line:
@@ -164,6 +165,9 @@ class RqtConsolePane(WindowPane):
         colours, texts = self.look.colours, self.look.texts
         if record is None:
             return [[] for _ in range(height)]
+        if height == 1:
+            text = clip(f"{record.severity}  {' '.join(record.text.split())}", width - 2, self.look.glyphs.ellipsis)
+            return [[Segment(f" {text} ", self._style(record))]]
         head: Line = [
             Segment(f" #{record.number} ", colours.strong),
             Segment(f"{record.severity} ", self._style(record)),
@@ -172,8 +176,9 @@ class RqtConsolePane(WindowPane):
         ]
         used = sum(cell_len(segment.text) for segment in head)
         if record.location:
-            place = clip(f"  {texts('console.location')} {record.location}", width - used, self.look.glyphs.ellipsis)
-            head.append(Segment(place, colours.muted))
+            title = f"  {texts('console.location')} "
+            place = _end_of(record.location, width - used - cell_len(title), self.look.glyphs.ellipsis)
+            head.append(Segment(title + place, colours.muted))
         lines = wrap(record.text, width - 2)
         if len(lines) > height - 1:
             lines = [*lines[: height - 2], clip(" ".join(lines[height - 2 :]), width - 2, self.look.glyphs.ellipsis)]
@@ -185,9 +190,11 @@ class RqtConsolePane(WindowPane):
         colours, choice = self.look.colours, self.console.choice
         line: Line = [Segment(f" {self.look.texts('console.exclude')}: ", colours.muted)]
         for key, level in _LEVEL_OF_KEY.items():
-            on = level in choice.levels
+            word, on = SEVERITIES[level], level in choice.levels
             line.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
-            line.append(Segment(f"{SEVERITIES[level]}({key}) ", colours.strong if on else colours.text))
+            # The letters are the keys.
+            line.append(Segment(word[: len(key)], colours.accent))
+            line.append(Segment(f"{word[len(key) :]} ", colours.strong if on else colours.text))
         for title, text in (("console.containing", choice.text), ("console.highlighted", choice.highlight)):
             if text:
                 line.append(Segment(f" {self.look.texts(title)}: ", colours.muted))
@@ -293,6 +300,15 @@ class RqtConsolePane(WindowPane):
         event.stop()
         self._move(-3)
         self._show()
+
+
+def _end_of(text: str, width: int, ellipsis: str) -> str:
+    """The end of a path in at most `width` cells: its last parts tell most."""
+    while text and cell_len(text) > max(0, width):
+        text = ellipsis + text[2 if text.startswith(ellipsis) else 1 :]
+        if text == ellipsis:
+            return text if width > 0 else ""
+    return text
 
 
 def _time_of_day(stamp_ns: int) -> str:

@@ -16,6 +16,7 @@ from day6_tui.core.ros.programs.rviz2.model.status import OK
 from day6_tui.core.ros.programs.rviz2.model.views import NOMINAL_HEIGHT, VIEWS
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip, fit, wrap
+from day6_tui.tui.locale import Texts
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
@@ -56,6 +57,10 @@ class RVizPane(WindowPane):
         self._tree_seen = -1
         self._shown_lines: dict[int, tuple[object, ...]] = {}
         self._shown_frame: tuple[str, ...] = ()
+        self._used = False
+        """Whether the view was turned; before, the status bar says that RViz is ready."""
+        self._rate = 0
+        """Pictures a second, as told."""
         self._drag: tuple[str, bool, bool, int, int] | None = None
         self._said_at = 0.0
         self._said = ""
@@ -177,6 +182,7 @@ class RVizPane(WindowPane):
         if now - self._words_at < WORDS_SECONDS and self.words:
             return now < self._said_at
         self._words_at = now
+        self._rate = round(self.view.rate)
         words = wrap(self.sentence(now), max(10, self.inner_width - 2))
         if len(words) > self.word_lines:
             cut = words[self.word_lines - 1] + " " + words[self.word_lines]
@@ -189,6 +195,10 @@ class RVizPane(WindowPane):
     def sentence(self, now: float = 0.0) -> str:
         """What stands below: what was just said, what is loading, the chosen line in full, or what can be seen."""
         rviz, texts = self.rviz, self.look.texts
+        text = self._sentence(now, rviz, texts)
+        return text if self.look.glyphs.unicode else in_ascii(text)
+
+    def _sentence(self, now: float, rviz: RViz, texts: Texts) -> str:
         if self._said and now < self._said_at:
             return self._said
         if rviz.progress:
@@ -250,13 +260,15 @@ class RVizPane(WindowPane):
         self.edit()
 
     def status(self) -> list[Piece]:
-        view = self.rviz.view
-        return [Piece(f" {view.help} ", self.look.colours.muted)]
+        text = self.rviz.view.help if self._used else "RViz is ready."
+        return [Piece(f" {text} ", self.look.colours.muted)]
 
     def status_right(self) -> list[Piece]:
         pieces = [Piece(f" {self.rviz.view.type} ", self.look.colours.node, self.next_view)]
         if self.rviz.quality.value != QUALITIES[0]:
             pieces.append(Piece(f"{self.rviz.quality.value} ", self.look.colours.topic, self.next_quality))
+        if self._rate:
+            pieces.append(Piece(f"{self._rate} fps ", self.look.colours.muted))
         return pieces
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
@@ -381,7 +393,9 @@ class RVizPane(WindowPane):
         if found is None:
             self.say(self.look.texts("rviz.nothing_to_focus"))
         else:
-            self.rviz.view.look_at(*found)
+            aspect = self.view.columns / max(1, self.view.rows) / 2
+            centre, radius = found
+            self.rviz.view.look_at(centre, radius / min(1.0, max(0.2, aspect)))
             self.look.wake()
 
     def from_above(self) -> None:
@@ -407,7 +421,7 @@ class RVizPane(WindowPane):
             arrows = "←↑↓→" if self.look.glyphs.unicode else "arrows"
             hints += [(arrows, texts("rviz.key.turn")), ("+ -", texts("rviz.key.zoom"))]
             hints += [("f", texts("rviz.key.focus")), ("4", texts("rviz.key.above"))]
-        return hints
+        return hints if self.look.glyphs.unicode else [(key, in_ascii(text)) for key, text in hints]
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
@@ -495,6 +509,7 @@ class RVizPane(WindowPane):
 
     def _view_key(self, key: str) -> bool:
         view = self.rviz.view
+        self._used = True
         shifted, _, arrow = key.rpartition("+")
         if arrow in _ARROWS and shifted in ("", "shift"):
             right, down = _ARROWS[arrow]
@@ -532,6 +547,7 @@ class RVizPane(WindowPane):
         if not self.has_focus:
             self.focus(scroll_visible=False)
         self.on_panel = False
+        self._used = True
         self._drag = (button, bool(event.shift), bool(event.ctrl), event.screen_x, event.screen_y)
         self.view.dragging = True
         self.capture_mouse()
@@ -600,3 +616,10 @@ class RVizPane(WindowPane):
 
 
 MOST = 1_000_000
+
+
+def in_ascii(text: str) -> str:
+    """A sentence for a terminal that has no other characters."""
+    for char, plain in (("×", "x"), ("⌀", "d "), ("°", " deg"), ("…", "...")):
+        text = text.replace(char, plain)
+    return text

@@ -15,6 +15,7 @@ Commands of this terminal (they work as on Ubuntu):
   ros2 ...            nodes, topics, services, parameters, actions; ros2 --help lists all
   ros2 run PACKAGE EXECUTABLE      e.g. ros2 run turtlesim turtlesim_node
   rqt_graph           who talks to whom, as a picture
+  rviz2               robots, frames and sensor data in 3-D
   python3 FILE        run your own program
 
   cd ls cat pwd mkdir touch cp mv rm tree      folders and files

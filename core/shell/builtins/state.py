@@ -202,8 +202,7 @@ async def source(session: Session) -> int:
 
 def _sourced_setup(session: Session, name: str) -> bool:
     """Source the setup script of a workspace or of ROS; False if `name` is none (or is missing: then the caller says so)."""
-    from day6_tui.core.interfaces import add_prefixes
-    from day6_tui.core.workspace.sourcing import source_setup
+    from day6_tui.core.workspace.sourcing import make_known, source_setup
 
     shell: Shell = session.shell
     try:
@@ -214,7 +213,7 @@ def _sourced_setup(session: Session, name: str) -> bool:
         return False
     shell.variables.update(changed)
     shell.exported.update(changed)
-    add_prefixes([path for path in changed.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if path])
+    make_known(changed)
     return True
 
 

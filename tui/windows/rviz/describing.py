@@ -58,6 +58,8 @@ def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
     joints = {joint.child: joint for joint in robot.joints}
     said: list[str] = []
     shown = [name for name, parts in display.parts.links.items() if parts.visual and display.links.enabled(name)]
+    if len(shown) > 1 and all(name in display.lost for name in shown):
+        return [texts("rviz.seen.all_lost", name=robot.name, frame=display.rviz.fixed_frame)]
     for name in shown[:MOST_LINKS]:
         part = display.parts.links[name].visual[0]
         size = _size(part.kind, part.size)

@@ -11,7 +11,7 @@ from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_con
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene
+from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt
 from day6_tui.urdf.model import Vector
@@ -185,7 +185,11 @@ def extent(scene: Scene) -> tuple[Vector, float] | None:
             high[axis] = max(high[axis], centre[axis] + radius)
 
     for shape in shapes:
-        take(shape.pose.xyz, math.dist((0, 0, 0), shape.size) / 2)
+        half = [size / 2 for size in shape.size]
+        for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            for sign in (1, -1):
+                corner = (sign * half[0], signs[0] * half[1], signs[1] * half[2])
+                take(placed(shape.pose, corner), 0.0)
     for mesh in scene.triangles:
         corners = (
             (abs(mesh.vertices).max(axis=0) * [abs(part) for part in mesh.scale]) if len(mesh.vertices) else (0, 0, 0)

@@ -35,7 +35,7 @@ class Line:
 def lines_of(rviz: RViz) -> list[Line]:
     """The lines of the panel, from the top: options, status, displays, and the view at the end."""
     found: list[Line] = []
-    for line in _walk([*rviz.root.children, rviz.views], 0):
+    for line in _walk([*rviz.root.children, rviz.views, rviz.time], 0):
         found.append(line)
         if len(found) >= MOST_LINES:
             break

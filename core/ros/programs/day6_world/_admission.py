@@ -13,6 +13,7 @@ TEXTS = {
     "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
     "world.refused": "{robot} may not enter this world:",
     "world.bad_description": "the robot description is broken: {text}",
+    "world.left_away": "parts of the robot could not be read: {text}",
     "world.no_inertial": "{links}: no <inertial>. What has no mass cannot be moved by forces; it would be a ghost",
     "world.bad_mass": "{link}: a mass of {mass} kg is none",
     "world.bad_inertia": "{link}: the inertia is not greater than 0 about every axis",

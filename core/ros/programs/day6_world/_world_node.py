@@ -31,6 +31,9 @@ LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 MOST_STEPS = 100_000
 """In one call of the service `step`."""
 
+BUMP_STEPS = 50
+"""How long a bump is told of: a line that comes and goes many times a second cannot be read."""
+
 ALIGN_NS = 1_000_000_000
 """A source of wheel angles that was silent for so long begins anew: its first angle is where the wheel is now."""
 
@@ -58,6 +61,7 @@ class WorldNode:
         self._admission: tuple[Status, ...] = ()
         self._said: tuple[Status, ...] = ()
         self._sideways = False
+        self._bumped_until = -1
         self._aligned: dict[str, tuple[float, int]] = {}
         self._snapshot = WorldSnapshot(scenery=scenery)
         self._sensors = Sensors(node, self._simulation, publishes_joints=not self._follows)
@@ -94,7 +98,10 @@ class WorldNode:
                 self.on_description()
 
     def admit(self, robot: Robot | None, problem: str) -> None:
-        """Let a robot in, or say why it may not enter; one that was there before goes."""
+        """Let a robot in, or say why it may not enter; one that was there before goes.
+
+        `problem` says why there is none, or what the parser left away of one that there is.
+        """
         self.waiting_description = None
         self._simulation.robot = None
         name = robot.name if robot is not None else "robot"
@@ -118,6 +125,8 @@ class WorldNode:
                     lines = warnings(robot, drive)
                 except LostGround:
                     reasons = [status("error", "world.stands_in_wall", x=self._start[0], y=self._start[1])]
+            if problem:
+                lines.append(status("warning", "world.left_away", text=problem))
             if reasons:
                 lines = [status("error", "world.refused", robot=name), *reasons]
         self._admission = tuple(lines)
@@ -215,6 +224,7 @@ class WorldNode:
 
     def _reset(self) -> None:
         self._simulation.reset()
+        self._bumped_until = -1
         self.model.trail.clear()
         self._aligned.clear()
 
@@ -277,7 +287,9 @@ class WorldNode:
         simulation, old = self._simulation, self._snapshot
         lines = list(self._said)
         if simulation.robot is not None:
-            lines += [status("warning", "world.bumped")] if simulation.bumped else []
+            if simulation.bumped:
+                self._bumped_until = simulation.steps + BUMP_STEPS
+            lines += [status("warning", "world.bumped")] if simulation.steps < self._bumped_until else []
             lines += [status("info", "world.sideways")] if self._sideways else []
         self._snapshot = new = replace(
             old,

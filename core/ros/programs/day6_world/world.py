@@ -15,8 +15,7 @@ from day6_tui.core.ros.programs.day6_world._simulation import STEP
 from day6_tui.core.ros.programs.day6_world._world_node import WorldNode
 from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.threads import in_thread
-from day6_tui.urdf.check import read_description
-from day6_tui.urdf.load import RobotError, parse_robot
+from day6_tui.urdf.check import check_text, read_description
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -85,12 +84,12 @@ async def _read_descriptions(session: Session, world: WorldNode, described: Sign
 
 
 def _read(text: str) -> tuple[Robot | None, str]:
-    try:
-        robot = parse_robot(text)
-    except RobotError as error:
-        return None, str(error)
-    loop = robot.loop
-    return (None, f"the links form a loop: {' -> '.join(loop)}") if loop else (robot, "")
+    """Return the robot (None if it is refused) and what was wrong with its description."""
+    report = check_text(text)
+    robot, errors = report.robot, [said.text for said in report.diagnostics if said.level == "Error"]
+    if robot is not None and robot.loop:
+        return None, f"the links form a loop: {' -> '.join(robot.loop)}"
+    return robot, errors[-1 if robot is None else 0] if errors else ""
 
 
 async def _look_around(session: Session, world: WorldNode) -> None:

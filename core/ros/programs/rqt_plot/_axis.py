@@ -7,8 +7,6 @@ import math
 from collections.abc import Sequence
 
 _STEPS = (1.0, 2.0, 5.0, 10.0)
-MARGIN = 0.05
-"""Part of the height that is left free above and below the curves."""
 
 
 def seen(times: Sequence[float], values: Sequence[float], start: float, end: float) -> tuple[int, int]:
@@ -19,22 +17,29 @@ def seen(times: Sequence[float], values: Sequence[float], start: float, end: flo
     return max(0, first - 1), min(count, last + 1)
 
 
-def limits(lowest: float, highest: float) -> tuple[float, float]:
-    """Return the lower and upper edge for values between two: with a margin, and never the same."""
+def limits(lowest: float, highest: float, most: int) -> tuple[float, float, float]:
+    """Return the lower and upper edge for values between two, and the step of the ticks: about `most` round numbers.
+
+    The edges are ticks themselves, so that they stand still while the values move a little.
+    """
     if highest - lowest <= 1e-9 * max(abs(lowest), abs(highest), 1e-9):
         pad = abs(highest) * 0.1 or 1.0
-    else:
-        pad = (highest - lowest) * MARGIN
-    return lowest - pad, highest + pad
+        lowest, highest = lowest - pad, highest + pad
+    step = round_step((highest - lowest) / most)
+    return math.floor(lowest / step + 1e-6) * step, math.ceil(highest / step - 1e-6) * step, step
+
+
+def round_step(rough: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, the smallest that is not below `rough`."""
+    power = 10.0 ** math.floor(math.log10(rough))
+    return next(factor * power for factor in _STEPS if factor * power >= rough * (1 - 1e-9))
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
     """Return at most `most` round numbers between two, equally spaced by 1, 2 or 5 times a power of ten."""
     if most < 1 or not (math.isfinite(low) and math.isfinite(high)) or high <= low:
         return []
-    rough = (high - low) / most
-    power = 10.0 ** math.floor(math.log10(rough))
-    step = next(factor * power for factor in _STEPS if factor * power >= rough * (1 - 1e-9))
+    step = round_step((high - low) / most)
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     return [number * step for number in range(first, last + 1)][:most]
 

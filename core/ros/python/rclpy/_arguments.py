@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
@@ -128,10 +129,13 @@ def _refused(what: str, flag: str, text: str, reason: object, line: int) -> RCLE
     )
 
 
+_told_to: ContextVar[LoggingSettings | None] = ContextVar("_told_to", default=None)
+
+
 def _log(severity: int, message: str) -> None:
     from rclpy._logging_settings import PROCESS
 
-    PROCESS.emit(severity, "rcl", message, "", "", 0)
+    (_told_to.get() or PROCESS).emit(severity, "rcl", message, "", "", 0)
 
 
 def _check_texts(args: Sequence[str]) -> None:
@@ -202,14 +206,17 @@ def parse_node_arguments(args: Sequence[str]) -> RosArguments:
         raise RCLInvalidROSArgsError(reason) from None
 
 
-def parse_global_arguments(args: Sequence[str]) -> RosArguments:
-    """Read a process's arguments for init(); a failure is also logged, as rcl does."""
+def parse_global_arguments(args: Sequence[str], logging: LoggingSettings | None = None) -> RosArguments:
+    """Read a process's arguments for init(); a failure is also logged (`logging`: where to), as rcl does."""
+    token = _told_to.set(logging)
     try:
         return parse_arguments(args)
     except RCLError as error:
         if "Couldn't parse" in str(error):
             _log(40, "Failed to parse global arguments")
         raise
+    finally:
+        _told_to.reset(token)
 
 
 def remove_ros_arguments(args: Sequence[str]) -> list[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -443,6 +443,16 @@ class Executor:
                 self._end(entity)
 
         return Task(handler, executor=self), entity, node
+
+    def _wait_for_ready_callbacks(
+        self,
+        timeout_sec: float | TimeoutObject | None = None,
+        nodes: list[Node] | None = None,
+        condition: Callable[[], bool] = NEVER_TRUE,
+    ) -> Iterator[tuple[Task[Any], Entity | None, Node | None]]:
+        """Yield what `wait_for_ready_callbacks` returns; executors derived from real rclpy's iterate over this."""
+        while True:
+            yield self.wait_for_ready_callbacks(timeout_sec, nodes, condition)
 
     def spin(self) -> None:
         """Run callbacks until the executor or its context is shut down."""

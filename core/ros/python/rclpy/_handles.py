@@ -46,6 +46,8 @@ class NodeHandle(Destroyable):
         self.rules = rules
         self.logger = logger
         self.scope = scope
+        self._keepers: list[Any] = []
+        """Action servers and clients: with one of them a destroyed node is still there, as in real ROS."""
 
     def __repr__(self) -> str:
         # Part of the texts for arguments of a wrong type.
@@ -120,11 +122,33 @@ class NodeHandle(Destroyable):
             if known[1] <= 0:
                 del self.context._topic_types[topic]
 
+    def keep_for(self, keeper: Any) -> None:
+        """Stay in the graph, once destroyed, until `let_go` is called for all keepers or the context is shut down.
+
+        A keeper has `endpoints`: those of the node that stay.
+        """
+        self._keepers.append(keeper)
+
+    def let_go(self, keeper: Any) -> None:
+        """Stay for that keeper no longer."""
+        if keeper in self._keepers:
+            self._keepers.remove(keeper)
+            if self._destroyed and not self._keepers:
+                self.node.destroy()
+
     def destroy_when_not_in_use(self) -> None:
-        """Take the node out of the graph."""
-        if not self._destroyed:
-            self._destroyed = True
+        """Take the node out of the graph, or what of it nobody keeps."""
+        if self._destroyed:
+            return
+        self._destroyed = True
+        if not self._keepers or not self.context._valid:
             self.node.destroy()
+            return
+        kept = {id(endpoint) for keeper in self._keepers for endpoint in keeper.endpoints}
+        for endpoint in self.node.endpoints:
+            if id(endpoint) not in kept:
+                endpoint.destroy()
+        self.context._watch_end(self.node.destroy)
 
 
 class EndpointHandle(Destroyable):

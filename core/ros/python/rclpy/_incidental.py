@@ -16,6 +16,11 @@ _SOURCES = {
     "SetLoggerLevelsResult SetParametersResult",
     "rcl_interfaces.srv": "DescribeParameters GetLoggerLevels GetParameterTypes GetParameters ListParameters SetLoggerLevels "
     "SetParameters SetParametersAtomically",
+    "rclpy._typing_names": "Action CommonMsgSrvMetaClass CreateLifecyclePublisherArgs EventMessage FeedbackMessage "
+    "GetResultService GetResultServiceRequest GetResultServiceResponse LifecycleNodeArgs LoggingArgs LoggingFilterArgs "
+    "LoggingFilterParams Msg MsgMetaClass OnceContext PyCapsule RcutilsLoggerContext SendGoalKWargs SendGoalService "
+    "SendGoalServiceRequest SendGoalServiceResponse SkipFirstContext Srv SupportedFilters ThrottleContext "
+    "TimeJumpDictionary",
     "rclpy.callback_groups": "CallbackGroup MutuallyExclusiveCallbackGroup ReentrantCallbackGroup",
     "rclpy.client": "Client",
     "rclpy.clock": "Clock",
@@ -46,13 +51,14 @@ _SOURCES = {
     "rclpy.task": "Task",
     "rclpy.timer": "Rate Timer TimerInfo",
     "rclpy.topic_endpoint_info": "TopicEndpointInfo",
+    "rclpy.type_hash": "TypeHashDictionary",
     "rclpy.type_support": "check_is_valid_msg_type check_is_valid_srv_type",
     "rclpy.utilities": "get_default_context timeout_sec_to_nsec",
     "rclpy.validate_full_topic_name": "validate_full_topic_name",
     "rclpy.validate_namespace": "validate_namespace",
     "rclpy.validate_node_name": "validate_node_name",
     "rclpy.validate_parameter_name": "validate_parameter_name",
-    "rclpy.validate_topic_name": "validate_topic_name",
+    "rclpy.validate_topic_name": "TOPIC_SEPARATOR_STRING validate_topic_name",
     "rclpy.waitable": "NumberOfEntities Waitable",
     "type_description_interfaces.srv": "GetTypeDescription",
     "unique_identifier_msgs.msg": "UUID",

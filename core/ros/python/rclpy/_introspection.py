@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.graph import RequestId
+from day6_tui.core.graph import Endpoint, RequestId
 from day6_tui.core.interfaces import copy_message, type_hash, type_name
 from rclpy._rclpy_pybind11 import ServiceIntrospectionState
 
 if TYPE_CHECKING:
-    from rclpy._handles import EndpointHandle
+    from rclpy._handles import NodeHandle
     from rclpy.clock import Clock
     from rclpy.qos import QoSProfile
 
@@ -21,14 +21,20 @@ class Introspection:
     """Publishes the events of one service or client."""
 
     def __init__(
-        self, handle: EndpointHandle, srv_type: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState
+        self,
+        node: NodeHandle,
+        endpoint: Endpoint,
+        srv_type: Any,
+        clock: Clock,
+        qos: QoSProfile,
+        state: ServiceIntrospectionState,
     ) -> None:
         self._event_type = srv_type.Event
         self._clock = clock
-        self._gid = handle._endpoint.gid
+        self._gid = endpoint.gid
         self.contents = state is ServiceIntrospectionState.CONTENTS
-        self._publisher = handle._node.node.create_publisher(
-            f"{handle.get_topic_name()}/_service_event",
+        self._publisher = node.node.create_publisher(
+            f"{endpoint.topic}/_service_event",
             type_name(self._event_type),
             type_hash(self._event_type),
             qos.get_c_qos_profile(),
@@ -39,7 +45,8 @@ class Introspection:
     def configured(
         cls,
         current: Introspection | None,
-        handle: EndpointHandle,
+        node: NodeHandle,
+        endpoint: Endpoint,
         srv_type: Any,
         clock: Clock,
         qos: QoSProfile,
@@ -48,7 +55,7 @@ class Introspection:
         """Return the introspection that a new state asks for, in place of the current one."""
         if current is not None:
             current.destroy()
-        return None if state is ServiceIntrospectionState.OFF else cls(handle, srv_type, clock, qos, state)
+        return None if state is ServiceIntrospectionState.OFF else cls(node, endpoint, srv_type, clock, qos, state)
 
     def _publish(self, kind: int, gid: bytes, number: int, request: Any = None, response: Any = None) -> None:
         event = self._event_type()

@@ -69,7 +69,13 @@ class ServiceEndpoint(NodeEndpoint):
 
         self._handle.check()
         self._introspection = Introspection.configured(
-            self._introspection, self._handle, self.srv_type, clock, service_event_qos_profile, introspection_state
+            self._introspection,
+            self._handle._node,
+            self._handle._endpoint,
+            self.srv_type,
+            clock,
+            service_event_qos_profile,
+            introspection_state,
         )
 
     def destroy(self) -> None:

@@ -40,7 +40,7 @@ _ELSEWHERE = {
         "rmw_requested_deadline_missed_status_t": "QoSRequestedDeadlineMissedInfo",
         "rmw_requested_qos_incompatible_event_status_t": "QoSRequestedIncompatibleQoSInfo",
     },
-    "rclpy.experimental.events_executor": {"EventsExecutor": "EventsExecutor"},
+    "rclpy.experimental.events_executor": {"EventsExecutor": "_EventsExecutor"},
     "rclpy.expand_topic_name": {"rclpy_expand_topic_name": "expand_topic_name"},
     "rclpy.guard_condition": {"GuardCondition": "GuardHandle"},
     "rclpy.lifecycle._state_machine": {"LifecycleStateMachine": "StateMachine"},

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
 
-__getattr__ = also(__name__, "CallbackGroup Clock Context")
+__getattr__ = also(__name__, "Srv CallbackGroup Clock Context")
 
 
 SrvRequestT = TypeVar("SrvRequestT")

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rclpy.context import Context
     from rclpy.timer import Timer
 
-__getattr__ = also(__name__, "Context get_default_context")
+__getattr__ = also(__name__, "TimeJumpDictionary Context get_default_context")
 
 
 class JumpThreshold:

@@ -85,17 +85,20 @@ class Context:
         time_source: TimeSource,
         args: list[str] | None = None,
         env: Mapping[str, str] | None = None,
+        write: Callable[[str], Any] | None = None,
     ) -> Context:
         """Return an initialised context on `graph` whose clocks read `time_source`; it has no link and touches no signal.
 
         `args` are its global arguments (default: none), `env` the environment its logging looks at (default: this
-        process's). Its log levels and its logging output are its own.
+        process's), `write` takes its log lines, those about wrong arguments too (default: stderr). Its log levels and its
+        logging output are its own.
         """
         context = cls()
         context._graph = graph
         context._time = time_source
         context._uses_link = False
         context._logging = LoggingSettings(time_source, env)
+        context._log_write = write
         context.init(args if args is not None else [], domain_id=graph.domain_id)
         return context
 
@@ -137,7 +140,7 @@ class Context:
                 raise TypeError(
                     _WRONG_ARGUMENTS.format(args, RCL_DEFAULT_DOMAIN_ID if domain_id is None else domain_id)
                 )
-            self._arguments = parse_global_arguments(sys.argv if args is None else args)
+            self._arguments = parse_global_arguments(sys.argv if args is None else args, self._logging)
             self._domain_id = _domain_from_environment() if domain_id is None else domain_id
             if self._graph is None:
                 self._graph = graph_for_domain(self._domain_id)

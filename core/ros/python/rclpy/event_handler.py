@@ -213,6 +213,12 @@ class EventHandler(Waitable[Any]):
         result = self.callback(self._event.take_event())
         return result if is_coroutine_function(self.callback) else None
 
+    def __exit__(self, t: object, v: object, tb: object) -> None:
+        pass
+
+    def __enter__(self) -> None:
+        pass
+
     def get_num_entities(self) -> NumberOfEntities:
         """Return one event."""
         return NumberOfEntities(num_events=1)

@@ -24,7 +24,7 @@ from rclpy.task import Future, Task
 
 __getattr__ = also(
     __name__,
-    "Clock ClockType GuardCondition InvalidHandle MessageInfo NumberOfEntities Service "
+    "Msg Clock ClockType GuardCondition InvalidHandle MessageInfo NumberOfEntities Service "
     "SignalHandlerGuardCondition Subscription Timer TimerCancelledError TimerInfo Waitable "
     "get_default_context timeout_sec_to_nsec",
 )

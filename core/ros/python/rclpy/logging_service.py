@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rclpy._logging_settings import LoggingSettings
     from rclpy.node import Node
 
-__getattr__ = also(__name__, "GetLoggerLevels LoggerLevel SetLoggerLevels SetLoggerLevelsResult")
+__getattr__ = also(__name__, "TOPIC_SEPARATOR_STRING GetLoggerLevels LoggerLevel SetLoggerLevels SetLoggerLevelsResult")
 
 
 class LoggingService:

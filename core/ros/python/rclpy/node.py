@@ -5,7 +5,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable
 from types import FunctionType, TracebackType
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, TypeVar, Union
 
 from day6_tui.core.graph import names
 from rclpy._arguments import parse_node_arguments
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 __getattr__ = also(
     __name__,
-    "AllowableParameterValueT CallbackGroup Client ContentFilterOptions Executor FloatingPointRange "
+    "Srv AllowableParameterValueT CallbackGroup Client ContentFilterOptions Executor FloatingPointRange "
     "GuardCondition IntegerRange InvalidHandle InvalidParameterTypeException "
     "InvalidParameterValueException InvalidTopicNameException ListParameters ListParametersResult "
     "LoggingService MessageInfo MutuallyExclusiveCallbackGroup PARAMETER_SEPARATOR_STRING "
@@ -79,6 +79,9 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
     whether those given to init() count too. `parameter_overrides` are initial values for parameters that get declared.
     Raises NotInitializedException before init(), InvalidNodeNameException, InvalidNamespaceException.
     """
+
+    ParameterInput = Union[Any, Parameter.Type]  # noqa: UP007 (Any | … needs Python 3.11)
+    """In real rclpy a name for the types of what declares a parameter."""
 
     def __init__(
         self,

@@ -2,6 +2,7 @@
 
 import warnings
 
+from rclpy.callback_groups import CallbackGroup as CallbackGroup
 from rclpy.event_handler import *  # noqa: F403
 
 warnings.warn("importing 'qos_event' is deprecated; import 'event_handler' instead", stacklevel=2)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from rclpy import qos as qos_module
+from rclpy._incidental import also
 from rclpy.duration import Duration
 from rclpy.exceptions import ParameterAlreadyDeclaredException
 from rclpy.publisher import Publisher
@@ -30,12 +31,17 @@ __all__ = [
 QosCallbackType = Callable[[QoSProfile], Any]
 
 
+_also = also(
+    __name__, "Parameter QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy"
+)
+
+
 def __getattr__(name: str) -> Any:
     if name == "QosCallbackResult":
         from rcl_interfaces.msg import SetParametersResult
 
         return SetParametersResult
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _also(name)
 
 
 class InvalidQosOverridesError(Exception):

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMWError
 from rclpy.type_support import check_for_type_support
+
+__getattr__ = also(__name__, "Msg")
 
 
 def serialize_message(message: Any) -> bytes:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
 
-__getattr__ = also(__name__, "CallbackGroup Clock")
+__getattr__ = also(__name__, "Srv CallbackGroup Clock")
 
 
 SrvRequestT = TypeVar("SrvRequestT")

@@ -9,7 +9,7 @@ from rclpy._incidental import also
 from rclpy.qos import HistoryPolicy, QoSPresetProfiles, QoSProfile
 from rclpy.type_hash import TypeHash
 
-__getattr__ = also(__name__, "QoSHistoryPolicy")
+__getattr__ = also(__name__, "TypeHashDictionary QoSHistoryPolicy")
 
 
 class TopicEndpointTypeEnum(IntEnum):
@@ -18,6 +18,10 @@ class TopicEndpointTypeEnum(IntEnum):
     INVALID = 0
     PUBLISHER = 1
     SUBSCRIPTION = 2
+
+
+_NO_HASH = TypeHash()
+_NO_GID: list[int] = []
 
 
 class TopicEndpointInfo:
@@ -38,18 +42,18 @@ class TopicEndpointInfo:
         node_name: str = "",
         node_namespace: str = "",
         topic_type: str = "",
-        topic_type_hash: TypeHash | dict[str, Any] | None = None,
+        topic_type_hash: TypeHash | dict[str, Any] = _NO_HASH,
         endpoint_type: TopicEndpointTypeEnum | int = TopicEndpointTypeEnum.INVALID,
-        endpoint_gid: list[int] | None = None,
-        qos_profile: QoSProfile | dict[str, Any] | None = None,
+        endpoint_gid: list[int] = _NO_GID,
+        qos_profile: QoSProfile | dict[str, Any] = QoSPresetProfiles.UNKNOWN.value,
     ) -> None:
         self.node_name = node_name
         self.node_namespace = node_namespace
         self.topic_type = topic_type
-        self.topic_type_hash = TypeHash() if topic_type_hash is None else topic_type_hash
+        self.topic_type_hash = topic_type_hash
         self.endpoint_type = endpoint_type
-        self.endpoint_gid = [] if endpoint_gid is None else endpoint_gid
-        self.qos_profile = QoSPresetProfiles.UNKNOWN.value if qos_profile is None else qos_profile
+        self.endpoint_gid = [] if endpoint_gid is _NO_GID else endpoint_gid
+        self.qos_profile = qos_profile
 
     @property
     def node_name(self) -> str:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
+from rclpy._incidental import also
 from rclpy.exceptions import NoTypeSupportImportedException
 
-Msg = Any
-Srv = Any
-Action = Any
+__getattr__ = also(
+    __name__,
+    "Action CommonMsgSrvMetaClass EventMessage FeedbackMessage GetResultService GetResultServiceRequest "
+    "GetResultServiceResponse Msg MsgMetaClass PyCapsule SendGoalService SendGoalServiceRequest SendGoalServiceResponse Srv",
+)
+
 MsgT = TypeVar("MsgT")
 SrvT = TypeVar("SrvT")
 SrvRequestT = TypeVar("SrvRequestT")

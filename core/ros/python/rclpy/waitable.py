@@ -95,7 +95,7 @@ class Waitable(Entity, Generic[T]):
     def __enter__(self) -> None:
         raise NotImplementedError("Must be implemented by subclass")
 
-    def __exit__(self, exc_type: object, exc_value: object, traceback: object) -> None:
+    def __exit__(self, exc_type: object, exc_val: object, exc_tb: object) -> None:
         raise NotImplementedError("Must be implemented by subclass")
 
     def add_future(self, future: Future[Any]) -> None:

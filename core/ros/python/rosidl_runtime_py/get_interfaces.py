@@ -2,41 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ament_index_python.packages import get_packages_with_prefixes
 
 _KINDS = ("msg", "srv", "action")
 
+Environment = Mapping[str, str] | None
+"""`environment` stands for `os.environ` where a program has its own."""
 
-def get_interface_packages() -> dict[str, str]:
+
+def get_interface_packages(environment: Environment = None) -> dict[str, str]:
     """Return `{package: prefix}` of the packages that define interfaces."""
-    prefixes = get_packages_with_prefixes()
+    prefixes = get_packages_with_prefixes(environment)
     return {name: prefix for name, prefix in prefixes.items() if _definitions(Path(prefix), name, _KINDS)}
 
 
-def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+def get_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
     """Return `{package: ['msg/String', …]}` of some packages or of all; LookupError for a package that is not there."""
-    return _interfaces(package_names, _KINDS)
+    return _interfaces(package_names, _KINDS, environment)
 
 
-def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+def get_message_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
     """As `get_interfaces`, messages only."""
-    return _interfaces(package_names, ("msg",))
+    return _interfaces(package_names, ("msg",), environment)
 
 
-def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+def get_service_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
     """As `get_interfaces`, services only."""
-    return _interfaces(package_names, ("srv",))
+    return _interfaces(package_names, ("srv",), environment)
 
 
-def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
+def get_action_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
     """As `get_interfaces`, actions only."""
-    return _interfaces(package_names, ("action",))
+    return _interfaces(package_names, ("action",), environment)
 
 
-def get_interface_path(interface_name: str) -> str:
+def get_interface_path(interface_name: str, environment: Environment = None) -> str:
     """Return the file that defines `package/kind/Name` (a suffix may be given).
 
     Raises ValueError for a malformed name, LookupError for an unknown package or interface.
@@ -48,7 +51,7 @@ def get_interface_path(interface_name: str) -> str:
         raise ValueError(f"Invalid name '{interface_name}'. Must not contain empty parts")
     if ".." in parts:
         raise ValueError(f"Invalid name '{interface_name}'. Must not contain '..'")
-    prefix = get_packages_with_prefixes().get(parts[0])
+    prefix = get_packages_with_prefixes(environment).get(parts[0])
     if prefix is None:
         raise LookupError(f"Unknown package '{parts[0]}'")
     path = Path(prefix, "share", *parts)
@@ -62,8 +65,8 @@ def get_interface_path(interface_name: str) -> str:
     raise LookupError(f"Could not find the interface '{candidates[-1]}'")
 
 
-def _interfaces(package_names: Iterable[str], kinds: tuple[str, ...]) -> dict[str, list[str]]:
-    prefixes = get_packages_with_prefixes()
+def _interfaces(package_names: Iterable[str], kinds: tuple[str, ...], environment: Environment) -> dict[str, list[str]]:
+    prefixes = get_packages_with_prefixes(environment)
     found: dict[str, list[str]] = {}
     for name in list(package_names) or prefixes:
         if name not in prefixes:

@@ -88,7 +88,7 @@ class _Walk:
 
     def _values_of(self, action: argparse.Action, session: Session, prefix: str) -> Words | Awaitable[Words]:
         if action.choices is not None:
-            from day6_tui.core.ros.ros2.cli.later import HIDDEN
+            from day6_tui.core.ros.ros2.cli.tree import HIDDEN
 
             return [str(choice) for choice in action.choices if str(choice) not in HIDDEN]
         completer: Completer | None = getattr(action, "completer", None)
@@ -138,29 +138,29 @@ def action_types_of_action(typed: Typed) -> Iterable[str]:
 
 def message_types(typed: Typed) -> Iterable[str]:
     """Complete a message type."""
-    return _types("msg")
+    return _types(typed, "msg")
 
 
 def service_types(typed: Typed) -> Iterable[str]:
     """Complete a service type."""
-    return _types("srv")
+    return _types(typed, "srv")
 
 
 def action_types(typed: Typed) -> Iterable[str]:
     """Complete an action type."""
-    return _types("action")
+    return _types(typed, "action")
 
 
 def interface_types(typed: Typed) -> Iterable[str]:
     """Complete any interface type."""
-    return _types("msg", "srv", "action")
+    return _types(typed, "msg", "srv", "action")
 
 
 def interface_packages(typed: Typed) -> Iterable[str]:
     """Complete the name of a package that defines interfaces."""
     from rosidl_runtime_py.get_interfaces import get_interface_packages
 
-    return get_interface_packages()
+    return get_interface_packages(typed.session.env)
 
 
 def package_names(typed: Typed) -> Iterable[str]:
@@ -213,12 +213,12 @@ def _prototype(type_name: str, part: str | None) -> Iterable[str]:
     return [one_line(message_to_ordereddict(message))]
 
 
-def _types(*kinds: str) -> list[str]:
+def _types(typed: Typed, *kinds: str) -> list[str]:
     from rosidl_runtime_py.get_interfaces import get_interfaces
 
     return [
         f"{package}/{name}"
-        for package, names in get_interfaces().items()
+        for package, names in get_interfaces(environment=typed.session.env).items()
         for name in names
         if name.partition("/")[0] in kinds
     ]

@@ -7,9 +7,8 @@ import signal
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros import environment
-from day6_tui.core.ros.ros2.cli.later import missing
 from day6_tui.core.ros.ros2.cli.parser import ParserExit
-from day6_tui.core.ros.ros2.cli.tree import build_parser, chosen_words, command_names
+from day6_tui.core.ros.ros2.cli.tree import build_parser
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -28,11 +27,6 @@ async def run_command(session: Session) -> int:
         session.print(f"ros2 {VERSION} (day6-tui)")
         session.print_error("note: the ros2 of a real installation has no --version, it answers with its usage")
         return 0
-    words = chosen_words(argv)
-    apology = missing(*words)
-    if apology is not None and (words[0] in command_names() or words[0] == "bag"):
-        session.print_error(apology)
-        return 1
     try:
         args = build_parser(session, argv).parse_args(argv)
     except ParserExit as end:

@@ -8,7 +8,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.ros2.cli.later import HIDDEN, LATER, later_verbs
 from day6_tui.core.ros.ros2.cli.parser import Parser
 
 if TYPE_CHECKING:
@@ -17,18 +16,21 @@ if TYPE_CHECKING:
 ROOT = "day6_tui.core.ros.ros2"
 _FOLDER = Path(__file__).resolve().parents[1]
 
+HIDDEN = frozenset({"extension_points", "extensions"})
+"""Commands that the real help does not list either."""
+
 
 def command_names() -> list[str]:
-    """Return all commands, sorted; those of `later` too, because the real `ros2` has them."""
+    """Return all commands, sorted."""
     present = {module.name for module in pkgutil.iter_modules([str(_FOLDER)]) if module.name != "cli"}
-    return sorted(present | {name for name in LATER if name != "bag"})
+    return sorted(present)
 
 
 def verb_names(command: str) -> list[str]:
     """Return the verbs of a command, sorted; none for a command without verbs."""
     folder = _FOLDER / command
     modules = pkgutil.iter_modules([str(folder)]) if folder.is_dir() else ()
-    return sorted({module.name for module in modules if not module.name.startswith("_")} | set(later_verbs(command)))
+    return sorted(module.name for module in modules if not module.name.startswith("_"))
 
 
 def load(command: str, verb: str | None = None) -> ModuleType:
@@ -38,10 +40,7 @@ def load(command: str, verb: str | None = None) -> ModuleType:
 
 def summary(command: str, verb: str | None = None) -> str:
     """Return the one line that help shows for a command or verb."""
-    if verb is None:
-        return LATER[command].summary if command in LATER else str(load(command).SUMMARY)
-    later = later_verbs(command)
-    return later[verb] if verb in later else str(load(command, verb).SUMMARY)
+    return str(load(command, verb).SUMMARY)
 
 
 def chosen_words(argv: list[str]) -> tuple[str | None, str | None]:
@@ -81,7 +80,7 @@ def build_parser(session: Session, argv: list[str]) -> Parser:
 def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
     parser.description = summary(command)
     parser.set_defaults(help_of=parser)
-    module: Any = load(command) if command not in LATER else None
+    module: Any = load(command)
     if hasattr(module, "add_arguments"):
         module.add_arguments(parser)
     if hasattr(module, "main"):
@@ -93,7 +92,7 @@ def _complete_command(parser: Parser, command: str, verb: str | None) -> None:
     choices = parser.add_commands(f"ros2 {command}", listed)
     for name in verbs:
         verb_parser = choices.add_parser(name)
-        if name == verb and name not in later_verbs(command):
+        if name == verb:
             verb_module: Any = load(command, name)
             verb_parser.description = verb_module.SUMMARY
             verb_module.add_arguments(verb_parser)

@@ -29,8 +29,6 @@ async def main(session: Session, args: Namespace) -> str | None:
         for number in args.component_uid:
             reason = await container.unload(number)
             if reason is not None:
-                return (
-                    f"Failed to unload component {number} from '{name}' container node\n    {reason.capitalize()}"
-                )
+                return f"Failed to unload component {number} from '{name}' container node\n    {reason.capitalize()}"
             session.print(number if args.quiet else f"Unloaded component {number} from '{name}' container node")
     return None

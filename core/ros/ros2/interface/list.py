@@ -34,6 +34,6 @@ async def main(session: Session, args: Namespace) -> None:
     for title, (wanted, interfaces) in sections.items():
         if wanted or everything:
             session.print(f"{title}:")
-            for package, names in sorted(interfaces().items()):
+            for package, names in sorted(interfaces(environment=session.env).items()):
                 for name in sorted(names):
                     session.print(f"    {package}/{name}")

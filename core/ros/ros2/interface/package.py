@@ -28,7 +28,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
     wanted = {"msg": args.only_msgs, "srv": args.only_srvs, "action": args.only_actions}
     try:
-        found = get_interfaces([args.package_name])
+        found = get_interfaces([args.package_name], session.env)
     except LookupError as error:
         return str(error)
     kinds = [kind for kind, chosen in wanted.items() if chosen] or list(wanted)

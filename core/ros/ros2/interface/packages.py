@@ -20,12 +20,12 @@ async def main(session: Session, args: Namespace) -> None:
     import rosidl_runtime_py as lookup
 
     if args.only_msgs:
-        names = list(lookup.get_message_interfaces())
+        names = list(lookup.get_message_interfaces(environment=session.env))
     elif args.only_srvs:
-        names = list(lookup.get_service_interfaces())
+        names = list(lookup.get_service_interfaces(environment=session.env))
     elif args.only_actions:
-        names = list(lookup.get_action_interfaces())
+        names = list(lookup.get_action_interfaces(environment=session.env))
     else:
-        names = list(lookup.get_interface_packages())
+        names = list(lookup.get_interface_packages(session.env))
     for name in sorted(names):
         session.print(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -47,21 +47,25 @@ async def main(session: Session, args: Namespace) -> str | None:
     if not name:
         args.parser.error("the passed value is empty")
     try:
-        for line in definition_lines(name, comments=not args.no_comments, nested_comments=args.all_comments):
+        for line in definition_lines(
+            name, session.env, comments=not args.no_comments, nested_comments=args.all_comments
+        ):
             session.print(line)
     except (ValueError, LookupError) as error:
         return str(error)
     return None
 
 
-def definition_lines(name: str, *, comments: bool, nested_comments: bool, indent: str = "") -> Iterator[str]:
+def definition_lines(
+    name: str, environment: Mapping[str, str], *, comments: bool, nested_comments: bool, indent: str = ""
+) -> Iterator[str]:
     """Yield the lines of a definition and of everything in it. Raises ValueError or LookupError for a wrong name."""
     from rosidl_runtime_py.get_interfaces import get_interface_path
 
     parts = name.split("/")
     if len(parts) != 3:
         raise ValueError(f"Invalid name '{name}'. Expected three parts separated by '/'")
-    for line in Path(get_interface_path(name)).read_text(encoding="utf-8").splitlines():
+    for line in Path(get_interface_path(name, environment)).read_text(encoding="utf-8").splitlines():
         text = line.rstrip()
         shown: str | None = text if comments else _without_comment(text)
         if shown is not None:
@@ -69,7 +73,7 @@ def definition_lines(name: str, *, comments: bool, nested_comments: bool, indent
         nested = _nested_type(text, parts[0])
         if nested is not None:
             yield from definition_lines(
-                nested, comments=nested_comments, nested_comments=nested_comments, indent=f"{indent}\t"
+                nested, environment, comments=nested_comments, nested_comments=nested_comments, indent=f"{indent}\t"
             )
 
 

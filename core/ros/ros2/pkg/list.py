@@ -5,6 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
+from ament_index_python.search_paths import BUILT_IN_PREFIX
+
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
@@ -16,7 +18,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
-    from day6_tui.core.ros.ros2.pkg._index import packages
+    from day6_tui.core.ros.ros2.pkg._index import packages, prefix_of
 
     for name in packages(session):
-        session.print(name)
+        # Our own examples are in no real ROS: `ros2 pkg list | grep day6` has to find what the student has built, or nothing.
+        if not (name.startswith("day6_") and prefix_of(session, name) == BUILT_IN_PREFIX):
+            session.print(name)

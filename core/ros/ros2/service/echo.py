@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.cli.completion import service_names, service_types_of_service
 from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
-from day6_tui.core.ros.ros2.cli.options import add_length_options, completed
+from day6_tui.core.ros.ros2.cli.events import EventPrinter, add_printing_options
+from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -28,10 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         ),
         service_types_of_service,
     )
-    parser.add_argument(
-        "--csv", action="store_true", help="Output all recursive fields separated by commas (e.g. for plotting)."
-    )
-    add_length_options(parser)
+    add_printing_options(parser)
 
 
 async def main(session: Session, args: Namespace) -> None:
@@ -69,33 +67,3 @@ def _class_of_type(type_name: str) -> Any:
         return get_service(type_name)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError(f"The service type '{type_name}' is invalid") from None
-
-
-class EventPrinter:
-    """Prints service events, with the name of what happened instead of its number."""
-
-    def __init__(self, session: Session, args: Namespace) -> None:
-        from service_msgs.msg import ServiceEventInfo
-
-        self.session = session
-        self.args = args
-        names = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
-        self.events = {getattr(ServiceEventInfo, name): name for name in names}
-        self.limits: dict[str, Any] = {
-            "truncate_length": None if args.full_length else args.truncate_length,
-            "no_arr": args.no_arr,
-            "no_str": args.no_str,
-        }
-
-    def receive(self, message: Any) -> None:
-        from rosidl_runtime_py.convert import message_to_csv, message_to_ordereddict
-        from rosidl_runtime_py.yaml_text import dump
-
-        if self.args.csv:
-            self.session.print(message_to_csv(message, **self.limits))
-            return
-        fields = message_to_ordereddict(message, **self.limits)
-        info = fields.get("info", {})
-        if "event_type" in info:
-            info["event_type"] = self.events[info["event_type"]]
-        self.session.print(dump(fields, flow_style=self.args.flow_style), end="---\n")

@@ -6,6 +6,7 @@ All of it lives on the program's thread, where `tick` follows what changed. A us
 
 from __future__ import annotations
 
+import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +16,16 @@ from day6_tui.core.ros.programs.rviz2.model.config import read_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display, FailedDisplay
 from day6_tui.core.ros.programs.rviz2.model.displays import PACKAGE, TYPES, display_class, types_for
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer, Frames
-from day6_tui.core.ros.programs.rviz2.model.properties import COLOUR, ENUM, FIXED_FRAME, FRAME, GROUP, INT, Property
+from day6_tui.core.ros.programs.rviz2.model.properties import (
+    COLOUR,
+    ENUM,
+    FIXED_FRAME,
+    FRAME,
+    GROUP,
+    INT,
+    TEXT,
+    Property,
+)
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, View, copied, type_property
@@ -27,6 +37,9 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 QUALITIES = ("High", "Medium", "Low")
+
+TIMES = ("ROS Time", "ROS Elapsed", "Wall Time", "Wall Elapsed")
+"""The lines of RViz's Time panel."""
 
 RobotReader = Callable[[str, str, Callable[[Any], None], Callable[[], bool]], None]
 
@@ -88,6 +101,9 @@ class RViz:
         self.quality = self.performance.add(
             Property("Quality", ENUM, QUALITIES[0], options=QUALITIES, on_change=self.touch)
         )
+        self.time = Property("Time", GROUP)
+        self._times = [self.time.add(Property(name, TEXT, "", read_only=True)) for name in TIMES]
+        self._began: tuple[int, int] | None = None
         self.view_type = type_property(self._view_type_changed)
         self.views = Property("Views", GROUP)
         self.view: View = Orbit(self.frame_choices, self._view_touched)
@@ -252,6 +268,7 @@ class RViz:
         for display in self.displays:
             display.reset()
         self.frames.buffer.clear()
+        self._began = None
         self.touch()
 
     def close(self) -> None:
@@ -287,6 +304,8 @@ class RViz:
         for display in self.displays:
             display.update()
         self._judge_fixed_frame()
+        if self.time.expanded:
+            self._tell_time()
         target = self.frames.pose(self.view.target.value)
         if target is not None:
             self.view.origin = target.xyz
@@ -299,10 +318,20 @@ class RViz:
         self._redraw = False
         return True
 
+    def _tell_time(self) -> None:
+        ros, wall = self.now_ns(), time.time_ns()
+        if self._began is None:
+            self._began = (ros, wall)
+        numbers = (ros, ros - self._began[0], wall, wall - self._began[1])
+        for line, number in zip(self._times, numbers, strict=True):
+            line.value = f"{number / 1e9:.2f}"
+
     @property
     def restless(self) -> bool:
-        """Whether the picture changes by time alone."""
-        return any(getattr(display, "fading", False) for display in self.displays if display.enabled)
+        """Whether the picture, or the panel, changes by time alone."""
+        return self.time.expanded or any(
+            getattr(display, "fading", False) for display in self.displays if display.enabled
+        )
 
     def _judge_fixed_frame(self) -> None:
         problem = self.frames.frame_problem(self.fixed_frame)

@@ -97,7 +97,10 @@ def _run_ours(kind: str, argv: list[str]) -> int:
         if found is None:
             print(f"{argv[0]}: no program of day6-tui", file=sys.stderr)
             return 127
-        status = run_local(load(*found), argv)
+        import signal
+
+        status = run_local(_deaf_at_the_end(load(*found)), argv)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # unlike a handler it lasts to the very end of Python
         return 0 if status == 130 else status  # a node that is well written ends cleanly on Ctrl-C
     from day6_tui.core.shell.commands import builtin
 
@@ -106,6 +109,28 @@ def _run_ours(kind: str, argv: list[str]) -> int:
         print(f"{argv[0]}: command not found", file=sys.stderr)
         return 127
     return run_local(command, argv, one_shot=True)
+
+
+def _deaf_at_the_end(program: Any) -> Any:
+    """Return the program; SIGINT ends this process before it has begun, and does nothing once it is over.
+
+    A Ctrl-C comes twice where the launch has no terminal: from the terminal's group, and from the launch.
+    """
+    import signal
+
+    begun = False
+
+    def on_interrupt(number: int, frame: object) -> None:
+        if not begun:
+            os._exit(0)
+
+    async def main(session: Any) -> Any:
+        nonlocal begun
+        begun = True
+        return await program(session)
+
+    signal.signal(signal.SIGINT, on_interrupt)
+    return main
 
 
 if __name__ == "__main__":

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, List  # noqa: UP035
 
-import launch.logging
 from launch.frontend.entity import Entity
 from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import perform_substitutions
 
 from launch_ros.actions.node import Node
 from launch_ros.descriptions.composable_node import ComposableNode
@@ -20,21 +18,13 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 
-def say_that_components_are_not_loaded(
-    context: LaunchContext, container: str, descriptions: Iterable[ComposableNode]
-) -> None:
-    """Log an error with the names of the plugins. The rest of the launch goes on."""
-    wanted = [each for each in descriptions if (condition := each.condition()) is None or condition.evaluate(context)]
-    plugins = ", ".join(perform_substitutions(context, each.node_plugin) for each in wanted) or "none"
-    launch.logging.get_logger("launch").error(
-        f"container '{container}' was not started (its components: {plugins}): components are C++ libraries, and day6-tui "
-        "runs Python nodes and its own programs only. Launch a Node with an executable instead."
-    )
-
-
 @expose_action("node_container")
 class ComposableNodeContainer(Node):
-    """In real ROS a process that loads C++ libraries. There are none here: executing it says so, and starts nothing."""
+    """A node that is a container, and the components that it is to load once it runs.
+
+    Components are C++ classes in real ROS. The containers here know those of day6-tui's own packages (demo_nodes_cpp …); of all
+    others they say that these cannot be loaded.
+    """
 
     def __init__(
         self,
@@ -54,9 +44,13 @@ class ComposableNodeContainer(Node):
         return cls, keywords
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        self._perform_substitutions(context)
-        say_that_components_are_not_loaded(context, self.node_name, self.__descriptions)
-        return None
+        from launch_ros.actions.load_composable_nodes import LoadComposableNodes
+
+        wanted = [each for each in self.__descriptions if (test := each.condition()) is None or test.evaluate(context)]
+        following = list(super().execute(context) or ())
+        if wanted:
+            following.append(LoadComposableNodes(composable_node_descriptions=wanted, target_container=self))
+        return following
 
 
 def parsed_components(entity: Entity, parser: Parser, *, optional: bool) -> list[ComposableNode]:

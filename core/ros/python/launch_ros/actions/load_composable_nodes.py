@@ -1,32 +1,46 @@
-"""Components for a container that runs already."""
+"""Loads components into a container that runs already."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import launch.logging
 from launch.action import Action
 from launch.frontend.entity import Entity
 from launch.frontend.expose import expose_action
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from launch.substitution import Substitution
 from launch.utilities import ensure_argument_type, normalize_to_list_of_substitutions, perform_substitutions
 
-from launch_ros.actions.composable_node_container import (
-    ComposableNodeContainer,
-    parsed_components,
-    say_that_components_are_not_loaded,
-)
+from launch_ros.actions.composable_node_container import ComposableNodeContainer, parsed_components
 from launch_ros.descriptions.composable_node import ComposableNode
+from launch_ros.parameter_descriptions import Parameter
+from launch_ros.ros_adapters import get_ros_node
+from launch_ros.utilities import (
+    add_node_name,
+    evaluate_parameters,
+    get_node_name_count,
+    make_namespace_absolute,
+    prefix_namespace,
+)
 
 if TYPE_CHECKING:
     from launch.frontend.parser import Parser
     from launch.launch_context import LaunchContext
 
+_POLL = 0.2
+"""Seconds between looks whether the launch has ended meanwhile."""
+
 
 @expose_action("load_composable_node")
 class LoadComposableNodes(Action):
-    """Says, like `ComposableNodeContainer`, that components cannot be loaded here."""
+    """Asks the container for each component, one after the other, by its service `_container/load_node`.
+
+    `target_container`: its full name, or the action that starts it.
+    """
 
     def __init__(
         self,
@@ -40,6 +54,9 @@ class LoadComposableNodes(Action):
         super().__init__(**kwargs)
         self.__descriptions = composable_node_descriptions
         self.__target = target_container
+        self.__client: Any = None
+        self.__container = ""
+        self.__logger = launch.logging.get_logger(__name__)
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[Any, dict[str, Any]]:
@@ -49,9 +66,118 @@ class LoadComposableNodes(Action):
         return cls, keywords
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+        from composition_interfaces.srv import LoadNode
+
         if isinstance(self.__target, ComposableNodeContainer):
-            name = self.__target.node_name
+            self.__container = self.__target.node_name
         else:
-            name = perform_substitutions(context, normalize_to_list_of_substitutions(self.__target))
-        say_that_components_are_not_loaded(context, name, self.__descriptions)
+            self.__container = perform_substitutions(context, normalize_to_list_of_substitutions(self.__target))
+        self.__client = get_ros_node(context).create_client(LoadNode, f"{self.__container}/_container/load_node")
+        # Now, because the scope of a group may end before the container answers.
+        requests = [_request(each, context) for each in self.__descriptions if _is_wanted(each, context)]
+        if requests:
+            future = context.asyncio_loop.run_in_executor(None, self.__load_all, requests, context)
+            context.add_completion_future(future)
         return None
+
+    # -- in a thread ---------------------------------------------------------------------------------------------------
+
+    def __load_all(self, requests: list[Any], context: LaunchContext) -> None:
+        from rclpy._rclpy_pybind11 import InvalidHandle
+
+        try:
+            for request in requests:
+                self.__load(request, context)
+        except InvalidHandle:
+            if not context.is_shutdown:  # the end of the launch takes its node away
+                raise
+
+    def __load(self, request: Any, context: LaunchContext) -> None:
+        while not self.__client.wait_for_service(timeout_sec=_POLL):
+            if context.is_shutdown:
+                self.__logger.warning(f"Abandoning wait for the '{self.__client.srv_name}' service, due to shutdown.")
+                return
+        self.__logger.debug(f"Calling the '{self.__client.srv_name}' service with request '{request}'")
+        answered = threading.Event()
+        future = self.__client.call_async(request)
+        future.add_done_callback(lambda _: answered.set())
+        while not answered.wait(_POLL):
+            if context.is_shutdown:
+                self.__logger.warning(
+                    f"Abandoning wait for the '{self.__client.srv_name}' service response, due to shutdown."
+                )
+                future.cancel()
+                return
+        if future.exception() is not None:
+            raise future.exception()
+        self.__tell(request, future.result(), context)
+
+    def __tell(self, request: Any, response: Any, context: LaunchContext) -> None:
+        name = response.full_node_name or request.node_name
+        if not response.success:
+            self.__logger.error(
+                f"Failed to load node '{name}' of type '{request.plugin_name}' in container '{self.__container}': "
+                f"{response.error_message}"
+            )
+            return
+        add_node_name(context, name)
+        count = get_node_name_count(context, name)
+        if count > 1:
+            launch.logging.get_logger(self.__container).warning(
+                f"there are now at least {count} nodes with the name {name} created within this launch context"
+            )
+        self.__logger.info(f"Loaded node '{response.full_node_name}' in container '{self.__container}'")
+
+
+def _is_wanted(description: ComposableNode, context: LaunchContext) -> bool:
+    condition = description.condition()
+    return condition is None or condition.evaluate(context)
+
+
+def _request(description: ComposableNode, context: LaunchContext) -> Any:
+    """Return the service request for a component: its own settings, and those of SetParameter, SetRemap and namespaces."""
+    from composition_interfaces.srv import LoadNode
+
+    def text(parts: list[Substitution] | None) -> str | None:
+        return None if parts is None else perform_substitutions(context, parts)
+
+    request = LoadNode.Request()
+    request.package_name = text(description.package)
+    request.plugin_name = text(description.node_plugin)
+    request.node_name = text(description.node_name) or ""
+    base = context.launch_configurations.get("ros_namespace")
+    namespace = make_namespace_absolute(prefix_namespace(base, text(description.node_namespace)))
+    request.node_namespace = namespace or ""
+    everywhere = context.launch_configurations.get("ros_remaps") or []
+    own = [tuple(perform_substitutions(context, side) for side in rule) for rule in description.remappings or ()]
+    request.remap_rules = [f"{source}:={target}" for source, target in (*everywhere, *own)]
+    common = context.launch_configurations.get("global_params") or []
+    settings = [{each[0]: each[1]} if isinstance(each, tuple) else each for each in common]
+    settings += evaluate_parameters(context, description.parameters or ())
+    request.parameters = _messages(context, settings, request)
+    request.extra_arguments = _messages(
+        context, evaluate_parameters(context, description.extra_arguments or ()), request
+    )
+    return request
+
+
+def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> list[Any]:
+    """Return messages of evaluated parameters: dicts, `Parameter`s, and the files' sections for the node."""
+    from rclpy.parameter import Parameter as RosParameter
+    from rclpy.parameter import parameter_dict_from_yaml_file
+
+    found: dict[str, Any] = {}
+    node = f"{request.node_namespace.rstrip('/')}/{request.node_name}"
+    for each in settings:
+        values: Mapping[str, Any]
+        if isinstance(each, Mapping):
+            values = each
+        elif isinstance(each, Parameter):
+            values = dict([each.evaluate(context)])
+        else:
+            found.update(parameter_dict_from_yaml_file(str(each), True, target_nodes=[node]))
+            continue
+        for name, value in values.items():
+            plain = list(value) if isinstance(value, tuple) else value
+            found[name] = RosParameter(name, value=plain).to_parameter_msg()
+    return list(found.values())

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class ComposableNode:
-    """A node that a container would load from the library of a package. Only described here: see `ComposableNodeContainer`."""
+    """A node that a container is to load from a package; see `ComposableNodeContainer`."""
 
     def __init__(
         self,

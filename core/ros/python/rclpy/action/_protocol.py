@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.graph import names
+from day6_tui.core.graph import RequestId, Service, names
 from day6_tui.core.interfaces import copy_message, type_hash, type_name
 from rclpy._rclpy_pybind11 import DESTROYED, GoalEvent, InvalidHandle, RCLError
 from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:
     from rclpy._handles import NodeHandle
+    from rclpy._introspection import Introspection
+    from rclpy.clock import Clock
+    from rclpy.service_introspection import ServiceIntrospectionState
 
 UNKNOWN, ACCEPTED, EXECUTING, CANCELING, SUCCEEDED, CANCELED, ABORTED = range(7)
 STATE_NAMES = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
@@ -52,6 +55,9 @@ class ActionEndpoints:
         self.name = _full_name(node, action_name, failed)
         self.endpoints: list[Any] = []
         self.destroyed = False
+        self._services: dict[Any, Any] = {}
+        self._introspections: dict[Any, Introspection] = {}
+        node.keep_for(self)
 
     def check(self) -> None:
         """Raise InvalidHandle after destruction."""
@@ -60,19 +66,23 @@ class ActionEndpoints:
 
     def service(self, name: str, interface: Any, qos: QoSProfile) -> Any:
         """Add a service server."""
-        return self._add(
+        endpoint = self._add(
             self.node.node.create_service(
                 self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile(), copy_message
             )
         )
+        self._services[endpoint] = interface
+        return endpoint
 
     def client(self, name: str, interface: Any, qos: QoSProfile) -> Any:
         """Add a service client."""
-        return self._add(
+        endpoint = self._add(
             self.node.node.create_client(
                 self._sub_name(name), type_name(interface), type_hash(interface), qos.get_c_qos_profile(), copy_message
             )
         )
+        self._services[endpoint] = interface
+        return endpoint
 
     def publisher(self, name: str, interface: Any, qos: QoSProfile) -> Any:
         """Add a publisher."""
@@ -102,8 +112,53 @@ class ActionEndpoints:
     def destroy(self) -> None:
         """Take everything out of the graph."""
         self.destroyed = True
+        for introspection in self._introspections.values():
+            introspection.destroy()
         for endpoint in self.endpoints:
             endpoint.destroy()
+        self.node.let_go(self)
+
+    def __del__(self) -> None:
+        if not getattr(self, "destroyed", True):
+            self.destroy()
+
+    # asking and answering, with what introspection tells of it
+
+    def ask(self, client: Any, request: Any) -> int:
+        """Send a request; returns its number."""
+        number: int = client.send_request(request)
+        introspection = self._introspections.get(client)
+        if introspection is not None:
+            introspection.request_sent(request, number)
+        return number
+
+    def answer(self, service: Any, request_id: RequestId, response: Any) -> None:
+        """Send a response."""
+        introspection = self._introspections.get(service)
+        if introspection is not None:
+            introspection.response_sent(response, request_id)
+        service.send_response(request_id, response)
+
+    def take(self, endpoint: Any) -> Any:
+        """Take the oldest request (with its id) or response (with the request's number); None if there is none."""
+        taken = endpoint.take()
+        introspection = self._introspections.get(endpoint)
+        if introspection is not None and taken is not None:
+            told = introspection.request_received if isinstance(endpoint, Service) else introspection.response_received
+            told(*taken)
+        return taken
+
+    def configure_introspection(self, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> None:
+        """Tell on `…/_service_event` what the action's three services are asked and answer, or no more of it."""
+        from rclpy._introspection import Introspection
+
+        self.check()
+        for endpoint, interface in self._services.items():
+            configured = Introspection.configured(
+                self._introspections.pop(endpoint, None), self.node, endpoint, interface, clock, qos, state
+            )
+            if configured is not None:
+                self._introspections[endpoint] = configured
 
 
 def _full_name(node: NodeHandle, name: Any, failed: str) -> str:

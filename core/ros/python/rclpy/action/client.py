@@ -35,7 +35,11 @@ FeedbackT = TypeVar("FeedbackT")
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalStatus": "action_msgs.msg", "UUID": "unique_identifier_msgs.msg"}
 
 
-_also = also(__name__, "Clock GoalStatusArray ServiceIntrospectionState")
+_also = also(
+    __name__,
+    "Action Clock FeedbackMessage GetResultServiceResponse GoalStatusArray SendGoalKWargs SendGoalServiceResponse "
+    "ServiceIntrospectionState",
+)
 
 
 def __getattr__(name: str) -> Any:
@@ -167,9 +171,9 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if self._handle.destroyed:
             return {}
         taken = {
-            "goal": self._goal_client.take(),
-            "cancel": self._cancel_client.take(),
-            "result": self._result_client.take(),
+            "goal": self._handle.take(self._goal_client),
+            "cancel": self._handle.take(self._cancel_client),
+            "result": self._handle.take(self._result_client),
             "feedback": self._feedback_sub.take(),
             "status": self._status_sub.take(),
         }
@@ -309,7 +313,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         future: Future[Any] = Future()
         with self._lock:
             self.add_future(future)
-            self._pending_goals[self._goal_client.send_request(request)] = (future, goal_id)
+            self._pending_goals[self._handle.ask(self._goal_client, request)] = (future, goal_id)
         future.add_done_callback(self._remove_pending_goal_request)
         return future
 
@@ -328,7 +332,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         future: Future[Any] = Future()
         with self._lock:
             self.add_future(future)
-            self._pending_cancels[self._cancel_client.send_request(request)] = future
+            self._pending_cancels[self._handle.ask(self._cancel_client, request)] = future
         future.add_done_callback(self._remove_pending_cancel_request)
         return future
 
@@ -341,7 +345,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         future: Future[Any] = Future()
         with self._lock:
             self.add_future(future)
-            number = self._result_client.send_request(request)
+            number = self._handle.ask(self._result_client, request)
             self._pending_results[number] = (future, bytes(goal_handle.goal_id.uuid))
         future.add_done_callback(self._remove_pending_result_request)
         return future
@@ -370,7 +374,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish requests and responses of the action's services on `…/_service_event`."""
-        raise RCLError("configure_action_client_introspection: service introspection of actions is unsupported")
+        self._handle.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Take the client out of the graph; ValueError the second time."""

@@ -53,7 +53,11 @@ _TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
 
 
-_also = also(__name__, "Clock ServiceIntrospectionState Task UUID")
+_also = also(
+    __name__,
+    "Action Clock FeedbackMessage GetResultServiceRequest GetResultServiceResponse SendGoalServiceRequest "
+    "ServiceIntrospectionState Task UUID",
+)
 
 
 def __getattr__(name: str) -> Any:
@@ -270,9 +274,9 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if self._handle.destroyed:
             return {}
         taken = {
-            "goal": self._goal_service.take(),
-            "cancel": self._cancel_service.take(),
-            "result": self._result_service.take(),
+            "goal": self._handle.take(self._goal_service),
+            "cancel": self._handle.take(self._cancel_service),
+            "result": self._handle.take(self._result_service),
         }
         return {kind: data for kind, data in taken.items() if data is not None}
 
@@ -308,7 +312,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             future: Future[Any] = Future()
             self._result_futures[key] = future
             self.add_future(future)
-        self._goal_service.send_response(request_id, response)
+        self._handle.answer(self._goal_service, request_id, response)
         if goal_handle is None:
             self._logger.debug(f"New goal rejected: {goal_uuid.uuid}")
             return
@@ -351,7 +355,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
                 self._logger.debug(f"Failed to cancel goal in cancel callback: {error}")
                 continue
             response.goals_canceling.append(goal_handle._goal_info)
-        self._cancel_service.send_response(request_id, response)
+        self._handle.answer(self._cancel_service, request_id, response)
 
     def _cancelable(self, request: Any) -> tuple[int, list[ServerGoalHandle[Any, Any, Any]]]:
         """Return error code and goals a request means: one by id, all until a time, both, or (nothing given) all."""
@@ -384,7 +388,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if future is None:
             self._logger.warning(f"Sending result response for unknown or expired goal ID: {goal_uuid}")
             response = self._handle.implementation.GetResultService.Response(status=UNKNOWN)
-            self._result_service.send_response(request_id, response)
+            self._handle.answer(self._result_service, request_id, response)
             return
         future.add_done_callback(partial(self._send_result_response, request_id))
 
@@ -398,7 +402,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             for name in self._action_type.Result.get_fields_and_field_types():
                 getattr(result, name)
         response = self._handle.implementation.GetResultService.Response(status=status, result=result)
-        self._result_service.send_response(request_id, response)
+        self._handle.answer(self._result_service, request_id, response)
 
     # goals
 
@@ -499,7 +503,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish requests and responses of the action's services on `…/_service_event`."""
-        raise RCLError("configure_action_server_introspection: service introspection of actions is unsupported")
+        self._handle.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Take the server out of the graph; ValueError the second time."""

@@ -1,15 +1,46 @@
-"""The events executor. Our SingleThreadedExecutor is driven by events anyway, so this is one."""
+"""The events executor. Every executor here is driven by events; this one differs in what it leaves out."""
 
 from __future__ import annotations
 
+from typing import Any
+
+from rclpy._entity import Entity
+from rclpy._executor import TimeoutObject
+from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.executors import Executor, SingleThreadedExecutor
+from rclpy.task import Future
 
 
 class _EventsExecutor(SingleThreadedExecutor):
-    """A single-threaded executor driven by events."""
+    """Runs callbacks in the thread that spins, without regard to callback groups, as rclpy's experimental executor does.
+
+    A coroutine that waits therefore holds up nothing of its group. A `spin_until_future_complete` whose time is over still
+    runs what is ready.
+    """
+
+    def _begin(self, entity: Entity) -> bool:
+        return True
+
+    def _end(self, entity: Entity) -> None:
+        """There is no group to give back."""
+
+    def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
+        """Run callbacks until `future` is done, or `timeout_sec` is over and nothing is ready any more."""
+        end = None if timeout_sec is None or timeout_sec < 0 else self._steady_ns() + int(timeout_sec * S_TO_NS)
+        self._wake_when_done(future)
+        left = TimeoutObject(-1.0)
+        while self._context._valid and not future.done() and not future.cancelled() and not self._is_shutdown:
+            if self._run_ready():
+                continue
+            if end is not None:
+                now = self._steady_ns()
+                if now >= end:
+                    return
+                left.timeout = (end - now) / S_TO_NS
+            self._spin_once_until_future_complete(future, left)
 
 
 def EventsExecutor(*, context: Context | None = None) -> Executor:
-    """Make an executor that runs callbacks in the order in which things happen, in the thread that spins."""
+    """Make an executor that is driven by events and knows no callback groups."""
     return _EventsExecutor(context=context)

@@ -2,4 +2,6 @@
 
 from rclpy import _rclpy_pybind11 as rclpy_implementation
 
+package = "rclpy"
+
 __all__ = ["rclpy_implementation"]

@@ -8,9 +8,16 @@ import warnings
 from types import FrameType
 from typing import Any, NamedTuple
 
+from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy.clock import Clock
 from rclpy.impl.logging_severity import LoggingSeverity
+
+__getattr__ = also(
+    __name__,
+    "LoggingArgs LoggingFilterArgs LoggingFilterParams OnceContext RcutilsLoggerContext SkipFirstContext SupportedFilters "
+    "ThrottleContext",
+)
 
 _INTERNAL_FILES: frozenset[str] = frozenset(
     (__file__, os.path.join(os.path.dirname(os.path.dirname(__file__)), "logging.py"))

@@ -16,10 +16,15 @@ from rclpy.qos import QoSProfile
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
 
-__getattr__ = also(__name__, "CallbackGroup RcutilsLogger Service check_is_valid_srv_type")
+__getattr__ = also(__name__, "CreateLifecyclePublisherArgs LifecycleNodeArgs CallbackGroup RcutilsLogger Service check_is_valid_srv_type")
 
 
 _NO_NODE = "LifecycleNodeMixin uses Node fields so Node needs to bein the inheritance tree."
+_WRONG_ARGUMENTS = (
+    "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
+    "    1. rclpy._rclpy_pybind11.LifecycleStateMachine(arg0: rclpy._rclpy_pybind11.Node, arg1: bool)\n\n"
+    "Invoked with: {!r}, {!r}"
+)
 _CALLBACK_OF_STATE = {
     10: "on_configure",
     11: "on_cleanup",
@@ -48,6 +53,8 @@ class LifecycleNodeMixin(ManagedEntity):
         if not isinstance(self, Node):
             raise RuntimeError(_NO_NODE)
         node: Node = self
+        if not isinstance(enable_communication_interface, bool):
+            raise TypeError(_WRONG_ARGUMENTS.format(node.handle, enable_communication_interface))
         self._managed_entities: set[ManagedEntity] = set()
         self._callbacks: dict[int, Callable[[LifecycleState], TransitionCallbackReturn]] = {
             state: getattr(self, name) for state, name in _CALLBACK_OF_STATE.items()

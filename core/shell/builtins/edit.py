@@ -1,0 +1,38 @@
+"""nano, gedit, vim, code …: all open the same editor window on the files they are given."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.editing.model import CannotEdit, Editor
+
+
+async def edit(session: Session) -> int:
+    """Open a window on a file or folder and stay until it is closed, as nano and gedit do."""
+    words = [word for word in session.argv[1:] if not word.startswith(("-", "+"))]
+    if session.display is None:
+        session.print_error(f"{session.name}: there is no screen to edit on; the desktop of day6-tui has one")
+        return 1
+    path = session.cwd / (words[0] if words else ".")
+    model = Editor(path if path.is_dir() else path.parent, _state_folder(), session.name)
+    if not path.is_dir():
+        try:
+            model.open(path)
+        except CannotEdit as error:
+            session.print_error(f"{session.name}: {error}")
+            return 1
+    session.display.open("editor", session.name, model)
+    await session.wait(Signal())  # closing the window interrupts the program
+    return 0
+
+
+def _state_folder() -> Path:
+    """The folder in which copies of unsaved texts survive a crash."""
+    from day6_tui.core.shell.desk import default_home
+
+    return default_home().parent / "unsaved"
+
+
+COMMANDS: dict[str, Main] = dict.fromkeys(("nano", "gedit", "vim", "vi", "code", "mousepad", "gnome-text-editor"), edit)

@@ -1,0 +1,103 @@
+"""What an editor window shows: one file at a time of one folder. The text itself is the window's; files are here."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from day6_tui.core.shell.editing.checks import Problem, check
+from day6_tui.core.shell.editing.file import CannotEdit, TextFile
+
+_SKIPPED = {"build", "install", "log", "__pycache__", "node_modules"}
+MOST_FILES = 500
+"""As many files of a folder are offered; a larger one is no workspace of a lesson."""
+
+
+class Editor:
+    """The model of an editor window.
+
+    `folder` is what `code .` was given, else the folder of the file. `file` is None until one is chosen. `saved` is the text
+    on the disk as it was last read or written here; `text` what the window begins with.
+    """
+
+    def __init__(self, folder: Path, state: Path, name: str) -> None:
+        self.folder = folder
+        self.name = name
+        self.file: TextFile | None = None
+        self.saved = ""
+        self.text = ""
+        self.recovered = False
+        """Whether `text` is an unsaved text of an earlier time."""
+        self.version = 0
+        """Grows when another file was opened."""
+        self._state = state
+
+    def open(self, path: Path) -> None:
+        """Show another file. Raises CannotEdit and then shows what it showed before."""
+        file = TextFile(path, self._state)
+        saved = file.read()
+        kept = file.kept()
+        self.file, self.saved = file, saved
+        self.recovered = kept is not None and kept != saved
+        self.text = kept if kept is not None and self.recovered else saved
+        self.version += 1
+
+    def save(self, text: str) -> None:
+        """Write the text. Raises OSError."""
+        assert self.file is not None
+        self.file.write(text)
+        self.saved = self.text = text
+        self.recovered = False
+
+    def keep(self, text: str) -> None:
+        """Keep an unsaved text for the case that it never gets saved. Raises OSError."""
+        if self.file is not None:
+            if text == self.saved:
+                self.file.forget()
+            else:
+                self.file.keep(text)
+
+    def reload(self) -> str:
+        """Return the text as somebody else has written it. Raises CannotEdit."""
+        assert self.file is not None
+        self.saved = self.text = self.file.read()
+        self.recovered = False
+        return self.saved
+
+    def changed_outside(self) -> bool:
+        """Say whether the file on the disk is not the one that was read."""
+        return self.file is not None and self.file.changed_outside()
+
+    def check(self, text: str) -> Problem | None:
+        """Return the first thing that is wrong in the text."""
+        return None if self.file is None else check(self.file.path, text)
+
+    def title(self) -> str:
+        """The name of the file as a person calls it."""
+        if self.file is None:
+            return self.folder.name
+        try:
+            return self.file.path.relative_to(self.folder).as_posix()
+        except ValueError:
+            return self.file.path.name
+
+    def files(self) -> list[Path]:
+        """Return the files of the folder that a person would edit, at most MOST_FILES."""
+        found = []
+        for path in _walk(self.folder):
+            found.append(path)
+            if len(found) == MOST_FILES:
+                break
+        return sorted(found)
+
+
+def _walk(folder: Path) -> Iterator[Path]:
+    for here, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name not in _SKIPPED and not name.startswith("."))
+        for name in sorted(names):
+            if not name.startswith(".") and not name.endswith((".pyc", ".png", ".stl", ".dae", ".mcap", ".db3")):
+                yield Path(here, name)
+
+
+__all__ = ["CannotEdit", "Editor"]

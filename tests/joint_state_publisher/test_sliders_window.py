@@ -1,0 +1,157 @@
+"""The slider window: what stands in it at which size, and what keys and the mouse wish for."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from textual.geometry import Size
+
+from day6_tui.core.ros.programs.joint_state_publisher_gui._sliders import Slider
+from day6_tui.core.session.display import Display
+from day6_tui.tui.app import make_look
+from day6_tui.tui.cells import cell_len
+from day6_tui.tui.windows.joint_state_publisher import SlidersPane
+
+UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
+
+
+class FakeModel:
+    """Sliders the test sets; remembers what was wished for."""
+
+    def __init__(self, *sliders: Slider) -> None:
+        self.sliders = sliders
+        self.described = True
+        self.others: tuple[str, ...] = ()
+        self.version = 1
+        self.wishes: list[tuple[str, str, float]] = []
+
+    def wish(self, kind: str, joint: str = "", number: float = 0.0) -> None:
+        self.wishes.append((kind, joint, number))
+
+
+def wheel(name: str = "left_wheel_joint", value: float = 0.0) -> Slider:
+    step = round((value + math.pi) / (2 * math.pi) * 10_000)
+    return Slider(name, -math.pi, math.pi, value, step, True)
+
+
+LIFT = Slider("lift", 0.0, 0.5, 0.1, 2000, False)
+
+
+def pane_of(model: FakeModel, width: int = 60, height: int = 20, **options: Any) -> SlidersPane:
+    window = Display().open("joint_state_publisher", "Joint State Publisher", model)
+    pane = SlidersPane(window, make_look(SimpleNamespace(**options), UTF8))
+    pane.extent = Size(width, height)
+    pane.touch = lambda: None  # type: ignore[method-assign]
+    return pane
+
+
+def text_of(pane: SlidersPane) -> str:
+    pane._shown = pane._build(pane.inner_width, pane.inner_height)
+    lines = ["".join(segment.text for segment in line) for line in pane._shown]
+    assert all(cell_len(line) <= pane.inner_width for line in lines), "a line is too long"
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize("glyphs", ["half", "cell", "ascii"])
+@pytest.mark.parametrize("size", [(40, 12), (60, 20), (80, 10), (118, 36)])
+def test_every_joint_has_its_name_its_value_and_its_limits(glyphs: str, size: tuple[int, int]) -> None:
+    text = text_of(pane_of(FakeModel(wheel(), LIFT), *size, glyphs=glyphs))
+    assert "Randomize" in text and "Center" in text
+    assert "left_wheel_joint" in text and "0.000 rad" in text and "-3.14" in text
+    assert "0.100 m" in text
+    if glyphs == "ascii":
+        assert text.isascii()
+
+
+def test_more_joints_than_lines_scroll_with_the_chosen_one() -> None:
+    pane = pane_of(FakeModel(*(wheel(f"joint_{number}") for number in range(64))), 80, 12)
+    assert "joint_0 " in text_of(pane) and "joint_60" not in text_of(pane)
+    pane._choose(60)
+    assert "joint_60" in text_of(pane)
+
+
+def test_degrees_are_shown_for_what_turns_and_not_for_what_slides() -> None:
+    pane = pane_of(FakeModel(wheel(value=math.pi / 2), LIFT))
+    pane._press("d", "d")
+    text = text_of(pane)
+    assert "90.0 °" in text and "-180" in text and "0.100 m" in text
+
+
+def test_arrows_move_coarsely_and_with_shift_finely() -> None:
+    model = FakeModel(wheel(), LIFT)
+    pane = pane_of(model)
+    for key in ("right", "shift+left", "pageup", "home", "end"):
+        pane._press(key, "")
+    assert model.wishes == [
+        ("step", "left_wheel_joint", 5100),
+        ("step", "left_wheel_joint", 4999),
+        ("step", "left_wheel_joint", 6000),
+        ("value", "left_wheel_joint", -math.pi),
+        ("value", "left_wheel_joint", math.pi),
+    ]
+
+
+def test_a_number_can_be_typed_in_degrees_and_taken_or_left() -> None:
+    model = FakeModel(wheel())
+    pane = pane_of(model)
+    pane._press("d", "d")
+    for character in "90":
+        pane._press(character, character)
+    assert "90_" in text_of(pane)
+    pane._press("enter", "")
+    assert model.wishes == [("value", "left_wheel_joint", pytest.approx(math.pi / 2))]
+    pane._press("enter", "")
+    for character in "-1e":
+        pane._press(character, character)
+    pane._press("enter", "")  # "-1e" is no number
+    pane._press("5", "5")
+    pane._press("escape", "")
+    assert len(model.wishes) == 1
+
+
+def test_letters_are_the_buttons() -> None:
+    model = FakeModel(wheel())
+    pane = pane_of(model)
+    for key in "rcz":
+        assert pane._press(key, key)
+    assert model.wishes == [("randomize", "", 0.0), ("center", "", 0.0), ("zero", "left_wheel_joint", 0.0)]
+    assert not pane._press("q", "q")
+
+
+def test_the_mouse_drags_the_knob_to_where_it_is() -> None:
+    model = FakeModel(wheel(), LIFT)
+    pane = pane_of(model, 80, 10)
+    text_of(pane)
+    column, width = pane._tracks["lift"]
+    line = next(y for y in range(3, 9) if pane._at(y) is LIFT)
+    assert pane._at(line) is LIFT
+    pane._dragged = "lift"
+    for share, step in ((0.0, 0), (0.5, 5000), (1.0, 10_000), (2.0, 10_000)):
+        pane._drag_to(pane.inner_offset + column + round(share * (width - 1)))
+        assert model.wishes[-1] == ("step", "lift", pytest.approx(step, abs=200))
+
+
+@pytest.mark.parametrize(("lang", "word"), [("en", "jitters"), ("zh", "抖动")])
+def test_another_publisher_is_named_and_the_jitter_explained(lang: str, word: str) -> None:
+    model = FakeModel(wheel())
+    model.others = ("wheel_spinner",)
+    text = text_of(pane_of(model, 50, 14, lang=lang))
+    assert "wheel_spinner" in text and word in text
+
+
+@pytest.mark.parametrize(("described", "word"), [(False, "/robot_description"), (True, "no joint")])
+def test_without_joints_it_says_why(described: bool, word: str) -> None:
+    model = FakeModel()
+    model.described = described
+    assert word in text_of(pane_of(model, lang="en"))
+
+
+def test_hundreds_of_sizes_break_nothing() -> None:
+    model = FakeModel(wheel(), LIFT, wheel("一个名字很长很长很长很长的关节"))
+    model.others = ("wheel_spinner", "another_node")
+    for width in range(36, 130, 7):
+        for height in (3, 4, 6, 11, 30):
+            text_of(pane_of(model, width, height))

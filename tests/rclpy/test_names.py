@@ -1,0 +1,50 @@
+"""Every public name of real rclpy 9.1.2 (Kilted) is here, with the same arguments; recorded in names.json."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import warnings
+
+import pytest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, "conformance"))
+
+from names import RECORDED, Table, collect, differences
+
+
+@pytest.fixture(scope="module")
+def recorded() -> Table:
+    table: Table = json.loads(RECORDED.read_text(encoding="utf-8"))
+    return table
+
+
+def test_nothing_of_real_rclpys_names_is_missing(recorded: Table) -> None:
+    assert len(recorded) > 55
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert differences(recorded) == []
+
+
+def test_a_lost_name_and_a_changed_argument_are_noticed(recorded: Table) -> None:
+    wanted = {"rclpy": dict(recorded["rclpy"], no_such_name={"kind": "function", "arguments": []})}
+    wanted["rclpy"]["spin"] = {"kind": "function", "arguments": ["node"]}
+    assert sorted(line.split(" ")[0].split("(")[0] for line in differences(wanted)) == ["rclpy.no_such_name:", "rclpy.spin"]
+
+
+def test_what_is_ours_alone_begins_with_an_underscore(recorded: Table) -> None:
+    """Otherwise a program could use it here and miss it on the robot."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        own = collect()
+    extra: list[str] = []
+    for module, names in own.items():
+        for name, each in names.items():
+            known = recorded.get(module, {}).get(name)
+            if known is None and getattr(getattr(sys.modules[module], name), "__module__", "") == module:
+                extra.append(f"{module}.{name}")
+            if known is not None and "members" in known:
+                members = (member for member in each.get("members", ()) if not member.startswith("__"))
+                extra += [f"{module}.{name}.{member}" for member in members if member not in known["members"]]
+    assert extra == []

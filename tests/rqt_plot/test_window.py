@@ -1,0 +1,122 @@
+"""The plot's window on a desktop whose frames the test draws."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from fakes import FakeDesk
+from screens import opened, screen_text, step
+
+from day6_tui.core.ros.programs.rqt_plot._model import Curve, Plot
+
+NOW = 100.0
+
+
+class FakeNode:
+    """A graph with one topic."""
+
+    def get_topic_names_and_types(self):
+        return [("/turtle1/pose", ["turtlesim/msg/Pose"])]
+
+
+def make_plot(*curves):
+    plot = Plot(FakeNode(), lambda: round(NOW * 1e9))
+    plot.curves = curves
+    return plot
+
+
+def curve(path, number, function):
+    made = Curve(path, number)
+    made.topic = "/topic"
+    for tick in range(500):
+        time = NOW - 10 + tick / 50
+        made.add(time, function(time))
+    return made
+
+
+async def _look(plot, keys, width=80, height=24, **options):
+    desk = FakeDesk()
+    desk.display.open("rqt_plot", "MatPlot", plot)
+    async with opened(desk, width, height, scene="empty", **options) as (app, pilot):
+        await step(app, pilot)
+        pane = next(pane for pane in app.query("RqtPlotPane"))
+        pane.focus()
+        await step(app, pilot)
+        for key in keys:
+            await pilot.press(key)
+            await step(app, pilot)
+        return screen_text(app)
+
+
+def look(plot, keys=(), **options):
+    return asyncio.run(_look(plot, keys, **options))
+
+
+@pytest.fixture
+def waves():
+    return make_plot(curve("/wave/data", 0, math.sin), curve("/line/data", 1, lambda time: (time - NOW) / 10))
+
+
+def test_a_wave_and_a_ramp_are_drawn_with_axes_and_legend(waves):
+    text = look(waves, width=100, height=40, glyphs="ascii")
+    picture = [line.partition("+")[2] or line.partition("|")[2] for line in text.splitlines()]
+    assert any("*" in line for line in picture) and any("+" in line for line in picture)
+    for word in ("/wave/data", "/line/data", "10 s", "-1.0", "1.0", "0 s"):
+        assert word in text
+    assert f"{math.sin(NOW - 0.02):.5g}"[:6] in text
+
+
+def test_braille_is_the_finer_picture_and_g_makes_it_coarser(waves):
+    fine = look(waves, glyphs="half")
+    assert any(0x2801 <= ord(char) <= 0x28FF for char in fine)
+    coarse = look(waves, ["g"], glyphs="half")
+    assert "▀" in coarse and not any(0x2801 <= ord(char) <= 0x28FF for char in coarse)
+
+
+def test_a_level_line_is_drawn_in_the_middle():
+    text = look(make_plot(curve("/flat/data", 0, lambda time: 7.0)), glyphs="ascii")
+    rows = [line for line in text.splitlines() if "*****" in line]
+    assert len(rows) == 1 and "7" in rows[0][:12]
+
+
+def test_without_curves_the_window_says_what_to_do():
+    assert "Nothing is plotted yet" in look(make_plot())
+
+
+def test_a_field_is_chosen_from_the_list_or_typed():
+    plot = make_plot()
+    text = look(plot, ["a"])
+    assert "/turtle1/pose/theta" in text
+    look(plot, ["a", *"theta", "enter"])
+    assert len(plot._wishes) == 1
+    look(plot, ["e", *"/turtle1/pose/x:y", "enter"])
+    while plot._wishes:
+        plot._wishes.pop(0)()
+    assert [each.path for each in plot.curves] == ["/turtle1/pose/theta", "/turtle1/pose/x", "/turtle1/pose/y"]
+
+
+def test_keys_pause_zoom_and_remove(waves):
+    text = look(waves, ["p", "minus", "down", "delete"])
+    assert "paused" in text and "20 s" in text
+    waves._node.destroy_subscription = lambda ear: None
+    waves._ears = {"/topic": None}
+    waves.grant_wishes()
+    assert [each.path for each in waves.curves] == ["/wave/data"]
+
+
+@pytest.mark.parametrize("language", ("en", "zh"))
+@pytest.mark.parametrize("size", ((40, 12), (80, 24), (120, 40), (12, 5)))
+@pytest.mark.parametrize("glyphs", ("half", "braille", "cell", "ascii"))
+def test_every_size_language_and_glyph_set_is_drawn(waves, language, size, glyphs):
+    waiting, wrong = Curve("/not/there", 2), Curve("/turtle1/pose/z", 3)
+    wrong.problem = "turtlesim/Pose has no field 'z'"
+    waves.curves = (*waves.curves, waiting, wrong, curve("/huge/data", 4, lambda time: 1e300 * math.sin(time)))
+    text = look(waves, ["down", "g", "plus"], width=size[0], height=size[1], lang=language, glyphs=glyphs)
+    assert "Error" not in text and "drawn" not in text

@@ -1,0 +1,377 @@
+"""The editor's window: Textual's TextArea in a pane's frame, with save, find, go to line, and what is wrong as one types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+
+from rich.segment import Segment
+from rich.text import Text
+from textual import events
+from textual.app import ComposeResult
+from textual.widgets import TextArea
+from textual.widgets.text_area import Selection
+
+from day6_tui.core.session.display import Window
+from day6_tui.core.shell.editing.checks import Problem, language_of
+from day6_tui.core.shell.editing.model import CannotEdit, Editor
+from day6_tui.tui.cells import wrap
+from day6_tui.tui.look import Look
+from day6_tui.tui.menu import Entry, Menu
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+
+KEEP_SECONDS = 1.0
+"""So long after the last key the unsaved text is kept and checked."""
+
+LOOK_SECONDS = 1.0
+"""How often the file on the disk is looked at."""
+
+
+class EditorPane(WindowPane):
+    """Draws the frame and the lines of status; the text, its cursor and its history are the TextArea's."""
+
+    takes_focus = True
+
+    def __init__(self, window: Window, look: Look) -> None:
+        super().__init__(window, look)
+        self.editor: Editor = window.model
+        self.area = _Area(self)
+        self.problem: Problem | None = None
+        self._version = -1
+        self._edited = 0.0
+        self._looked = 0.0
+        self._kept = ""
+        self._outside = False
+        self._said = ""
+        self._sought = ""
+        self._leaving = False
+
+    def compose(self) -> ComposeResult:
+        yield self.area
+
+    # -- frame ---------------------------------------------------------------------------------------------------------
+
+    @property
+    def changed(self) -> bool:
+        """Whether the text differs from the file."""
+        return self.editor.file is not None and self.area.text != self.editor.saved
+
+    def title(self) -> list[Piece]:
+        colours = self.look.colours
+        mark = f" {self.look.glyphs.news}" if self.changed else ""
+        style = colours.title_focus if self.area.has_focus else colours.title
+        return [Piece(f" {self.editor.name}  {self.editor.title()}{mark} ", style)]
+
+    def status(self) -> list[Piece]:
+        colours, texts = self.look.colours, self.look.texts
+        if self._said:
+            return [Piece(f" {self._said} ", colours.warning)]
+        if self._outside:
+            return [Piece(f" {texts('editor.outside')} ", colours.warning)]
+        if self.problem is not None:
+            return [
+                Piece(
+                    f" {texts('editor.problem', line=self.problem.line, text=self.problem.message)} ", colours.warning
+                )
+            ]
+        if self.editor.recovered:
+            return [Piece(f" {texts('editor.recovered')} ", colours.warning)]
+        return []
+
+    def status_right(self) -> list[Piece]:
+        row, column = self.area.cursor_location
+        return [Piece(f" {row + 1}:{column + 1} ", self.look.colours.muted)]
+
+    def _border(self) -> tuple:  # type: ignore[type-arg]
+        glyphs, colours = self.look.glyphs, self.look.colours
+        if self.area.has_focus:
+            return glyphs.strong_border, colours.frame_focus
+        return glyphs.border, colours.frame
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [
+            ("^S", texts("editor.save")),
+            ("^F", texts("editor.find")),
+            ("^G", texts("editor.line")),
+            ("^X" if self._is_nano else "^W", texts("editor.close")),
+        ]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [
+            ("^Z ^Y", texts("editor.undo")),
+            ("^T", texts("editor.open")),
+            ("^R", texts("editor.reload")),
+        ]
+
+    @property
+    def _is_nano(self) -> bool:
+        return self.editor.name == "nano"
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if self.editor.file is not None:
+            return ()
+        lines = wrap(self.look.texts("editor.choose"), width)
+        return [Segment(lines[y], self.look.colours.muted)] if y < len(lines) else ()
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        if self.editor.version != self._version:
+            self._version = self.editor.version
+            self._show_file()
+            self.touch()
+        if self.editor.file is None:
+            return False
+        if self._edited and now - self._edited >= KEEP_SECONDS:
+            self._edited = 0.0
+            self._keep_and_check()
+        if now - self._looked >= LOOK_SECONDS:
+            self._looked = now
+            outside = self.editor.changed_outside()
+            if outside and not self.changed:
+                self._reload()
+            elif outside != self._outside:
+                self._outside = outside
+                self.touch_frame()
+        return True
+
+    def edited(self) -> None:
+        """The text was changed."""
+        import time
+
+        self._edited = time.monotonic()
+        self._said = ""
+        self._leaving = False
+        self.touch_frame()
+        self.look.wake()
+
+    def _show_file(self) -> None:
+        file = self.editor.file
+        self.area.display = file is not None
+        if file is None:
+            return
+        language = language_of(file.path)
+        known = language in self.area.available_languages
+        self.area.language = language if known and _has_grammar(language) else None
+        self.area.load_text(self.editor.text)
+        self._kept = self.editor.text
+        self._keep_and_check()
+
+    def _keep_and_check(self) -> None:
+        text = self.area.text
+        if text != self._kept:
+            try:
+                self.editor.keep(text)
+            except OSError as error:
+                self._said = self.look.texts("editor.not_kept", reason=error.strerror or error)
+            self._kept = text
+        problem = self.editor.check(text)
+        if problem != self.problem:
+            self.problem = problem
+            self.area.forget_lines()
+        self.touch_frame()
+
+    # -- doing ---------------------------------------------------------------------------------------------------------
+
+    def save(self) -> bool:
+        """Write the file; False (and a line that says why) if it could not be."""
+        if self.editor.file is None:
+            return False
+        if self._outside and not self._leaving:
+            self._leaving = True
+            self._said = self.look.texts("editor.overwrite")
+            self.touch_frame()
+            return False
+        try:
+            self.editor.save(self.area.text)
+        except OSError as error:
+            self._said = self.look.texts("editor.not_saved", reason=error.strerror or error)
+            self.touch_frame()
+            return False
+        self._kept, self._outside, self._said, self._leaving = self.area.text, False, "", False
+        self.touch_frame()
+        return True
+
+    def close(self) -> None:
+        """Close the window; unsaved text asks for a second time, and is kept even then."""
+        if self.changed and not self._leaving:
+            self._leaving = True
+            self._said = self.look.texts("editor.unsaved")
+            self.touch_frame()
+            return
+        self._keep_and_check()
+        self.window.close_by_user()
+
+    def _reload(self) -> None:
+        place = self.area.cursor_location
+        try:
+            self.area.load_text(self.editor.reload())
+        except CannotEdit as error:
+            self._said = str(error)
+        self.area.move_cursor(place)
+        self._outside, self._kept = False, self.area.text
+        self._keep_and_check()
+
+    def find(self) -> None:
+        """Ask what to look for and go there; the same again goes to the next place."""
+
+        def taken(text: str) -> str | None:
+            self._sought = text
+            place = self._next_place(text)
+            if place is None:
+                return self.look.texts("editor.not_found", text=text) if text else None
+            row, column = place
+            self.area.selection = Selection((row, column), (row, column + len(text)))
+            return None
+
+        self.ask(self.look.texts("editor.find"), self._sought, taken)
+
+    def _next_place(self, text: str) -> tuple[int, int] | None:
+        """Where `text` comes next after the cursor, beginning again at the top."""
+        if not text:
+            return None
+        lines = self.area.text.split("\n")
+        row, column = self.area.cursor_location
+        for step in range(len(lines) + 1):
+            at = (row + step) % len(lines)
+            found = lines[at].lower().find(text.lower(), column if step == 0 else 0)
+            if found >= 0:
+                return at, found
+        return None
+
+    def go_to_line(self) -> None:
+        """Ask for a line number and go there."""
+
+        def taken(text: str) -> str | None:
+            count = self.area.document.line_count
+            if not text.isdigit() or not 1 <= int(text) <= count:
+                return self.look.texts("editor.lines", count=count)
+            self.area.move_cursor((int(text) - 1, 0), center=True)
+            return None
+
+        line = self.problem.line if self.problem is not None else self.area.cursor_location[0] + 1
+        self.ask(self.look.texts("editor.line"), str(line), taken)
+
+    def choose_file(self) -> None:
+        """Offer the files of the folder."""
+
+        def chosen(path: Path) -> None:
+            self._keep_and_check()
+            try:
+                self.editor.open(path)
+            except CannotEdit as error:
+                self._said = str(error)
+                self.touch_frame()
+            self.look.wake()
+
+        files = self.editor.files()
+        entries = [Entry(path.relative_to(self.editor.folder).as_posix(), "", partial(chosen, path)) for path in files]
+        self.lay_over(Menu(self.look, "editor.files", entries))
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def focus(self, scroll_visible: bool = True) -> EditorPane:
+        """Give the keyboard to the text, or to the choice of files while there is none."""
+        if self.editor.file is not None and self.area.is_attached:
+            self.area.focus(scroll_visible)
+        else:
+            super().focus(scroll_visible)
+        return self
+
+    def on_key(self, event: events.Key) -> None:
+        if self.editor.file is None and event.key in ("enter", "ctrl+t"):
+            self.choose_file()
+            event.stop()
+
+    def used(self, key: str) -> bool:
+        """Do what a key of the editor means; False if it is none."""
+        actions = {
+            "ctrl+s": self.save,
+            "ctrl+f": self.find,
+            "ctrl+g": self.go_to_line,
+            "ctrl+t": self.choose_file,
+            "ctrl+r": self._reload,
+            "ctrl+x" if self._is_nano else "ctrl+w": self.close,
+        }
+        if self._is_nano:
+            actions["ctrl+o"] = self.save
+        action = actions.get(key)
+        if action is not None:
+            action()
+        return action is not None
+
+
+class _Area(TextArea):
+    """The text: keys of the editor go to the pane first, Enter keeps the indentation, the wrong line is underlined."""
+
+    DEFAULT_CSS = """
+    _Area { margin: 1; border: none; padding: 0; width: 1fr; height: 1fr; }
+    _Area:focus { border: none; }
+    """
+
+    def __init__(self, pane: EditorPane) -> None:
+        super().__init__(
+            "",
+            theme=_theme(pane.look),
+            soft_wrap=False,
+            tab_behavior="indent",
+            show_line_numbers=True,
+            compact=True,
+        )
+        self._pane = pane
+
+    def on_text_area_changed(self, event: TextArea.Changed) -> None:
+        event.stop()
+        self._pane.edited()
+
+    def on_text_area_selection_changed(self, event: TextArea.SelectionChanged) -> None:
+        event.stop()
+        self._pane.touch_frame()
+
+    async def _on_key(self, event: events.Key) -> None:
+        if self._pane.used(event.key):
+            event.stop()
+            event.prevent_default()
+        elif event.key == "enter":
+            event.stop()
+            event.prevent_default()
+            self._new_line()
+        else:
+            await super()._on_key(event)
+
+    def _new_line(self) -> None:
+        """Begin a line as deep as this one, a step deeper after a colon in Python."""
+        row, column = self.cursor_location
+        before = self.document.get_line(row)[:column]
+        indentation = before[: len(before) - len(before.lstrip())]
+        if self.language == "python" and before.rstrip().endswith(":"):
+            indentation += "    "
+        self.insert("\n" + indentation)
+
+    def get_line(self, line_index: int) -> Text:
+        line = super().get_line(line_index)
+        problem = self._pane.problem
+        if problem is not None and problem.line == line_index + 1:
+            line.stylize("underline red")
+        return line
+
+    def forget_lines(self) -> None:
+        """Draw all lines anew."""
+        self._line_cache.clear()
+        self.refresh()
+
+
+def _theme(look: Look) -> str:
+    """The colours of the text: those of a well-known editor, or the terminal's own where there are few."""
+    return {"dark": "vscode_dark", "light": "github_light"}.get(look.colours.name, "css")
+
+
+def _has_grammar(language: str) -> bool:
+    """Say whether highlighting can be had: it comes from packages that a system may lack."""
+    from importlib.util import find_spec
+
+    return find_spec("tree_sitter") is not None and find_spec(f"tree_sitter_{language}") is not None
