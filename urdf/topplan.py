@@ -73,6 +73,20 @@ def _wheel_of(joint: Joint, link: Link) -> Wheel | None:
     return None
 
 
+def steering_of(robot: Robot, wheel: Wheel) -> Joint | None:
+    """Return the joint above a wheel that turns it about the vertical (a steering knuckle, a castor's fork), if any."""
+    above = {joint.child: joint for joint in robot.joints}
+    joint = above.get(wheel.joint.parent)
+    passed: set[str] = set()
+    while joint is not None and joint.name not in passed:
+        passed.add(joint.name)
+        length = math.hypot(*joint.axis)
+        if joint.type in ("continuous", "revolute") and length > 0 and abs(joint.axis[2]) > 0.9 * length:
+            return joint
+        joint = above.get(joint.parent)
+    return None
+
+
 def spin_of(wheel: Wheel, transforms: Mapping[str, Transform]) -> float:
     """Return how far the wheel is turned, radians in (-pi, pi], from the transforms of its link and its parent."""
     joint = wheel.joint

@@ -35,11 +35,13 @@ def render_top(
     rows: int,
     glyphs: str = "ascii",
     labels: Mapping[str, str] | None = None,
+    zoom: float = 1.0,
 ) -> list[Row]:
     """Return `rows` rows of (text, style) runs, each exactly `columns` cells wide.
 
     `transforms` gives links in the root link's frame. `labels` are short texts by link name, put beside the wheels
     where there is room (by default the link names). `glyphs` 'ascii' draws with ASCII only, other sets with box lines.
+    `zoom` enlarges the picture about its middle; at 1 the whole robot fits.
     """
     global _kept
     plan = _kept
@@ -47,7 +49,7 @@ def render_top(
         plan = _kept = plan_top(robot)
     canvas = Canvas(columns, rows)
     if columns > 0 and rows > 0:
-        _Drawing(plan, transforms, canvas, _LINES.get(glyphs, _BOX_LINES), labels or {}).draw()
+        _Drawing(plan, transforms, canvas, _LINES.get(glyphs, _BOX_LINES), labels or {}, zoom).draw()
     return canvas.rows()
 
 
@@ -55,7 +57,13 @@ class _Drawing:
     """One picture: the scale that fits the canvas, then the parts from the ground up."""
 
     def __init__(
-        self, plan: Plan, transforms: Mapping[str, Transform], canvas: Canvas, lines: str, labels: Mapping[str, str]
+        self,
+        plan: Plan,
+        transforms: Mapping[str, Transform],
+        canvas: Canvas,
+        lines: str,
+        labels: Mapping[str, str],
+        zoom: float,
     ) -> None:
         self._plan = plan
         self._given = transforms
@@ -71,7 +79,7 @@ class _Drawing:
         # Half a cell is left at every side, because a line at the very edge is rounded to the nearest cell.
         per_row = max((top - bottom) / max(height - 0.1, 0.9), 1e-6)
         per_column = max((right - left) / max(width - 0.1, 0.9), 1e-6)
-        self._column = max(per_column, per_row / 2)
+        self._column = max(per_column, per_row / 2) / max(zoom, 0.01)
         self._row = 2 * self._column
         self._middle = ((left + right) / 2, (bottom + top) / 2)
         self._zero = ((canvas.width - _MARGIN_RIGHT) / 2 - 0.5, self._label_rows + height / 2 - 0.5)

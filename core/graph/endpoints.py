@@ -255,9 +255,8 @@ class Subscription(Endpoint):
     def _admit(self, sample: Sample) -> bool:
         """Look at a sample for those who filter or watch; False if it is not to be received."""
         now = self.node.graph.now_ns()
-        if self._alive is not None and sample[3].qos.liveliness == Liveliness.MANUAL_BY_TOPIC:
-            if self.heard_of(sample[3], now):
-                self._tell(EventKind.LIVELINESS_CHANGED)
+        if sample[3].qos.liveliness == Liveliness.MANUAL_BY_TOPIC and self.heard_of(sample[3], now):
+            self._tell(EventKind.LIVELINESS_CHANGED)
         if self.accepts is not None and not self.accepts(sample[0]):
             return False
         if self._deadline is not None and self._deadline.message(now):

@@ -69,10 +69,10 @@ def _pair(publisher: Publisher, subscription: Subscription, told: Told) -> None:
     _count(publisher, 1, told)
     _count(subscription, 1, told)
     if subscription.origin is None:
-        if publisher.origin is not None and publisher.qos.liveliness == Liveliness.AUTOMATIC:
-            # Its process shows that it lives; inside one process Fast DDS tells nothing.
-            if subscription.heard_of(publisher, publisher.node.graph.now_ns()):
-                told.append((subscription, EventKind.LIVELINESS_CHANGED))
+        # A process shows that its automatic publishers live; inside one process Fast DDS tells nothing.
+        far_and_automatic = publisher.origin is not None and publisher.qos.liveliness == Liveliness.AUTOMATIC
+        if far_and_automatic and subscription.heard_of(publisher, publisher.node.graph.now_ns()):
+            told.append((subscription, EventKind.LIVELINESS_CHANGED))
         publisher.replay(subscription)
 
 

@@ -61,11 +61,13 @@ class UnknownInterfaceError(LookupError):
 
 
 def add_prefixes(prefixes: list[str]) -> None:
-    """Search these prefixes too (their `share` folders), after those of AMENT_PREFIX_PATH.
+    """Search these prefixes too (their `share` folders), after those of AMENT_PREFIX_PATH; the last ones added come first.
 
     For a process whose programs have environments of their own, like the workspace a simulated terminal has sourced.
     """
-    _more_prefixes.extend(prefix for prefix in prefixes if prefix not in _more_prefixes)
+    if _more_prefixes[: len(prefixes)] != prefixes:
+        _more_prefixes[:] = [*prefixes, *(prefix for prefix in _more_prefixes if prefix not in prefixes)]
+        forget("")
 
 
 def share_folders() -> list[str]:

@@ -36,10 +36,10 @@ def join(
     up meanwhile, `Link.wait_settled` waits for them. Never raises for want of a network: `Link.problem` says why there
     is none, and a warning is logged. Every link is closed when the interpreter exits.
 
-    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine (not where there
-    are no Unix sockets). `one_shot` is for commands that ask and go: a client of the meeting point that never keeps
-    one. `never_wait` is for a process with a screen: a message for a process that does not keep up (stopped, in an
-    endless loop) is dropped, where `publish` would otherwise wait up to five seconds.
+    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine. `one_shot` is for
+    commands that ask and go: a client of the meeting point that never keeps one. `never_wait` is for a process with a
+    screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
+    otherwise wait up to five seconds.
     """
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.paths import LinkError

@@ -72,7 +72,31 @@ def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> 
     )
 
 
-def _config(place: Place, **settings: str) -> zenoh.Config:
+def outer_config(listen: Sequence[str], connect: Sequence[str]) -> zenoh.Config:
+    """Return the configuration of the half of a `Bridge` that meets other machines: a router without our password."""
+    return _config(
+        None,
+        mode='"router"',
+        listen__endpoints=json.dumps(list(listen)),
+        connect__endpoints=json.dumps(list(connect)),
+        connect__timeout_ms="-1",
+        connect__exit_on_failure="false",
+    )
+
+
+def inner_config(place: Place) -> zenoh.Config:
+    """Return the configuration of the half that meets the processes of this machine."""
+    return _config(
+        place,
+        mode='"router"',
+        listen__endpoints="[]",
+        connect__endpoints=json.dumps([place.meeting_endpoint]),
+        connect__timeout_ms="-1",
+        connect__exit_on_failure="false",
+    )
+
+
+def _config(place: Place | None, **settings: str) -> zenoh.Config:
     import zenoh
 
     config: zenoh.Config = zenoh.Config()
@@ -80,7 +104,7 @@ def _config(place: Place, **settings: str) -> zenoh.Config:
         config.insert_json5(name, value)
     for name, value in settings.items():
         config.insert_json5(name.replace("__", "/"), value)
-    if place.tcp:
+    if place is not None and place.tcp:
         config.insert_json5("transport/auth/usrpwd/user", '"day6"')
         config.insert_json5("transport/auth/usrpwd/password", json.dumps(password(place)))
         config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(place.folder / "users")))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, Node, Publisher, RequestId, Service, Subscription
 from day6_tui.core.graph.graph import Graph, GraphEvent
-from day6_tui.core.link.config import command_config, gate_config, process_config
+from day6_tui.core.link.config import command_config, gate_config, inner_config, outer_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, node_token, sign, signs
@@ -30,6 +30,8 @@ from day6_tui.core.link.topics import Topics
 
 if TYPE_CHECKING:
     import zenoh
+
+    from day6_tui.core.link.bridge import Bridge
 
 _LOOK_AGAIN = 1.0
 """Seconds between looks whether the meeting point needs a keeper; the end of its token makes it look at once."""
@@ -68,7 +70,7 @@ class Link:
         self._place: Place | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
-        self._gate: zenoh.Session | None = None
+        self._gate: zenoh.Session | Bridge | None = None
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._lock = threading.RLock()
@@ -232,12 +234,20 @@ class Link:
 
     def _open_gate(self, place: Place) -> None:
         """Join the meeting point to other machines."""
-        if place.tcp:
-            # A Zenoh session shows one password to all it meets: this machine's is none of theirs.
-            raise LinkError("listen and connect need Unix sockets, which there are none of here")
         import zenoh
 
-        self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
+        if not place.tcp:
+            self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
+            return
+        from day6_tui.core.link.bridge import Bridge
+
+        inner = zenoh.open(inner_config(place))
+        try:
+            outer = zenoh.open(outer_config(self._listen, self._connect))
+        except zenoh.ZError:
+            inner.close()
+            raise
+        self._gate = Bridge(inner, outer, self.graph.domain_id)
 
     def _try_as_client(self) -> None:
         import zenoh

@@ -23,11 +23,15 @@ MODULES: dict[str, tuple[str, ...]] = {
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
         "search": "grep",
+        "find": "find",
+        "columns": "cut tr sed diff",
+        "pager": "less more man",
+        "packages": "sudo apt apt-get rosdep pip pip3",
         "edit": "nano gedit vim vi code mousepad gnome-text-editor",
         "times": "sleep timeout date",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python ros2 colcon rqt_graph rviz2 check_urdf urdf_to_graphviz xacro sudo apt apt-get bash sh",
+        "programs": "python3 python ros2 colcon rqt_graph rviz2 check_urdf urdf_to_graphviz xacro bash sh",
     }.items()
 }
 """The module of `builtins` in which each command is; each has a table `COMMANDS` with the same names."""

@@ -22,10 +22,8 @@ from pathlib import Path
 from typing import Any
 
 RECORDED = Path(__file__).resolve().parents[1] / "rclpy" / "names.json"
-_DUNDERS = frozenset(
-    "__init__ __enter__ __exit__ __call__ __await__ __eq__ __ne__ __lt__ __le__ __gt__ __ge__ __add__ __radd__ __sub__ "
-    "__mul__ __rmul__ __truediv__ __neg__ __iadd__ __hash__ __str__ __repr__".split()
-)
+_OPERATORS = "eq ne lt le gt ge add radd sub mul rmul truediv neg iadd hash str repr"
+_DUNDERS = frozenset(f"__{name}__" for name in f"init enter exit call await {_OPERATORS}".split())
 _INCIDENTAL = frozenset(("TYPE_CHECKING", "g_logging_ref_count"))
 """What modules have by the way of writing them."""
 _OWN_INIT_UNCHECKED = frozenset(("rclpy.clock.Clock", "rclpy.clock.ROSClock"))
@@ -166,7 +164,9 @@ def _compare(full: str, wanted: dict[str, Any], found: dict[str, Any]) -> list[s
             if name not in _DUNDERS:
                 lines.append(f"{full}.{name}: missing")
         elif isinstance(member, list) and isinstance(own, list):
-            if member[1:] not in (own[1:], ["*args", "**kwargs"]) and not (name == "__init__" and full in _OWN_INIT_UNCHECKED):
+            if member[1:] not in (own[1:], ["*args", "**kwargs"]) and not (
+                name == "__init__" and full in _OWN_INIT_UNCHECKED
+            ):
                 lines.append(f"{full}.{name}({', '.join(member)}), here ({', '.join(own)})")
         elif (member == "attribute") != (own == "attribute"):
             lines.append(f"{full}.{name}: {'no ' if member == 'attribute' else 'a '}method, here the other way round")

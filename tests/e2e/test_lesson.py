@@ -90,6 +90,11 @@ def test_section_5_the_wheels_turn(place: Place) -> None:
 
 # -- section 6.1: Package 'day6_publisher' not found -------------------------------------------------------------------
 
+# The package lies a level too deep, and was built where the student thinks the workspace is.
+NESTED = (
+    "mkdir -p ~/ros2_ws/src/src\ncd ~/ros2_ws/src\nmv day6_publisher src/\n"
+    "cd ~/ros2_ws/src\ncolcon build > /dev/null\ncd ~/ros2_ws\nsource install/setup.bash\n"
+)
 NOT_FOUND = "Package 'day6_publisher' not found\n"
 
 
@@ -98,9 +103,7 @@ NOT_FOUND = "Package 'day6_publisher' not found\n"
     [
         (
             "a workspace inside the workspace: nested src",
-            "mkdir -p ~/ros2_ws/src/src\ncd ~/ros2_ws/src\nmv day6_publisher src/\n"
-            # built where the student thinks the workspace is
-            "cd ~/ros2_ws/src\ncolcon build > /dev/null\ncd ~/ros2_ws\nsource install/setup.bash\n",
+            NESTED,
         ),
         ("never built", "cd ~/ros2_ws\nsource install/setup.bash\n"),
         ("the terminal was not sourced", BUILD),
@@ -162,7 +165,7 @@ def test_section_6_5_the_line_in_bashrc_makes_every_terminal_know_the_package(pl
 
 def test_section_6_5_of_two_workspaces_the_one_sourced_last_shadows_the_other(place: Place) -> None:
     older = TALKER.replace("Hello from Day 6", "OldWorkspace")
-    run = "timeout -s INT 2 ros2 run day6_publisher talker 2>&1 | grep -o -m 1 -e Hello -e OldWorkspace\n"
+    run = 'timeout -s INT 2 ros2 run day6_publisher talker 2>&1 | grep -o -m 1 -E "Hello|OldWorkspace"\n'
     done = place.execute(
         CREATE + ENTRY_POINT + BUILD + "mkdir -p ~/old_ws\ncp -r ~/ros2_ws/src ~/old_ws/src\n"
         "cd ~/old_ws/src/day6_publisher/day6_publisher\n" + heredoc("talker.py", older) + "cd ~/old_ws\ncolcon build\n"

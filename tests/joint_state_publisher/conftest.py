@@ -30,8 +30,10 @@ def arm(tmp_path: Path) -> str:
         "slide": ("prismatic", '<limit lower="0" upper="0.5" effort="1" velocity="1"/>'),
         "soft": (
             "revolute",
-            '<limit lower="-2" upper="2" effort="1" velocity="1"/>'
-            '<safety_controller soft_lower_limit="-0.5" soft_upper_limit="1" k_velocity="1"/>',
+            (
+                '<limit lower="-2" upper="2" effort="1" velocity="1"/>'
+                '<safety_controller soft_lower_limit="-0.5" soft_upper_limit="1" k_velocity="1"/>'
+            ),
         ),
         "stiff": ("revolute", '<limit lower="0.3" upper="0.3" effort="1" velocity="1"/>'),
         "glued": ("fixed", ""),

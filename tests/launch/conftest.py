@@ -68,10 +68,13 @@ class Machine:
         self.desk = Desk(home, domain_id=0, join_link=False, clock=WorldClock())
         self.out, self.err = Captured(), Captured()
 
+    def streams(self) -> Streams:
+        return Streams(TextInput(""), self.out, self.err)
+
     def start(self, commands: str) -> Program:
         shell = self.desk.shell()
         self.out, self.err = Captured(), Captured()
-        streams = Streams(TextInput(""), self.out, self.err)
+        streams = self.streams()
 
         async def script(session: Session) -> int:
             session.on_interrupt = shell.interrupt

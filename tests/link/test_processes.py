@@ -417,21 +417,9 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
     assert until(lambda: other.nodes() == ["/one"])
 
 
-def test_without_unix_sockets_other_machines_are_refused_with_a_reason(
-    world: World, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from day6_tui.core.graph import Graph
-    from day6_tui.core.link import join, leave
-
-    monkeypatch.setenv("DAY6_LINK", "tcp")
-    graph = Graph()
-    assert join(graph, listen="tcp/127.0.0.1:0").problem == (
-        "listen and connect need Unix sockets, which there are none of here"
-    )
-    leave(graph)
-
-
-def test_two_machines_meet_only_by_name(world: World, short_folder: Path) -> None:
+@pytest.mark.parametrize("links", [("unix", "unix"), ("tcp", "unix"), ("unix", "tcp"), ("tcp", "tcp")])
+def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links: tuple[str, str]) -> None:
+    """With `tcp` a machine is one without Unix sockets, as under Windows."""
     import json
     import socket
 
@@ -441,12 +429,13 @@ def test_two_machines_meet_only_by_name(world: World, short_folder: Path) -> Non
     here, there = str(short_folder / "m1"), str(short_folder / "m2")
     listen = json.dumps({"listen": f"tcp/127.0.0.1:{port}"})
     connect = json.dumps({"connect": [f"tcp/127.0.0.1:{port}"]})
-    teacher = world.process(DAY6_RUNTIME_DIR=here, TEST_ADDRESSES=listen)
-    beside = world.process(DAY6_RUNTIME_DIR=here)
-    stranger = world.process(DAY6_RUNTIME_DIR=str(short_folder / "m3"))
+    kind_here, kind_there = links
+    teacher = world.process(DAY6_RUNTIME_DIR=here, DAY6_LINK=kind_here, TEST_ADDRESSES=listen)
+    beside = world.process(DAY6_RUNTIME_DIR=here, DAY6_LINK=kind_here)
+    stranger = world.process(DAY6_RUNTIME_DIR=str(short_folder / "m3"), DAY6_LINK=kind_there)
     stranger.node("stranger")
-    student = world.process(DAY6_RUNTIME_DIR=there, TEST_ADDRESSES=connect)
-    students_program = world.process(DAY6_RUNTIME_DIR=there)
+    student = world.process(DAY6_RUNTIME_DIR=there, DAY6_LINK=kind_there, TEST_ADDRESSES=connect)
+    students_program = world.process(DAY6_RUNTIME_DIR=there, DAY6_LINK=kind_there)
     everyone: list[Any] = [teacher, beside, student, students_program]
     for name, peer in zip(("teacher", "beside", "student", "program"), everyone, strict=True):
         peer.node(name)
@@ -464,3 +453,27 @@ def test_two_machines_meet_only_by_name(world: World, short_folder: Path) -> Non
     assert until(lambda: students_program.matched(client))
     number = students_program.call(client, 1, 2)
     assert until(lambda: students_program.responses(client)) == [[number, 3]]
+
+
+def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix_sockets(
+    world: World, short_folder: Path
+) -> None:
+    import json
+    import socket
+
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    machines = [{"DAY6_RUNTIME_DIR": str(short_folder / name), "DAY6_LINK": "tcp"} for name in ("m1", "m2")]
+    gates = [{"listen": f"tcp/127.0.0.1:{port}"}, {"connect": [f"tcp/127.0.0.1:{port}"]}]
+    teacher, student = (
+        world.process(**machine, TEST_ADDRESSES=json.dumps(gate)) for machine, gate in zip(machines, gates, strict=True)
+    )
+    far, near = world.process(**machines[0]), world.process(**machines[1])
+    publisher = far.publisher(far.node("describer"), "/robot_description", latched=True)
+    far.publish(publisher, data="<robot/>")
+    late = near.subscription(near.node("rviz"), "/robot_description", latched=True)
+    assert until(lambda: near.messages(late) == ["<robot/>"])
+    assert until(lambda: student.nodes() == teacher.nodes() == ["/describer", "/rviz"])
+    far.kill()
+    assert until(lambda: near.nodes() == ["/rviz"], 2.0)

@@ -13,6 +13,15 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, "conforman
 
 from names import RECORDED, Table, collect, differences
 
+_INSTANCE_ATTRIBUTES = [
+    "rclpy.lifecycle.publisher.LifecyclePublisher.event_handlers",
+    "rclpy.publisher.Publisher.event_handlers",
+    "rclpy.service.Service.srv_type",
+    "rclpy.subscription.Subscription.event_handlers",
+    "rclpy.timer.Timer.callback",
+]
+"""Properties here, attributes of the objects in real rclpy: programs cannot tell."""
+
 
 @pytest.fixture(scope="module")
 def recorded() -> Table:
@@ -30,7 +39,10 @@ def test_nothing_of_real_rclpys_names_is_missing(recorded: Table) -> None:
 def test_a_lost_name_and_a_changed_argument_are_noticed(recorded: Table) -> None:
     wanted = {"rclpy": dict(recorded["rclpy"], no_such_name={"kind": "function", "arguments": []})}
     wanted["rclpy"]["spin"] = {"kind": "function", "arguments": ["node"]}
-    assert sorted(line.split(" ")[0].split("(")[0] for line in differences(wanted)) == ["rclpy.no_such_name:", "rclpy.spin"]
+    assert sorted(line.split(" ")[0].split("(")[0] for line in differences(wanted)) == [
+        "rclpy.no_such_name:",
+        "rclpy.spin",
+    ]
 
 
 def test_what_is_ours_alone_begins_with_an_underscore(recorded: Table) -> None:
@@ -47,4 +59,4 @@ def test_what_is_ours_alone_begins_with_an_underscore(recorded: Table) -> None:
             if known is not None and "members" in known:
                 members = (member for member in each.get("members", ()) if not member.startswith("__"))
                 extra += [f"{module}.{name}.{member}" for member in members if member not in known["members"]]
-    assert extra == []
+    assert sorted(extra) == _INSTANCE_ATTRIBUTES

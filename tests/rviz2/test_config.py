@@ -181,7 +181,7 @@ def test_changes_are_saved(machine: RVizMachine) -> None:
         ("!!python/object/apply:os.system ['true']", "could not determine a constructor"),
         ("a: " + "[" * 200 + "]" * 200, "nested too deeply"),
         ("", "this is no RViz configuration"),
-        ("\0", ""),
+        ("\0", "special characters"),
     ],
 )
 def test_files_that_are_refused(text: str, why: str) -> None:

@@ -6,6 +6,7 @@ import math
 import os
 import struct
 import zlib
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -156,7 +157,7 @@ def test_a_transparent_solid_lets_through_what_is_behind() -> None:
 
 def test_a_turning_wheel_changes_the_picture() -> None:
     pictures = [paint(car_scene(angle), orbit(0.85), 72, 56, 1.0, HIGH).rgb() for angle in (0.0, 0.2, 0.4)]
-    assert all((a != b).sum() > 5 for a, b in zip(pictures, pictures[1:], strict=False))
+    assert all((a != b).sum() > 5 for a, b in pairwise(pictures))
 
 
 def test_lines_are_whole_and_cut_at_the_viewer() -> None:

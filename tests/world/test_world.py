@@ -72,8 +72,10 @@ def test_wheel_spinner_moves_nothing_and_the_window_says_why(machine: Machine) -
     machine.advance(2.0)
     assert machine.model.snapshot().pose[0] == 0
     assert machine.said == [
-        "wheel_spinner publishes /joint_states as well. That topic tells where wheels are, it is no order; so nothing "
-        "rolls. With -r joint_states:=joint_commands it becomes one"
+        (
+            "wheel_spinner publishes /joint_states as well. That topic tells where wheels are, it is no order; so nothing "
+            "rolls. With -r joint_states:=joint_commands it becomes one"
+        )
     ]
 
 
@@ -133,8 +135,10 @@ def test_the_article_s_car_is_a_ghost_and_may_not_enter(machine: Machine) -> Non
     assert machine.model.snapshot().robot is None
     assert machine.said == [
         "day6_bot may not enter this world:",
-        "base_link, left_wheel, right_wheel, caster: no <inertial>. What has no mass cannot be moved by forces; it would "
-        "be a ghost",
+        (
+            "base_link, left_wheel, right_wheel, caster: no <inertial>. What has no mass cannot be moved by forces; it would "
+            "be a ghost"
+        ),
     ]
     assert "[ERROR] [world]: day6_bot may not enter this world:" in running.log
 
@@ -213,7 +217,7 @@ def test_the_line_sensor_sees_the_line_under_the_middle(machine: Machine) -> Non
     machine.open_world("world:=line")
     seen = machine.watch(Float32MultiArray, "/line_sensor")
     machine.advance(0.5)
-    left, near_left, middle, near_right, right = seen[-1].data
+    left, _, middle, _, right = seen[-1].data
     assert middle == 1.0 and left == right == 0.0
     assert seen[-1].layout.dim[0].label == "left_to_right"
 

@@ -179,7 +179,9 @@ def test_keys_zoom_pan_and_wish() -> None:
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_everything_the_world_says_fits_under_the_picture(lang: str) -> None:
-    values: Any = dict.fromkeys("robot text links link mass topic type wanted stamped nodes".split(), "/joint_states")
+    values: Any = dict.fromkeys(
+        ["robot", "text", "links", "link", "mass", "topic", "type", "wanted", "stamped", "nodes"], "/joint_states"
+    )
     for key in TEXTS:
         line = status("error", key, **values, x=1.0, y=2.0)
         assert catalogue("en")[key] == TEXTS[key]

@@ -107,6 +107,11 @@ TEXTS = {
     "turtlesim.more": "{count} more",
     "turtlesim.label": "names",
     # car
+    "car.stays": (
+        "why does the car not drive off? This picture, like RViz, only draws angles. Wheels that touch a floor are in "
+        "ros2 launch day6_world world.launch.py"
+    ),
+    "car.zoom": "zoom",
     "car.lines": "lines",
     "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
     "car.loading": "reading the robot description",

@@ -130,7 +130,11 @@ def _fill(
         return
     u, v, w = (np.clip(each[inside], 0, 1) for each in (u, v, w))
     z = z[inside]
-    depth = ((u * z[:, 0] + v * z[:, 1] + w * z[:, 2]) / np.maximum(u + v + w, 1e-9)).astype(np.float32)
+    total = np.maximum(u + v + w, 1e-9)
+    if picture.parallel:
+        depth = ((u * z[:, 0] + v * z[:, 1] + w * z[:, 2]) / total).astype(np.float32)
+    else:  # on the screen 1/z is linear
+        depth = (total / (u / z[:, 0] + v / z[:, 1] + w / z[:, 2])).astype(np.float32)
     flat = py[inside] * picture.width + px[inside]
     which = which[inside]
     buffer = picture.depth.reshape(-1)

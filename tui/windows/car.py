@@ -21,6 +21,9 @@ MOST_STATUS_LINES = 4
 FRAME_SECONDS = 0.05
 """Twenty pictures a second: a wheel turns smoothly, and drawing it costs a millisecond each time."""
 
+ZOOM = 1.25
+_ZOOMS = {"+": ZOOM, "=": ZOOM, "-": 1 / ZOOM, "_": 1 / ZOOM}
+
 _ROLES = {
     "": "text",
     "chassis": "node",
@@ -50,6 +53,7 @@ class CarPane(WindowPane):
         self._rows: list[Row] = []
         self._said: list[tuple[str, str]] = []
         self._drawn_at = 0.0
+        self._zoom = 1.0
         self._boxes = False
         """Box lines instead of ASCII."""
 
@@ -83,7 +87,9 @@ class CarPane(WindowPane):
         glyphs = "half" if self._boxes and self.look.glyphs.unicode else "ascii"
         degree = "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
         labels = snapshot.labels(degree)
-        self._rows = list(render_top(snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels))
+        self._rows = list(
+            render_top(snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom)
+        )
 
     def _say(self, status: Any) -> list[tuple[str, str]]:
         """Levels and lines of what is wrong, the first ones whole: the end of a sentence is often its point."""
@@ -141,11 +147,31 @@ class CarPane(WindowPane):
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
-        return [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
+        lines = [("b", self.look.texts("car.lines"))] if self.look.glyphs.unicode else []
+        return [("+ - 0", self.look.texts("car.zoom")), *lines]
 
     def on_key(self, event: events.Key) -> None:
         if event.key == "b":
-            event.stop()
             self._boxes = not self._boxes
-            self.restyle()
-            self.look.wake()
+        elif event.character in _ZOOMS:
+            self._zoom = min(max(self._zoom * _ZOOMS[event.character], 0.2), 20.0)
+        elif event.character == "0":
+            self._zoom = 1.0
+        else:
+            return
+        event.stop()
+        self._redraw()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._zoom = min(self._zoom * ZOOM, 20.0)
+        self._redraw()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._zoom = max(self._zoom / ZOOM, 0.2)
+        self._redraw()
+
+    def _redraw(self) -> None:
+        self.restyle()
+        self.look.wake()

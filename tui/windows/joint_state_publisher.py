@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import partial
 from typing import Any
 
 from rich.segment import Segment
@@ -129,7 +130,7 @@ class SlidersPane(WindowPane):
                 1,
                 column + self.inner_offset,
                 column + self.inner_offset + len(text),
-                lambda wish=wish: self._wish(wish),
+                partial(self._wish, wish),
             )
             column += len(text) + 5
         return segments

@@ -1,4 +1,4 @@
-"""python3, ros2, rqt_graph, bash, and what a lesson's `sudo apt install` gets for an answer."""
+"""python3, ros2, colcon, the programs that have a name of their own, and bash."""
 
 from __future__ import annotations
 
@@ -34,34 +34,6 @@ def _program(package: str, executable: str) -> Main:
         return await session.execute(load(package, executable), session.argv)
 
     return main
-
-
-async def sudo(session: Session) -> int:
-    from day6_tui.core.shell.commands import find_command
-
-    words = [word for word in session.argv[1:] if not word.startswith("-")]
-    if not words:
-        session.print_error("usage: sudo COMMAND")
-        return 1
-    start = session.argv.index(words[0])
-    return await session.execute(find_command(words[0], session.shell), session.argv[start:])
-
-
-async def apt(session: Session) -> int:
-    words = [word for word in session.argv[1:] if not word.startswith("-")]
-    verb = words[0] if words else ""
-    if verb == "install" and len(words) > 1:
-        session.print("Reading package lists... Done")
-        for name in words[1:]:
-            session.print(f"{name}: nothing needs to be installed on this machine, what it can do is there already.")
-    elif verb in ("update", "upgrade", "full-upgrade", "autoremove"):
-        session.print("Reading package lists... Done\nAll packages are up to date.")
-    else:
-        session.print_error(
-            f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine"
-        )
-        return 100 if verb else 1
-    return 0
 
 
 async def bash(session: Session) -> int:
@@ -112,9 +84,6 @@ COMMANDS: dict[str, Main] = {
     "check_urdf": _program("urdfdom", "check_urdf"),
     "urdf_to_graphviz": _program("urdfdom", "urdf_to_graphviz"),
     "xacro": _program("xacro", "xacro"),
-    "sudo": sudo,
-    "apt": apt,
-    "apt-get": apt,
     "bash": bash,
     "sh": bash,
 }

@@ -63,7 +63,7 @@ class TextFile:
         """Replace the file by `text`: either whole, or the old one stays. Raises OSError."""
         target = Path(os.path.realpath(self.path))
         target.parent.mkdir(parents=True, exist_ok=True)
-        _replace(target, text.replace("\n", self._newline).encode("utf-8"))
+        replace_file(target, text.replace("\n", self._newline).encode("utf-8"))
         self._stamp = self._look()
         self.forget()
 
@@ -76,7 +76,7 @@ class TextFile:
     def keep(self, text: str) -> None:
         """Keep a copy of an unsaved text. Raises OSError."""
         self._copy.parent.mkdir(parents=True, exist_ok=True)
-        _replace(self._copy, json.dumps({"path": str(self.path), "text": text}).encode("utf-8"))
+        replace_file(self._copy, json.dumps({"path": str(self.path), "text": text}).encode("utf-8"))
 
     def kept(self) -> str | None:
         """Return the unsaved text of an earlier time, None if there is none."""
@@ -99,7 +99,7 @@ class TextFile:
         return Stamp(found.st_mtime_ns, found.st_size)
 
 
-def _replace(target: Path, data: bytes) -> None:
+def replace_file(target: Path, data: bytes) -> None:
     """Write a temporary file beside `target`, then put it in its place. Raises OSError; the old file then is untouched."""
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     try:

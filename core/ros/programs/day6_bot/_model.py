@@ -21,7 +21,7 @@ from day6_tui.core.ros.programs.day6_bot._joints import JointReading, JointReadi
 from day6_tui.core.ros.programs.day6_bot._status import Facts, Status, status_lines
 from day6_tui.urdf.kinematics import Transform
 from day6_tui.urdf.model import MOVING_TYPES, Robot
-from day6_tui.urdf.topplan import find_wheels
+from day6_tui.urdf.topplan import find_wheels, steering_of
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
@@ -45,7 +45,10 @@ class CarSnapshot:
     status: tuple[Status, ...] = ()
 
     def labels(self, degree: str = " deg") -> dict[str, str]:
-        """Return by link what stands beside a wheel: its name, the angle (0 to 360 degrees) and speed of its joint."""
+        """Return by link what stands beside a wheel: its name, the angle (0 to 360 degrees) and speed of its joint.
+
+        A wheel that can be steered shows how far it is turned aside as well, left being positive.
+        """
         texts: dict[str, str] = {}
         readings = {reading.name: reading for reading in self.joints}
         for joint in self.robot.joints if self.robot is not None else ():
@@ -53,6 +56,13 @@ class CarSnapshot:
             if reading is not None and joint.type in ("continuous", "revolute"):
                 angle = math.degrees(reading.position) % 360
                 texts[joint.child] = f"{joint.child} {angle:.0f}{degree} {reading.speed:+.2f} rad/s"
+        for wheel in find_wheels(self.robot) if self.robot is not None else ():
+            steering = steering_of(self.robot, wheel) if self.robot is not None else None
+            reading = readings.get(steering.name) if steering is not None else None
+            if reading is not None:
+                aside = math.degrees(math.remainder(reading.position, 2 * math.pi))
+                link = wheel.joint.child
+                texts[link] = f"{texts.get(link, link)} <{aside:+.0f}{degree}>"
         return texts
 
 
@@ -163,8 +173,15 @@ class CarModel:
             heard_joints=self._readings.heard_lately(now_ns),
             rate=self._snapshot.rate,
             silent_s=silent,
+            rolling=self._is_rolling(),
         )
         self._swap(status=status_lines(facts))
+
+    def _is_rolling(self) -> bool:
+        """Say whether wheels turn, as far as anybody can tell."""
+        robot = self._snapshot.robot
+        wheels = {wheel.joint.name for wheel in find_wheels(robot)} if robot is not None else set()
+        return any(reading.name in wheels and abs(reading.speed) > 0.05 for reading in self._snapshot.joints)
 
     def _swap(self, **changes: Any) -> None:
         old = self._snapshot

@@ -19,6 +19,10 @@ TEXTS = {
     "car.many_publishers": "{count} publishers on {topic}: {nodes}",
     "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
+    "car.stays": (
+        "why does the car not drive off? This picture, like RViz, only draws angles. Wheels that touch a floor are in "
+        "ros2 launch day6_world world.launch.py"
+    ),
 }
 """English texts by id. Topic, type, joint and frame names stand in the parameters as they are."""
 
@@ -56,6 +60,8 @@ class Facts:
     heard_joints: tuple[str, ...]
     rate: float | None
     silent_s: float | None
+    rolling: bool = False
+    """A wheel turns."""
 
 
 JOINT_STATE = "sensor_msgs/msg/JointState"
@@ -77,7 +83,10 @@ def status_lines(facts: Facts) -> tuple[Status, ...]:
     for joint in facts.heard_joints:
         if joint not in facts.joints:
             lines.append(_unknown_joint(joint, facts.joints))
-    return (*lines, *_transform_lines(facts))
+    lines += _transform_lines(facts)
+    if facts.rolling and not lines:
+        lines.append(status("info", "car.stays"))
+    return tuple(lines)
 
 
 def _transform_lines(facts: Facts) -> list[Status]:

@@ -5,6 +5,7 @@ The parameter `tf_prefix` is what robot_state_publisher's `frame_prefix` puts be
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs.day6_bot._model import CarModel
@@ -82,5 +83,6 @@ async def _print(session: Session, model: CarModel) -> int:
         for row in render_top(moment.robot, moment.transforms, columns, columns * 3 // 10, labels=moment.labels()):
             session.print("".join(text for text, _ in row).rstrip())
     for line in moment.status:
-        session.print(line.text)
+        for text in textwrap.wrap(line.text, max(session.stdout.columns, 20), break_long_words=False):
+            session.print(text)
     return 0 if moment.robot is not None else 1

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from day6_tui.urdf.kinematics import link_transforms
 from day6_tui.urdf.model import Robot
-from day6_tui.urdf.topplan import Wheel, find_wheels, stand
+from day6_tui.urdf.topplan import Wheel, find_wheels, stand, steering_of
 
 FASTEST = 40.0
 """Radians per second of a wheel whose joint has no velocity limit."""
@@ -99,7 +99,7 @@ def find_drive(robot: Robot, left: Sequence[str] = (), right: Sequence[str] = ()
         name = wheel.joint.name
         if left or right:
             side = sides[0] if name in left else sides[1] if name in right else None
-        elif wheel.ball or wheel.joint.type != "continuous" or abs(hx) < 0.9 or _is_steered(robot, wheel):
+        elif wheel.ball or wheel.joint.type != "continuous" or abs(hx) < 0.9 or steering_of(robot, wheel) is not None:
             side = None
         else:
             side = None if abs(y) < 1e-3 else sides[0] if y > 0 else sides[1]
@@ -121,14 +121,3 @@ def _driven(robot: Robot, wheel: Wheel, x: float, y: float, hx: float) -> Driven
     fastest = limit.velocity if limit is not None and limit.velocity > 0 else FASTEST
     grips = bool(robot.link(wheel.joint.child).collisions)
     return DrivenWheel(wheel.joint.name, x, y, wheel.radius, 1.0 if hx >= 0 else -1.0, min(fastest, FASTEST), grips)
-
-
-def _is_steered(robot: Robot, wheel: Wheel) -> bool:
-    """Say whether a joint above the wheel turns about the vertical: a steering knuckle or the fork of a castor."""
-    above = {joint.child: joint for joint in robot.joints}
-    joint = above.get(wheel.joint.parent)
-    while joint is not None:
-        if joint.type in ("continuous", "revolute") and abs(joint.axis[2]) > 0.9 * math.hypot(*joint.axis):
-            return True
-        joint = above.get(joint.parent)
-    return False

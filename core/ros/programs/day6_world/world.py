@@ -15,7 +15,7 @@ from day6_tui.core.ros.programs.day6_world._simulation import STEP
 from day6_tui.core.ros.programs.day6_world._world_node import WorldNode
 from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.threads import in_thread
-from day6_tui.urdf.check import check_text, read_description
+from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -69,7 +69,12 @@ def _scenery(session: Session, node: Node) -> Scenery:
 
 def _robot_file(session: Session, node: Node) -> str | None:
     name = node.declare_parameter("robot_file", "").value
-    return read_description(session.cwd / name)[0] if name else None
+    if not name:
+        return None
+    text, size = read_description(session.cwd / name)
+    if size > MAX_BYTES:
+        raise SceneryError(f"{name}: {too_large(size).diagnostics[0].text}")
+    return text
 
 
 async def _read_descriptions(session: Session, world: WorldNode, described: Signal) -> None:

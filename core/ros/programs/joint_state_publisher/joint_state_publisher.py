@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.ros.programs.joint_state_publisher._joints import DescriptionError
 from day6_tui.core.ros.programs.joint_state_publisher._publisher import JointStatePublisher
 from day6_tui.core.ros.ros2.cli.parser import Parser, ParserExit
-from day6_tui.urdf.check import read_description
+from day6_tui.urdf.check import MAX_BYTES, read_description, too_large
 from rclpy.utilities import remove_ros_args
 
 if TYPE_CHECKING:
@@ -20,7 +20,9 @@ def make_publisher(session: Session, argument: str, about: str) -> JointStatePub
     parser.add_argument(argument, help=about, nargs="?", default=None)
     try:
         file = getattr(parser.parse_args(remove_ros_args(args=session.argv)[1:]), argument)
-        text = None if file is None else read_description(session.cwd / file)[0]
+        text, size = (None, 0) if file is None else read_description(session.cwd / file)
+        if size > MAX_BYTES:
+            raise DescriptionError(str(too_large(size).diagnostics[0].text))
         return JointStatePublisher(session, text)
     except ParserExit as end:
         return end.status

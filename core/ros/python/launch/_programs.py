@@ -20,6 +20,8 @@ from typing import Any, NamedTuple
 
 STARTER = str(Path(__file__).with_name("_process"))
 _SHELL_SIGNS = re.compile(r"[|&;<>()$`*?\[\]{}~#!\n]")
+_COMMAND_PLACE = re.compile(r"((?:^|[|&;(`])\s*(?:(?:then|do|else|exec|time)\s+)*)([^\s|&;()<>'\"`]+)")
+"""Where a shell line has the name of a command."""
 _WORD_ENDS = re.compile(r"[\s|&;()<>]+")
 
 
@@ -45,7 +47,7 @@ def what_runs(cmd: Sequence[str], shell: bool, *, hosted: bool) -> Ours | Foreig
             return Foreign(line, True)
         if not _SHELL_SIGNS.search(line):
             return _ours("command", shlex.split(line), hosted)
-        return Ours("line", [line]) if hosted else Foreign(line, True)
+        return Ours("line", [line]) if hosted else Foreign(_with_our_commands(line), True)
     if built_in(cmd[0]) is not None:
         return _ours("program", list(cmd), hosted)
     if is_command(cmd[0]):
@@ -55,6 +57,19 @@ def what_runs(cmd: Sequence[str], shell: bool, *, hosted: bool) -> Ours | Foreig
 
 def _ours(kind: str, argv: list[str], hosted: bool) -> Ours | Foreign:
     return Ours(kind, argv) if hosted else Foreign([sys.executable, STARTER, kind, *argv], False)
+
+
+def _with_our_commands(line: str) -> str:
+    """Put what starts our commands as processes in the place of their names, for the system's own shell."""
+
+    def replaced(found: re.Match[str]) -> str:
+        before, word = found.groups()
+        if not is_command(word):
+            return found[0]
+        words = [sys.executable, STARTER, "command", word]
+        return before + (subprocess.list2cmdline(words) if os.name == "nt" else shlex.join(words))
+
+    return _COMMAND_PLACE.sub(replaced, line)
 
 
 def built_in(path: str) -> tuple[str, str] | None:

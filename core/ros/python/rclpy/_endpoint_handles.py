@@ -41,7 +41,9 @@ def _type_of(interface: type[Any]) -> tuple[str, str]:
 class PublisherHandle(EndpointHandle):
     """A publisher. Raises InvalidHandle for a destroyed node, RCLError when the context is shut down."""
 
-    def __init__(self, node: NodeHandle, msg_type: Any, topic: str, qos_profile: QoS, *, resolved: bool = False) -> None:
+    def __init__(
+        self, node: NodeHandle, msg_type: Any, topic: str, qos_profile: QoS, *, resolved: bool = False
+    ) -> None:
         from day6_tui.core.interfaces import copy_message
 
         node.check_valid("Failed to create publisher")
@@ -152,7 +154,9 @@ class SubscriptionHandle(EndpointHandle):
         self.check()
         try:
             if self._filter is None and not filter_expression:
-                raise ValueError("current subscriber has no content filter topic, at /project/src/rmw_subscription.cpp:119")
+                raise ValueError(
+                    "current subscriber has no content filter topic, at /project/src/rmw_subscription.cpp:119"
+                )
             self._use_filter((filter_expression, list(expression_parameters)))
         except ValueError as error:
             reason = str(error) if not filter_expression else f"{_BAD_FILTER}, at /project/src/rmw_subscription.cpp:160"

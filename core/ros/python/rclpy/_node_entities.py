@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, cast
 
-from rclpy._entity import Scope
 from rclpy._endpoint_handles import ClientHandle, PublisherHandle, ServiceHandle, SubscriptionHandle
+from rclpy._entity import Scope
 from rclpy._node_names import NodeNames
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup

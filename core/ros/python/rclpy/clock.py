@@ -109,7 +109,7 @@ class JumpHandle:
         self.unregister()
 
 
-class ClockHandle(Destroyable):
+class _ClockHandle(Destroyable):
     """The handle of a clock."""
 
     def __init__(self, clock: Clock) -> None:
@@ -130,7 +130,7 @@ class Clock:
             raise TypeError("Clock type must be a ClockType enum")
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
         self._clock_type = clock_type
-        self._handle = ClockHandle(self)
+        self._handle = _ClockHandle(self)
         self._jump_handles = []
         if isinstance(self, ROSClock):
             self._active = False

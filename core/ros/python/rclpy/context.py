@@ -35,7 +35,7 @@ _living: weakref.WeakSet[Context]
 _linked: list[Graph] = []
 
 
-class ContextHandle(Destroyable):
+class _ContextHandle(Destroyable):
     """What `Context.handle` returns once the context was initialised."""
 
     def __init__(self, context: Context) -> None:
@@ -63,7 +63,7 @@ class Context:
     def __init__(self) -> None:
         self._lock = threading.RLock()
         self._callbacks: list[weakref.WeakMethod[MethodType] | _Callback] = []
-        self._handle: ContextHandle | None = None
+        self._handle: _ContextHandle | None = None
         self._valid = False
         self._ended = False
         self._nodes: list[weakref.ReferenceType[Node]] = []
@@ -112,7 +112,7 @@ class Context:
         self._logging.write = write
 
     @property
-    def handle(self) -> ContextHandle | None:
+    def handle(self) -> _ContextHandle | None:
         """The handle of an initialised context, None before init()."""
         return self._handle
 
@@ -144,7 +144,7 @@ class Context:
             self._domain_id = _domain_from_environment() if domain_id is None else domain_id
             if self._graph is None:
                 self._graph = graph_for_domain(self._domain_id)
-            self._handle = ContextHandle(self)
+            self._handle = _ContextHandle(self)
             self._valid = True
             if initialize_logging:
                 self._arguments.apply_levels(self._logging)

@@ -11,9 +11,13 @@ from rclpy._callables import is_coroutine_function
 from rclpy._entity import NOTHING
 from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS
-from rclpy._rclpy_pybind11 import Destroyable, rmw_qos_policy_kind_t
+from rclpy._rclpy_pybind11 import (
+    Destroyable,
+    rcl_publisher_event_type_t,
+    rcl_subscription_event_type_t,
+    rmw_qos_policy_kind_t,
+)
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
-from rclpy._rclpy_pybind11 import rcl_publisher_event_type_t, rcl_subscription_event_type_t
 from rclpy.logging import get_logger as get_logger
 from rclpy.qos import qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
@@ -130,7 +134,7 @@ _KINDS: dict[Any, tuple[EventKind, type[Any]]] = {
 }
 
 
-class EventHandle(Destroyable):
+class _EventHandle(Destroyable):
     """One kind of event of a publisher or subscription: whether it happened, and its counters."""
 
     def __init__(self, parent: EndpointHandle, event_type: Any) -> None:
@@ -175,7 +179,7 @@ class EventHandler(Waitable[Any]):
         super().__init__(callback_group)
         self.event_type = event_type
         self.callback = callback
-        self._event = EventHandle(parent_impl, event_type)
+        self._event = _EventHandle(parent_impl, event_type)
         self._event_kind = self._event._kind
         self._timed = self._event_kind in self._event._endpoint.watches
         # What the executor's heap of deadlines asks of a timer.

@@ -22,7 +22,7 @@ __getattr__ = also(__name__, "CallbackGroup Context")
 GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
 
 
-class GuardHandle(Destroyable):
+class _GuardHandle(Destroyable):
     """The handle of a guard condition, and one by itself: made with a context's handle, waited for in a wait set."""
 
     def __init__(self, context: Any, entity: GuardCondition | None = None) -> None:
@@ -68,7 +68,7 @@ class GuardCondition(Entity):
                 "failed to create guard_condition: the given context is not valid, either rcl_init() was not called or "
                 "rcl_shutdown() was called., at /project/src/rcl/guard_condition.c:65"
             )
-        self._handle = GuardHandle(self._context.handle, self)
+        self._handle = _GuardHandle(self._context.handle, self)
         self.callback = callback
         self.callback_group = callback_group
         self._executor_event = False
@@ -95,7 +95,7 @@ class GuardCondition(Entity):
         return self._executor_triggered
 
     @property
-    def handle(self) -> GuardHandle:
+    def handle(self) -> _GuardHandle:
         """The handle."""
         return self._handle
 

@@ -136,13 +136,13 @@ QoSLivelinessPolicy = LivelinessPolicy
 _NO_TIME = Duration()
 
 
-class rmw_qos_profile_t(QoS):
+class _rmw_qos_profile_t(QoS):
     """A profile as the graph holds it, with the face of rmw's."""
 
     __slots__ = ()
 
     @staticmethod
-    def predefined(name: str) -> rmw_qos_profile_t:
+    def predefined(name: str) -> _rmw_qos_profile_t:
         """Return a profile of rmw/qos_profiles.h, like `qos_profile_default`; ValueError if there is none."""
         known = {each.name.lower(): each.value for each in QoSPresetProfiles if each.name != "ACTION_STATUS_DEFAULT"}
         profile = known.get(name.removeprefix("qos_profile_")) if name.startswith("qos_profile_") else None
@@ -320,10 +320,10 @@ class QoSProfile:
         assert isinstance(value, bool)
         self._avoid_ros_namespace_conventions = value
 
-    def get_c_qos_profile(self) -> rmw_qos_profile_t:
+    def get_c_qos_profile(self) -> _rmw_qos_profile_t:
         """Return the profile as the graph holds it."""
-        return rmw_qos_profile_t.__new__(
-            rmw_qos_profile_t,
+        return _rmw_qos_profile_t.__new__(
+            _rmw_qos_profile_t,
             self._depth,
             graph_qos.History(self._history),
             graph_qos.Reliability(self._reliability),

@@ -31,9 +31,7 @@ __all__ = [
 QosCallbackType = Callable[[QoSProfile], Any]
 
 
-_also = also(
-    __name__, "Parameter QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy"
-)
+_also = also(__name__, "Parameter QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy")
 
 
 def __getattr__(name: str) -> Any:

@@ -91,7 +91,7 @@ class Timer(Entity):
             raise RCLError(_INVALID_CONTEXT)
         if timer_period_ns < 0:
             raise RCLError("failed to create timer: timer period must be non-negative, at /project/src/rcl/timer.c:144")
-        self._handle = TimerHandle._of(self)
+        self._handle = _TimerHandle._of(self)
         self._steady_ns = self._context._time.steady_ns
         self._period = int(timer_period_ns)
         self._heap: TimerHeap | None = None
@@ -216,7 +216,7 @@ class Timer(Entity):
             raise InvalidHandle(DESTROYED)
 
     @property
-    def handle(self) -> TimerHandle:
+    def handle(self) -> _TimerHandle:
         """The handle."""
         return self._handle
 
@@ -285,8 +285,10 @@ class Timer(Entity):
         self.destroy()
 
 
-class TimerHandle(Destroyable):
+class _TimerHandle(Destroyable):
     """The handle of a timer, and one by itself: made with the handles of a clock and a context, called by hand."""
+
+    _timer: weakref.ReferenceType[Timer]
 
     def __init__(self, clock: Any, context: Any, period_nsec: int, autostart: bool) -> None:
         timer = Timer(None, None, period_nsec, clock._clock(), context=context._context(), autostart=autostart)
@@ -295,7 +297,7 @@ class TimerHandle(Destroyable):
         self._keep = timer
 
     @classmethod
-    def _of(cls, timer: Timer) -> TimerHandle:
+    def _of(cls, timer: Timer) -> _TimerHandle:
         handle = cls.__new__(cls)
         Destroyable.__init__(handle)
         handle._timer = weakref.ref(timer)

@@ -13,7 +13,10 @@ from rclpy.qos import qos_profile_services_default
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-__getattr__ = also(__name__, "TOPIC_SEPARATOR_STRING GetTypeDescription ParameterDescriptor ParameterType Service check_is_valid_srv_type")
+__getattr__ = also(
+    __name__,
+    "TOPIC_SEPARATOR_STRING GetTypeDescription ParameterDescriptor ParameterType Service check_is_valid_srv_type",
+)
 
 
 START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"

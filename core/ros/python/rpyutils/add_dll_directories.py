@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from typing import Any
 
@@ -14,7 +14,10 @@ def add_dll_directories_from_env(env_name: str) -> Iterator[list[Any]]:
 
     Gives the handles of the added folders; none where the system has no such list (all but Windows).
     """
-    add = getattr(os, "add_dll_directory", None)
-    folders = os.environ.get(env_name, "").split(os.pathsep) if add is not None else []
+    add: Callable[[str], Any] | None = getattr(os, "add_dll_directory", None)
+    handles: list[Any] = []
     with ExitStack() as added:
-        yield [added.enter_context(add(folder)) for folder in folders if os.path.isabs(folder) and os.path.isdir(folder)]
+        for folder in os.environ.get(env_name, "").split(os.pathsep):
+            if add is not None and os.path.isabs(folder) and os.path.isdir(folder):
+                handles.append(added.enter_context(add(folder)))
+        yield handles

@@ -75,7 +75,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     completed(
         parser.add_argument("package_name", help="Name of the ROS package which contains the launch file"),
-        package_names,
+        packages_and_files,
     )
     completed(parser.add_argument("launch_file_name", nargs="?", help="Name of the launch file"), launch_file_names)
     rest = parser.add_argument(
@@ -168,6 +168,23 @@ def parsed_arguments(words: list[str]) -> dict[str, str]:
     return found
 
 
+def packages_and_files(typed: Typed) -> Iterable[str]:
+    """Complete the name of a package, or the path of a launch file."""
+    home = typed.session.env.get("HOME", "")
+    folder = os.path.dirname(typed.prefix)
+    begun = folder.rstrip("/") + "/" if folder else ""
+    where = typed.session.cwd / (home + folder[1:] if folder.startswith("~") else folder)
+    try:
+        entries = sorted(where.iterdir())
+    except OSError:
+        entries = []
+    hidden = os.path.basename(typed.prefix).startswith(".")
+    shown = [each for each in entries if hidden or not each.name.startswith(".")]
+    folders = [f"{begun}{each.name}/" for each in shown if each.is_dir()]
+    files = [f"{begun}{each.name}" for each in shown if _is_launch_file(each)]
+    return [*([] if begun else package_names(typed)), *folders, *files]
+
+
 def launch_file_names(typed: Typed) -> Iterable[str]:
     """Complete the names of launch files of the package that was typed before."""
     from ament_index_python.packages import get_package_share_directory
@@ -178,4 +195,8 @@ def launch_file_names(typed: Typed) -> Iterable[str]:
         )
     except (KeyError, ValueError):
         return []
-    return [path.name for path in Path(share).rglob("*") if path.name.endswith(_EXTENSIONS) and path.is_file()]
+    return [path.name for path in Path(share).rglob("*") if _is_launch_file(path)]
+
+
+def _is_launch_file(path: Path) -> bool:
+    return path.name.endswith(_EXTENSIONS) and path.name != "package.xml" and path.is_file()

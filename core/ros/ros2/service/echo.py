@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.cli.completion import service_names, service_types_of_service
-from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
 from day6_tui.core.ros.ros2.cli.events import EventPrinter, add_printing_options
+from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:

@@ -10,6 +10,7 @@ A folder, so that nothing but this file comes first on `sys.path`: no module of 
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from typing import Any
 
@@ -20,6 +21,7 @@ def main(kind: str, *arguments: str) -> int:
         import json
 
         return _launch(json.loads(arguments[0]))
+    signal.signal(signal.SIGINT, _on_interrupt)
     return _run_ours(kind, list(arguments))
 
 
@@ -97,9 +99,7 @@ def _run_ours(kind: str, argv: list[str]) -> int:
         if found is None:
             print(f"{argv[0]}: no program of day6-tui", file=sys.stderr)
             return 127
-        import signal
-
-        status = run_local(_deaf_at_the_end(load(*found)), argv)
+        status = run_local(_taking_over(load(*found)), argv)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # unlike a handler it lasts to the very end of Python
         return 0 if status == 130 else status  # a node that is well written ends cleanly on Ctrl-C
     from day6_tui.core.shell.commands import builtin
@@ -108,28 +108,28 @@ def _run_ours(kind: str, argv: list[str]) -> int:
     if command is None:
         print(f"{argv[0]}: command not found", file=sys.stderr)
         return 127
-    return run_local(command, argv, one_shot=True)
+    return run_local(_taking_over(command), argv, one_shot=True)
 
 
-def _deaf_at_the_end(program: Any) -> Any:
-    """Return the program; SIGINT ends this process before it has begun, and does nothing once it is over.
+_begun = False
+"""Whether the program has taken over what Ctrl-C does."""
+
+
+def _on_interrupt(number: int, frame: object) -> None:
+    """End this process quietly while it is still being loaded; nothing once its program is over.
 
     A Ctrl-C comes twice where the launch has no terminal: from the terminal's group, and from the launch.
     """
-    import signal
+    if not _begun:
+        os._exit(130 if sys.argv[1:2] == ["command"] else 0)
 
-    begun = False
 
-    def on_interrupt(number: int, frame: object) -> None:
-        if not begun:
-            os._exit(0)
-
+def _taking_over(program: Any) -> Any:
     async def main(session: Any) -> Any:
-        nonlocal begun
-        begun = True
+        global _begun
+        _begun = True
         return await program(session)
 
-    signal.signal(signal.SIGINT, on_interrupt)
     return main
 
 

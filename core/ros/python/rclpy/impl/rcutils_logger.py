@@ -43,7 +43,7 @@ class CallerId(NamedTuple):
     last_index: int
 
     @staticmethod
-    def of(frame: FrameType) -> CallerId:
+    def _of(frame: FrameType) -> CallerId:
         """Return the place where a frame is just now."""
         code = frame.f_code
         path = _absolute.get(code.co_filename)
@@ -227,7 +227,7 @@ class RcutilsLogger:
             name = self.name
         frame = _find_caller(sys._getframe(1))
         filters = get_filters_from_kwargs(**kwargs) if kwargs else []
-        caller = CallerId.of(frame)
+        caller = CallerId._of(frame)
         call = self.contexts.get(caller)
         if call is None:
             self.contexts[caller] = call = _Call(severity, name, filters, kwargs)

@@ -16,7 +16,10 @@ from rclpy.qos import QoSProfile
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
 
-__getattr__ = also(__name__, "CreateLifecyclePublisherArgs LifecycleNodeArgs CallbackGroup RcutilsLogger Service check_is_valid_srv_type")
+__getattr__ = also(
+    __name__,
+    "CreateLifecyclePublisherArgs LifecycleNodeArgs CallbackGroup RcutilsLogger Service check_is_valid_srv_type",
+)
 
 
 _NO_NODE = "LifecycleNodeMixin uses Node fields so Node needs to bein the inheritance tree."

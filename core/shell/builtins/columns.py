@@ -1,0 +1,278 @@
+"""cut, tr, sed, diff: what changes and compares lines."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable
+
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.builtins.text import lines_of, unescape
+
+# -- cut ---------------------------------------------------------------------------------------------------------------
+
+
+async def cut(session: Session) -> int:
+    try:
+        options, names = parse(
+            session.argv,
+            "s",
+            "dfc",
+            {"--delimiter": "d", "--fields": "f", "--characters": "c", "--only-delimited": "s"},
+        )
+        if ("f" in options) == ("c" in options):
+            raise UsageError(
+                "you must specify a list of bytes, characters, or fields\nTry 'cut --help' for more information."
+            )
+        wanted = _ranges(options.get("f") or options["c"])
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    delimiter = options.get("d", "\t")
+    problems: list[str] = []
+    async for _, line in lines_of(session, names, problems):
+        text = line.rstrip("\n")
+        if "c" in options:
+            session.print("".join(character for at, character in enumerate(text, 1) if wanted(at)))
+        elif delimiter in text:
+            session.print(delimiter.join(field for at, field in enumerate(text.split(delimiter), 1) if wanted(at)))
+        elif "s" not in options:
+            session.print(text)
+    return 1 if problems else 0
+
+
+def _ranges(text: str) -> Callable[[int], bool]:
+    """Read `1,3-5,7-`. Raises UsageError."""
+    found: list[tuple[int, float]] = []
+    for part in text.split(","):
+        match = re.fullmatch(r"(\d*)(-?)(\d*)", part)
+        if match is None or part in ("", "-"):
+            raise UsageError(f"invalid field value '{part}'\nTry 'cut --help' for more information.")
+        first = int(match[1] or 1)
+        found.append((first, (float(match[3]) if match[3] else float("inf")) if match[2] else first))
+    return lambda number: any(first <= number <= last for first, last in found)
+
+
+# -- tr ----------------------------------------------------------------------------------------------------------------
+
+_CLASSES = {
+    "upper": "ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+    "lower": "abcdefghijklmnopqrstuvwxyz",
+    "digit": "0123456789",
+    "space": " \t\n\r\v\f",
+}
+
+
+async def tr(session: Session) -> int:
+    try:
+        options, sets = parse(session.argv, "dsc", "", {"--delete": "d", "--squeeze-repeats": "s", "--complement": "c"})
+        if len(sets) < (1 if {"d", "s"} & set(options) else 2):
+            raise UsageError("missing operand\nTry 'tr --help' for more information.")
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    first = _set(sets[0])
+    second = _set(sets[1]) if len(sets) > 1 else ""
+    inverted = "c" in options
+
+    def chosen(character: str) -> bool:
+        return (character in first) != inverted
+
+    def changed(character: str) -> str:
+        if not chosen(character):
+            return character
+        if "d" in options:
+            return ""
+        if not second:
+            return character
+        at = len(second) - 1 if inverted else min(first.index(character), len(second) - 1)
+        return second[at]
+
+    squeezed = second or first
+    last = ""
+    async for _, line in lines_of(session, [], []):
+        text = ""
+        for character in "".join(map(changed, line)):
+            if "s" not in options or character != last or character not in squeezed:
+                text += character
+            last = character
+        session.stdout.write(text)
+    return 0
+
+
+def _set(text: str) -> str:
+    """Read `a-z`, `[:upper:]`, `\\n`."""
+    text = re.sub(r"\[:(\w+):\]", lambda match: _CLASSES.get(match[1], ""), unescape(text))
+    return re.sub(
+        r"(.)-(.)", lambda match: "".join(map(chr, range(ord(match[1]), ord(match[2]) + 1))), text, flags=re.DOTALL
+    )
+
+
+# -- sed ---------------------------------------------------------------------------------------------------------------
+
+
+async def sed(session: Session) -> int:
+    """`s/A/B/gI`, `Np`, `Nd`, `/A/d`, `/A/p`, `$`, ranges `N,M`; -n, -i, -E, -e."""
+    try:
+        options, names = parse(
+            session.argv, "nEri", "e", {"--in-place": "i", "--quiet": "n", "--silent": "n", "--regexp-extended": "E"}
+        )
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    script = options.get("e")
+    if script is None:
+        if not names:
+            session.print_error("Usage: sed [OPTION]... {script-only-if-no-other-script} [input-file]...")
+            return 1
+        script = names.pop(0)
+    extended = bool({"E", "r"} & set(options))
+    try:
+        steps = [
+            _Step(part.strip(), extended) for part in re.split(r"(?<!\\);(?![^/]*/[^/]*$)|\n", script) if part.strip()
+        ]
+    except (ValueError, re.error) as error:
+        complain(session, f"-e expression #1, char {len(script)}: {error}")
+        return 1
+    if "i" in options:
+        return _in_place(session, names, steps, "n" in options)
+    problems: list[str] = []
+    lines = [line async for _, line in lines_of(session, names, problems)]
+    session.stdout.write("".join(_edited(lines, steps, "n" in options)))
+    return 2 if problems else 0
+
+
+def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
+    from day6_tui.core.shell.editing.file import replace_file
+
+    status = 0
+    for name in names:
+        path = session.cwd / name
+        try:
+            lines = path.read_text(encoding="utf-8", errors="surrogateescape").splitlines(keepends=True)
+            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"))
+        except OSError as error:
+            complain(session, f"can't read {name}: {reason(error)}")
+            status = 2
+    return status
+
+
+def _edited(lines: list[str], steps: list[_Step], silent: bool) -> list[str]:
+    out = []
+    for number, line in enumerate(lines, 1):
+        text, end = line.rstrip("\n"), "\n" if line.endswith("\n") else ""
+        deleted = False
+        for step in steps:
+            if not step.applies(number, text, number == len(lines)):
+                continue
+            if step.action == "d":
+                deleted = True
+                break
+            if step.action == "p":
+                out.append(text + "\n")
+            else:
+                text = step.substitute(text)
+        if not deleted and not silent:
+            out.append(text + end)
+    return out
+
+
+class _Step:
+    """One command of a script."""
+
+    _FORM = re.compile(r"(?:(?P<from>\d+|\$|/(?:[^/\\]|\\.)*/)(?:,(?P<to>\d+|\$))?)?\s*(?P<rest>[pds].*)", re.DOTALL)
+
+    def __init__(self, text: str, extended: bool) -> None:
+        match = self._FORM.fullmatch(text)
+        if match is None:
+            raise ValueError(f"unknown command: `{text[:1]}'")
+        self._from, self._to = match["from"], match["to"]
+        self._lines = _pattern(self._from[1:-1], extended, 0) if self._from and self._from[0] == "/" else None
+        self.action = match["rest"][0]
+        if self.action != "s":
+            if len(match["rest"]) > 1:
+                raise ValueError("extra characters after command")
+            return
+        mark = match["rest"][1:2]
+        parts = re.split(rf"(?<!\\){re.escape(mark)}", match["rest"][2:]) if mark else []
+        if len(parts) != 3:
+            raise ValueError("unterminated `s' command")
+        self._count = 0 if "g" in parts[2] else 1
+        self._what = _pattern(parts[0].replace("\\" + mark, mark), extended, re.IGNORECASE if "I" in parts[2] else 0)
+        self._by = re.sub(r"(?<!\\)&", r"\\g<0>", parts[1].replace("\\" + mark, mark)).replace("\\&", "&")
+
+    def applies(self, number: int, text: str, last: bool) -> bool:
+        """Say whether the command's address names this line."""
+        if self._lines is not None:
+            return self._lines.search(text) is not None
+        if self._from is None:
+            return True
+        first = last if self._from == "$" else number >= int(self._from)
+        if self._to is None:
+            return last if self._from == "$" else number == int(self._from)
+        return first and (self._to == "$" or number <= int(self._to))
+
+    def substitute(self, text: str) -> str:
+        return self._what.sub(self._by, text, count=self._count)
+
+
+def _pattern(text: str, extended: bool, flags: int) -> re.Pattern[str]:
+    if not extended:
+        text = re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], text)
+    return re.compile(text, flags)
+
+
+# -- diff --------------------------------------------------------------------------------------------------------------
+
+
+async def diff(session: Session) -> int:
+    try:
+        options, names = parse(session.argv, "uqrbwiN", "U", {"--unified": "u", "--brief": "q"})
+        if len(names) != 2:
+            missing = f"missing operand after '{session.argv[-1]}'" if len(names) < 2 else f"extra operand '{names[2]}'"
+            raise UsageError(f"{missing}\ndiff: Try 'diff --help' for more information.")
+    except UsageError as error:
+        complain(session, error)
+        return 2
+    texts = []
+    for name in names:
+        try:
+            data = await session.stdin.read_all() if name == "-" else (session.cwd / name).read_text("utf-8", "replace")
+        except OSError as error:
+            complain(session, f"{name}: {reason(error)}")
+            return 2
+        texts.append(data.splitlines())
+    if texts[0] == texts[1]:
+        return 0
+    if "q" in options:
+        session.print(f"Files {names[0]} and {names[1]} differ")
+    elif "u" in options or "U" in options:
+        context = int(options.get("U", "3")) if options.get("U", "3").isdigit() else 3
+        for line in difflib.unified_diff(*texts, *names, n=context, lineterm=""):
+            session.print(line)
+    else:
+        _normal_diff(session, *texts)
+    return 1
+
+
+def _normal_diff(session: Session, old: list[str], new: list[str]) -> None:
+    for kind, a, b, c, d in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        if kind == "equal":
+            continue
+        left = _span(a, b) if kind != "insert" else str(a)
+        right = _span(c, d) if kind != "delete" else str(c)
+        session.print(left + {"replace": "c", "insert": "a", "delete": "d"}[kind] + right)
+        for line in old[a:b]:
+            session.print(f"< {line}")
+        if kind == "replace":
+            session.print("---")
+        for line in new[c:d]:
+            session.print(f"> {line}")
+
+
+def _span(first: int, end: int) -> str:
+    return str(end) if end - first == 1 else f"{first + 1},{end}"
+
+
+COMMANDS: dict[str, Main] = {"cut": cut, "tr": tr, "sed": sed, "diff": diff}

@@ -1,0 +1,133 @@
+"""sudo, apt, rosdep, pip …: what a lesson's installing commands get for an answer on a machine that has no packages."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from day6_tui.core.session.session import Main, Session
+
+
+async def sudo(session: Session) -> int:
+    from day6_tui.core.shell.commands import find_command
+
+    words = [word for word in session.argv[1:] if not word.startswith("-")]
+    if not words:
+        session.print_error("usage: sudo COMMAND")
+        return 1
+    start = session.argv.index(words[0])
+    return await session.execute(find_command(words[0], session.shell), session.argv[start:])
+
+
+async def apt(session: Session) -> int:
+    """Say of every package whether what it brings is here; nothing is downloaded."""
+    words = [word for word in session.argv[1:] if not word.startswith("-")]
+    verb = words[0] if words else ""
+    if verb == "install" and len(words) > 1:
+        session.print("Reading package lists... Done")
+        for name in words[1:]:
+            session.print(_about(name))
+    elif verb in ("update", "upgrade", "full-upgrade", "autoremove"):
+        session.print("Reading package lists... Done\nAll packages are up to date.")
+    elif verb in ("remove", "purge"):
+        session.print("Reading package lists... Done\nNothing is removed: day6-tui has no packages of its own.")
+    else:
+        session.print_error(
+            f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine"
+        )
+        return 100 if verb else 1
+    return 0
+
+
+def _about(name: str) -> str:
+    """Say what becomes of `apt install NAME`."""
+    from day6_tui.core.ros.environment import DISTRO
+    from day6_tui.core.shell.commands import place_of
+
+    if name.startswith("ros-"):
+        package = name.split("-", 2)[-1].replace("-", "_")
+        if package in ("desktop", "desktop_full", "ros_base", "ros_core") or package in _shipped():
+            return f"{name} is already the newest version (day6-tui stands in for ROS 2 {DISTRO})."
+        return f"{name}: not part of day6-tui; on a real Ubuntu this command would install it."
+    if name.startswith("python3-colcon") or name == "python3-rosdep" or place_of(name):
+        return f"{name} is already the newest version."
+    return f"{name}: not needed on this machine, nothing was installed."
+
+
+def _shipped() -> set[str]:
+    from day6_tui.core.ros.environment import SHARE_PATH
+
+    return {path.name for path in SHARE_PATH.iterdir()}
+
+
+async def rosdep(session: Session) -> int:
+    """`rosdep init/update` succeed; `rosdep install --from-paths src` looks at the packages' real dependencies."""
+    words = session.argv[1:]
+    verb = next((word for word in words if not word.startswith("-")), "")
+    if verb in ("init", "update"):
+        session.print("nothing to fetch: day6-tui works offline" if verb == "update" else "rosdep is initialised")
+        return 0
+    if verb != "install":
+        session.print_error("Usage: rosdep [options] <command> <args>\n\nrosdep: error: Please enter a command")
+        return 1
+    paths = [words[at + 1] for at, word in enumerate(words[:-1]) if word in ("--from-paths", "--from-path")]
+    for path in paths:
+        if not (session.cwd / path).is_dir():
+            session.print_error(f"ERROR: Could not find path: {session.cwd / path}")
+            return 1
+    missing = _unresolved([session.cwd / path for path in paths or ["."]], session.env.get("AMENT_PREFIX_PATH", ""))
+    if missing:
+        session.print_error("ERROR: the following packages/stacks could not have their rosdep keys resolved")
+        session.print_error("to system dependencies:")
+        for package, keys in missing.items():
+            session.print_error(
+                f"{package}: " + ", ".join(f"Cannot locate rosdep definition for [{key}]" for key in keys)
+            )
+        return 1
+    session.print("#All required rosdeps installed successfully")
+    return 0
+
+
+def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
+    """Return by package the dependencies that nobody here provides."""
+    from day6_tui.core.workspace.manifest import ManifestError, read_manifest
+
+    manifests = []
+    for path in [path for folder in folders for path in sorted(folder.rglob("package.xml"))]:
+        try:
+            found = read_manifest(path.parent, str(path.parent), {})
+        except (ManifestError, OSError):
+            continue  # colcon says what is wrong with it
+        if found is not None:
+            manifests.append(found)
+    installed = {
+        path.name for prefix in prefixes.split(os.pathsep) if prefix for path in Path(prefix, "share").glob("*")
+    }
+    known = {manifest.name for manifest in manifests} | installed | _shipped()
+    missing: dict[str, list[str]] = {}
+    for manifest in manifests:
+        keys = [
+            key
+            for key in dict.fromkeys([*manifest.build_depends, *manifest.run_depends])
+            if key not in known and not _is_system(key)
+        ]
+        if keys:
+            missing[manifest.name] = keys
+    return missing
+
+
+def _is_system(key: str) -> bool:
+    """Say whether a dependency is a tool of the build or of Python, which this machine has or does not need."""
+    return key.startswith(("ament_", "python3", "rosidl_", "launch_testing")) or key in (
+        "rclcpp",
+        "rclcpp_action",
+        "setuptools",
+    )
+
+
+async def pip(session: Session) -> int:
+    """The pip of the Python that runs student programs, really."""
+    return await session.run_python(["-m", "pip", *session.argv[1:]])
+
+
+COMMANDS: dict[str, Main] = {"sudo": sudo, "apt": apt, "apt-get": apt, "rosdep": rosdep, "pip": pip, "pip3": pip}

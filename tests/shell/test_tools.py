@@ -1,0 +1,105 @@
+"""find, cut, tr, sed, diff print what the real tools print; less, man, apt and rosdep answer a beginner."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+TREE = "mkdir -p a/b; echo one > a/x.py; echo two > a/b/car.urdf; : > a/b/empty; printf 'x=1\\ny=2\\n' > f; printf 'x=1\\ny=3\\nz\\n' > g"
+
+SAME_AS_THE_TOOLS = [
+    "find a -name '*.py' -o -name '*.urdf' | sort",
+    "find . -type d | sort",
+    "find a -empty",
+    "find . -maxdepth 1 -type f ! -name f",
+    "find a -iname '*.URDF'",
+    "find . -path './a/b/*' | sort",
+    "find a -name empty -delete; find a -type f | sort",
+    "find nope; echo $?",
+    "find a -maxdepth x; echo $?",
+    "find . -type f -size -2c | sort",
+    "printf 'a:b:c\\n1:2:3\\nno\\n' | cut -d: -f1,3",
+    "printf 'a:b:c\\nno\\n' | cut -s -d: -f2-",
+    "echo abcdef | cut -c2-4",
+    "echo hello World | tr a-z A-Z",
+    "echo hello | tr -d l",
+    "echo 'a   b    c' | tr -s ' '",
+    "echo 'a b c' | tr ' ' '\\n'",
+    "echo abc123 | tr -d '[:digit:]'",
+    "echo abc123 | tr -cd '[:digit:]'",
+    "sed 's/=/ is /' f",
+    "sed -n '2p' f",
+    "sed '/x/d' f g",
+    "sed 's|=|-|g; s/x/y/' f",
+    "sed -E 's/(.)=(.)/\\2=\\1/' f",
+    "sed 's/\\(.\\)=\\(.\\)/\\2=\\1/' f",
+    "sed '$d' f",
+    "sed '1,2s/[0-9]/&&/' g",
+    "sed -i 's/1/9/' f; cat f",
+    "sed 's/X/q/I' f",
+    "diff f g; echo $?",
+    "diff f f; echo $?",
+    "diff -q f g",
+    "diff -u f g | tail -n +3",
+    "diff g f",
+]
+
+
+@pytest.mark.skipif(sys.platform != "linux" or shutil.which("bash") is None, reason="compares with GNU tools")
+@pytest.mark.parametrize("command", SAME_AS_THE_TOOLS)
+def test_a_tool_prints_what_the_real_one_prints(machine: Any, tmp_path: Path, command: str) -> None:
+    folder = tmp_path / "real"
+    folder.mkdir()
+    real = subprocess.run(
+        ["bash", "-c", f"{TREE}; {command}"], cwd=folder, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}
+    )
+    ours = machine.run(f"mkdir ours; cd ours; {TREE}; {command}")
+    assert (ours.out, ours.status) == (real.stdout, real.returncode)
+    assert bool(ours.err) == bool(real.stderr)
+
+
+def test_less_behind_a_pipe_passes_the_text_on(machine: Any) -> None:
+    assert machine.run("echo one > f; less f; cat f | less").out == "one\none\n"
+
+
+def test_man_speaks_the_language_of_the_terminal(machine: Any) -> None:
+    assert "list files and folders" in machine.run("LANG=C man ls").out
+    assert "列出文件和文件夹" in machine.run("LANG=zh_CN.UTF-8 man ls").out
+    assert machine.run("man nothing") == (16, "", "No manual entry for nothing\n")
+
+
+def test_every_example_of_the_manual_is_a_command_that_exists(machine: Any) -> None:
+    from day6_tui.core.shell.commands import command_names
+    from day6_tui.core.shell.manual import _PAGES
+
+    assert set(_PAGES) <= set(command_names())
+    for page in _PAGES.values():
+        assert all(example.split()[0] in command_names() for example in page.examples)
+
+
+def test_apt_says_of_each_package_what_becomes_of_it(machine: Any) -> None:
+    out = machine.run("sudo apt install -y ros-jazzy-turtlesim ros-jazzy-nav2-bringup tree").out
+    assert "ros-jazzy-turtlesim is already the newest version" in out
+    assert "ros-jazzy-nav2-bringup: not part of day6-tui" in out
+    assert "tree is already the newest version." in out
+
+
+def test_rosdep_looks_at_the_packages_and_names_what_nobody_has(machine: Any) -> None:
+    manifest = (
+        '<package format="3"><name>car</name><version>0.0.0</version><description>x</description>'
+        '<maintainer email="a@example.org">a</maintainer><license>x</license>'
+        "<depend>rclpy</depend><exec_depend>{}</exec_depend></package>"
+    )
+    (machine.desk.home / "ros2_ws/src/car").mkdir(parents=True)
+    file = machine.desk.home / "ros2_ws/src/car/package.xml"
+    file.write_text(manifest.format("turtlesim"))
+    done = machine.run("cd ~/ros2_ws; rosdep install --from-paths src --ignore-src -y")
+    assert done == (0, "#All required rosdeps installed successfully\n", "")
+    file.write_text(manifest.format("no_such_package"))
+    done = machine.run("cd ~/ros2_ws; rosdep install --from-paths src -y")
+    assert done.status == 1 and "car: Cannot locate rosdep definition for [no_such_package]" in done.err

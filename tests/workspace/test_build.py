@@ -1,0 +1,331 @@
+"""Builds by `colcon build`, real ones: what they leave, what they say, and how they end."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from workshop import Workshop, edit
+
+posix_only = pytest.mark.skipif(sys.platform == "win32", reason="needs a POSIX system")
+BASH = shutil.which("bash")
+
+
+def timeless(text: str) -> str:
+    return re.sub(r"\[\d+\.\d+s", "[<T>", text)
+
+
+def site_packages(workshop: Workshop, package: str) -> Path:
+    return workshop.workspace / "install" / package / f"lib/python3.{sys.version_info.minor}/site-packages"
+
+
+def test_the_script_that_is_installed_runs_the_student_s_code(workshop: Workshop) -> None:
+    package = workshop.create("hello", "--node-name hi")
+    assert workshop.run("colcon build").status == 0
+    done = workshop.run("source install/setup.bash\nros2 run hello hi\nros2 pkg executables hello")
+    assert done == (0, "Hi from hello.\nhello hi\n", "")
+    edit(package / "hello" / "hi.py", "Hi from", "Bye from")
+    again = "source install/setup.bash\nros2 run hello hi"
+    assert workshop.run(again).out == "Hi from hello.\n", "a change counts only after the next build"
+    assert workshop.run("colcon build").status == 0
+    assert workshop.run(again).out == "Bye from hello.\n"
+
+
+@posix_only
+def test_with_symlink_install_a_change_counts_at_once_and_back_again(workshop: Workshop) -> None:
+    package = workshop.create("hello", "--node-name hi")
+    run = "source install/setup.bash\nros2 run hello hi"
+    assert workshop.run("colcon build --symlink-install").status == 0
+    edit(package / "hello" / "hi.py", "Hi from", "Bye from")
+    assert workshop.run(run).out == "Bye from hello.\n"
+    assert (site_packages(workshop, "hello") / "hello.egg-link").is_file()
+    assert workshop.run("colcon build").status == 0
+    assert not list(workshop.workspace.glob("install/**/*.egg-link"))
+    edit(package / "hello" / "hi.py", "Bye from", "Later from")
+    assert workshop.run(run).out == "Bye from hello.\n", "the copy stays"
+    assert workshop.run("colcon build --symlink-install").status == 0
+    assert workshop.run(run).out == "Later from hello.\n"
+
+
+def test_a_package_is_built_after_those_it_needs(workshop: Workshop) -> None:
+    workshop.create("z_base")
+    workshop.create("a_user", "--dependencies z_base")
+    done = workshop.run("colcon build")
+    assert timeless(done.out) == (
+        "Starting >>> z_base\nFinished <<< z_base [<T>]\nStarting >>> a_user\nFinished <<< a_user [<T>]\n\n"
+        "Summary: 2 packages finished [<T>]\n"
+    )
+
+
+def test_when_one_fails_those_that_need_it_are_not_started(workshop: Workshop) -> None:
+    base = workshop.create("z_base")
+    workshop.create("a_user", "--dependencies z_base")
+    (base / "setup.py").write_text("import nothing_of_that_name\n")
+    done = workshop.run("colcon build")
+    assert done.status == 1
+    assert timeless(done.out) == (
+        "Starting >>> z_base\n\nSummary: 0 packages finished [<T>]\n  1 package failed: z_base\n"
+        "  1 package had stderr output: z_base\n  1 package not processed\n"
+    )
+    assert "ModuleNotFoundError: No module named 'nothing_of_that_name'\n" in done.err
+
+
+def test_ctrl_c_aborts_the_build_and_leaves_no_process(workshop: Workshop) -> None:
+    package = workshop.create("slow")
+    text = (package / "setup.py").read_text()
+    (package / "setup.py").write_text("import time\nprint('waiting', flush=True)\ntime.sleep(60)\n" + text)
+    running = workshop.start("colcon build; echo status $?")
+    workshop.wait(lambda: "Starting >>> slow" in running.out.text)
+    shell_program = next(program for program in workshop.desk.programs.values() if program.session.argv[0] == "colcon")
+    shell_program.interrupt()
+    workshop.wait(lambda: running.program.status is not None, 10.0)
+    assert "Aborted  <<< slow [" in running.out.text
+    assert "  1 package aborted: slow\n" in running.out.text
+    assert running.err.text == ""
+
+
+def test_a_file_that_setup_py_cannot_be_read_in_is_told(workshop: Workshop) -> None:
+    package = workshop.create("hello")
+    (package / "setup.py").write_bytes("# 中文\nfrom setuptools import setup\nsetup(name='hello')\n".encode("gbk"))
+    done = workshop.run("colcon build")
+    assert done.status == 1
+    assert "SyntaxError: " in done.err and "Failed   <<< hello" in done.err
+
+
+def test_names_with_spaces_and_chinese_build(workshop: Workshop) -> None:
+    folder = workshop.home / "我的 工作区"
+    (folder / "src").mkdir(parents=True)
+    done = workshop.run(
+        f"cd '{folder}/src'\nros2 pkg create --build-type ament_python hello --node-name hi > /dev/null\ncd ..\n"
+        "colcon build\nsource install/setup.bash\nros2 run hello hi\n"
+    )
+    assert done.out.endswith("Hi from hello.\n"), done
+
+
+@posix_only
+@pytest.mark.skipif(hasattr(os, "geteuid") and os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_cannot_be_written_is_named(workshop: Workshop) -> None:
+    workshop.create("hello")
+    workshop.workspace.chmod(0o500)
+    try:
+        done = workshop.run("colcon build")
+    finally:
+        workshop.workspace.chmod(0o700)
+    assert done.status == 1
+    assert "Permission denied" in done.err and "Traceback" not in done.err
+
+
+def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeypatch: pytest.MonkeyPatch) -> None:
+    workshop.create("hello")
+    assert workshop.run("colcon build").status == 0
+    before = (workshop.workspace / "install/setup.bash").read_text()
+
+    def full(*arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("day6_tui.core.workspace.files.os.replace", full)
+    done = workshop.run("colcon build")
+    assert done.status == 1
+    assert "No space left on device" in done.err
+    assert (workshop.workspace / "install/setup.bash").read_text() == before
+    assert not list(workshop.workspace.rglob(".day6-*"))
+
+
+# -- sourcing ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(BASH is None, reason="no bash")
+@pytest.mark.parametrize("option", ["", "--symlink-install", "--merge-install"])
+def test_a_real_bash_sources_the_workspace_to_the_same_environment(workshop: Workshop, option: str) -> None:
+    workshop.create("one", "--node-name hi")
+    workshop.create("two", "--dependencies one")
+    assert workshop.run(f"colcon build {option}").status == 0
+    ours = workshop.run(
+        "unset PYTHONPATH\nsource install/setup.bash\nprintenv AMENT_PREFIX_PATH COLCON_PREFIX_PATH PYTHONPATH"
+    )
+    assert BASH is not None
+    names = ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "PYTHONPATH")
+    env = {name: value for name, value in os.environ.items() if name not in names}
+    for shell, script in ((BASH, "source install/setup.bash"), ("/bin/sh", ". install/setup.sh")):
+        theirs = subprocess.run(
+            [shell, "-c", f"set -e; {script}; printenv AMENT_PREFIX_PATH COLCON_PREFIX_PATH PYTHONPATH"],
+            cwd=workshop.workspace,
+            env=env,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        assert (theirs.stdout, theirs.stderr) == (ours.out, "")
+        assert len(ours.out.splitlines()) == 3
+
+
+@pytest.mark.skipif(BASH is None, reason="no bash")
+def test_an_overlay_brings_its_underlay_along(workshop: Workshop) -> None:
+    workshop.create("one")
+    assert workshop.run("colcon build").status == 0
+    over = workshop.home / "over_ws"
+    made = workshop.run(
+        f"source install/setup.bash\nmkdir -p {over}/src\ncd {over}/src\nros2 pkg create --build-type ament_python two\n"
+        f"cd {over}\ncolcon build"
+    )
+    assert made.status == 0
+    ours = workshop.run(f"source {over}/install/setup.bash\nprintenv AMENT_PREFIX_PATH")
+    assert ours.out == f"{over}/install/two:{workshop.workspace}/install/one\n"
+    assert BASH is not None
+    env = {name: value for name, value in os.environ.items() if "PREFIX_PATH" not in name}
+    theirs = subprocess.run(
+        [BASH, "-c", f"source {over}/install/setup.bash; printenv AMENT_PREFIX_PATH"],
+        env=env,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert theirs.stdout == ours.out
+    local = workshop.run(f"source {over}/install/local_setup.bash\nprintenv AMENT_PREFIX_PATH")
+    assert local.out == f"{over}/install/two\n"
+
+
+def test_a_terminal_that_was_open_before_the_build_learns_nothing_by_itself(workshop: Workshop) -> None:
+    terminal = workshop.terminal()
+    workshop.create("hello", "--node-name hi")
+    workshop.run("colcon build")
+    assert workshop.run("ros2 run hello hi", terminal).err == "Package 'hello' not found\n"
+    assert workshop.run("source install/setup.bash; ros2 run hello hi", terminal).out == "Hi from hello.\n"
+    assert workshop.run("unset AMENT_PREFIX_PATH; ros2 run hello hi", terminal).err == "Package 'hello' not found\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "out", "err"),
+    [
+        ("source /opt/ros/jazzy/setup.bash; echo $ROS_DISTRO", "jazzy\n", ""),
+        (". /opt/ros/humble/setup.bash", "", "bash: /opt/ros/humble/setup.bash: No such file or directory\n"),
+        ("source install/setup.bash", "", "bash: install/setup.bash: No such file or directory\n"),
+        (
+            "unset ROS_DISTRO; source /opt/ros/jazzy/setup.bash; printenv | grep -i ROS_D",
+            "ROS_DOMAIN_ID=0\nROS_DISTRO=jazzy\n",
+            "",
+        ),
+    ],
+)
+def test_ros_itself_is_sourced_as_if_it_were_installed(workshop: Workshop, line: str, out: str, err: str) -> None:
+    done = workshop.run(line)
+    assert (done.out, done.err) == (out, err)
+
+
+# -- messages of one's own ---------------------------------------------------------------------------------------------
+
+LISTS = """\
+cmake_minimum_required(VERSION 3.8)
+project(day6_msgs)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(geometry_msgs REQUIRED)
+
+rosidl_generate_interfaces(${PROJECT_NAME}
+  "msg/Num.msg"   # a comment
+  "srv/Add.srv"
+  DEPENDENCIES geometry_msgs
+)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+ament_package()
+"""
+
+
+def messages(workshop: Workshop) -> Path:
+    folder = workshop.workspace / "src"
+    done = workshop.run("ros2 pkg create day6_msgs --dependencies geometry_msgs", workshop.terminal(folder))
+    assert done.status == 0
+    package = folder / "day6_msgs"
+    for name in ("msg", "srv", "launch"):
+        (package / name).mkdir()
+    (package / "msg" / "Num.msg").write_text("int64 num\ngeometry_msgs/Point where\n")
+    (package / "srv" / "Add.srv").write_text("int64 a\nint64 b\n---\nint64 sum\n")
+    (package / "launch" / "x.launch.py").write_text("")
+    (package / "CMakeLists.txt").write_text(LISTS)
+    edit(
+        package / "package.xml",
+        "  <export>",
+        "  <member_of_group>rosidl_interface_packages</member_of_group>\n\n  <export>",
+    )
+    return package
+
+
+def test_messages_of_one_s_own_can_be_imported_shown_and_published(workshop: Workshop) -> None:
+    messages(workshop)
+    done = workshop.run(
+        "colcon build > /dev/null\nsource install/setup.bash\nros2 interface show day6_msgs/srv/Add\n"
+        "python3 -c 'from day6_msgs.msg import Num; print(Num(num=3).where.x)'\n"
+        "ros2 topic pub --once -w 0 /n day6_msgs/msg/Num '{num: 4, where: {x: 1}}' | tail -2\n"
+        "ls install/day6_msgs/share/day6_msgs/launch\n"
+    )
+    assert done.out == (
+        "int64 a\nint64 b\n---\nint64 sum\n0.0\n"
+        "publishing #1: day6_msgs.msg.Num(num=4, where=geometry_msgs.msg.Point(x=1.0, y=0.0, z=0.0))\n\nx.launch.py\n"
+    ), done
+
+
+def test_a_message_that_was_changed_is_another_after_the_next_build(workshop: Workshop) -> None:
+    package = messages(workshop)
+    show = "source install/setup.bash\nros2 interface proto day6_msgs/msg/Num | head -2\n"
+    workshop.run("colcon build")
+    assert "num: 0\n" in workshop.run(show).out
+    edit(package / "msg" / "Num.msg", "int64 num", "string word")
+    workshop.run("colcon build")
+    assert "word: ''\n" in workshop.run(show).out
+
+
+@pytest.mark.parametrize(
+    ("file", "before", "after", "text"),
+    [
+        ("CMakeLists.txt", '"msg/Num.msg"', '"msg/Nun.msg"', "the passed file 'msg/Nun.msg' doesn't exist"),
+        (
+            "CMakeLists.txt",
+            "find_package(geometry_msgs REQUIRED)",
+            "find_package(geometri_msgs REQUIRED)",
+            'provided by "geometri_msgs"',
+        ),
+        (
+            "CMakeLists.txt",
+            "find_package(rosidl_default_generators REQUIRED)\n",
+            "",
+            'Unknown CMake command "rosidl_generate_interfaces".',
+        ),
+        ("CMakeLists.txt", "ament_package()", "ament_package(", "Parse error."),
+        (
+            "package.xml",
+            "rosidl_interface_packages",
+            "other",
+            "'<member_of_group>rosidl_interface_packages</member_of_group>'",
+        ),
+        ("msg/Num.msg", "int64 num", "int64 Num", "'Num' is an invalid field name"),
+        ("srv/Add.srv", "---\n", "", "separator '---'"),
+        (
+            "CMakeLists.txt",
+            "ament_package()",
+            "add_executable(node src/node.cpp)\nament_package()",
+            "add_executable(node)",
+        ),
+    ],
+)
+def test_a_fault_in_a_message_package_is_told(
+    workshop: Workshop, file: str, before: str, after: str, text: str
+) -> None:
+    package = messages(workshop)
+    edit(package / file, before, after)
+    done = workshop.run("colcon build")
+    assert done.status == 1
+    assert text in done.err and "--- stderr: day6_msgs\n" in done.err
+    assert "Traceback" not in done.err
+
+
+def test_a_c_plus_plus_package_is_refused_honestly(workshop: Workshop) -> None:
+    workshop.run("ros2 pkg create day6_cpp --node-name talker", workshop.terminal(workshop.workspace / "src"))
+    done = workshop.run("colcon build")
+    assert done.status == 1
+    assert "day6-tui has no C++ compiler and no CMake: 'day6_cpp' cannot be built here" in done.err
+    assert timeless(done.out).endswith("  1 package failed: day6_cpp\n  1 package had stderr output: day6_cpp\n")

@@ -1,0 +1,143 @@
+"""Which packages there are, in which order they are built, and which of them are chosen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.workspace.manifest import ManifestError, read_manifest
+from day6_tui.core.workspace.order import OrderError, plan
+from day6_tui.core.workspace.packages import Package, find_packages
+
+MANIFEST = """\
+<?xml version="1.0"?>
+<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
+<package format="3">
+  <name>{name}</name>
+  <version>0.0.0</version>
+  <description>d</description>
+  <maintainer email="a@b.cn">李 雷</maintainer>
+  <license>MIT</license>
+{more}
+  <export><build_type>ament_python</build_type></export>
+</package>
+"""
+
+
+def make(folder: Path, name: str, more: str = "") -> Path:
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text(MANIFEST.format(name=name, more=more), encoding="utf-8")
+    return folder
+
+
+def found(cwd: Path, *base_paths: str) -> list[str]:
+    return [package.shown for package in find_packages(base_paths or ["."], cwd, {}, lambda logger, text: None)]
+
+
+def test_packages_are_found_however_deep_they_lie(tmp_path: Path) -> None:
+    make(tmp_path / "src" / "one", "one")
+    make(tmp_path / "src" / "src" / "two", "two")
+    make(tmp_path / "src" / "我的 包", "three")
+    assert found(tmp_path) == ["src/one", "src/我的 包", "src/src/two"]
+
+
+@pytest.mark.parametrize("marker", ["COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"])
+def test_a_folder_with_an_ignore_marker_is_left_out_with_all_below(tmp_path: Path, marker: str) -> None:
+    make(tmp_path / "src" / "one" / "inner", "one")
+    (tmp_path / "src" / "one" / marker).touch()
+    assert found(tmp_path) == []
+
+
+def test_what_is_inside_of_a_package_is_no_package(tmp_path: Path) -> None:
+    make(tmp_path / "one", "one")
+    make(tmp_path / "one" / "src" / "two", "two")
+    assert found(tmp_path) == ["one"]
+
+
+def test_a_loop_of_links_ends(tmp_path: Path) -> None:
+    make(tmp_path / "src" / "one", "one")
+    (tmp_path / "src" / "loop").symlink_to(tmp_path, target_is_directory=True)
+    assert found(tmp_path) == ["src/one"]
+
+
+def test_ten_thousand_files_are_no_burden(tmp_path: Path) -> None:
+    import time
+
+    make(tmp_path / "src" / "one", "one")
+    for number in range(100):
+        folder = tmp_path / "data" / str(number)
+        folder.mkdir(parents=True)
+        for file in range(100):
+            (folder / f"{file}.png").touch()
+    began = time.process_time()
+    assert found(tmp_path) == ["src/one"]
+    assert time.process_time() - began < 2.0
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        ("  <name>one</name>\n", "", 'The manifest must contain exactly one "name" tag'),
+        ("<version>0.0.0", "<version>0.0", 'Package version "0.0" does not follow version conventions'),
+        ("<name>one", "<name>My Package", 'Package name "My Package" does not follow naming conventions'),
+        ("<license>MIT</license>", "", 'The package node must contain at least one "license" tag'),
+        (
+            "<license>MIT</license>",
+            "<license>MIT</license><dependd>rclpy</dependd>",
+            'Error(s):\n- The manifest of package "one" (with format version 3) must not contain the following tags: dependd',
+        ),
+        (
+            "<license>MIT</license>",
+            "<license>MIT</license><depend>one</depend>",
+            'The package "one" must not "depend" on a package with the same name as this package',
+        ),
+    ],
+)
+def test_a_fault_of_the_manifest_is_told_in_catkin_pkgs_words(
+    tmp_path: Path, before: str, after: str, text: str
+) -> None:
+    folder = make(tmp_path / "one", "one")
+    file = folder / "package.xml"
+    assert before in file.read_text(encoding="utf-8")
+    file.write_text(file.read_text(encoding="utf-8").replace(before, after), encoding="utf-8")
+    with pytest.raises(ManifestError) as error:
+        read_manifest(folder, "src/one", {})
+    assert str(error.value) == f"Error(s) in package 'src/one/package.xml':\n{text}"
+    assert error.value.schema_named
+
+
+@pytest.mark.parametrize("data", [b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")])
+def test_a_broken_file_is_no_package_and_no_crash(tmp_path: Path, data: bytes) -> None:
+    make(tmp_path / "one", "one")
+    (tmp_path / "one" / "package.xml").write_bytes(data)
+    assert found(tmp_path) == []
+
+
+def test_a_condition_decides_whether_a_dependency_counts(tmp_path: Path) -> None:
+    more = (
+        "<depend condition=\"$ROS_VERSION == 2 and ($ROS_DISTRO == 'jazzy' or $ROS_DISTRO == 'humble')\">rclpy</depend>"
+    )
+    folder = make(tmp_path / "one", "one", more)
+    kept = read_manifest(folder, "one", {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy"})
+    gone = read_manifest(folder, "one", {"ROS_VERSION": "1", "ROS_DISTRO": "jazzy"})
+    assert kept is not None and kept.run_depends == ["rclpy"]
+    assert gone is not None and gone.run_depends == []
+
+
+def package(name: str, *needs: str) -> Package:
+    return Package(
+        name, "ros.ament_python", Path(name), name, depends={"build": list(needs), "run": list(needs), "test": []}
+    )
+
+
+def test_what_a_package_needs_comes_before_it_and_otherwise_the_name_decides() -> None:
+    planned = plan([package("a", "c"), package("b"), package("c", "d"), package("d")])
+    assert [each.package.name for each in planned] == ["b", "d", "c", "a"]
+    assert planned[-1].needs == ["d", "c"]
+
+
+def test_a_circle_is_told_with_its_members() -> None:
+    with pytest.raises(OrderError) as error:
+        plan([package("a", "b"), package("b", "a"), package("c")])
+    assert str(error.value) == "Unable to order packages topologically:\na: ['b']\nb: ['a']"
