@@ -52,6 +52,9 @@ def join(
         link = _links[graph] = Link(
             graph, listen=_names(listen), connect=_names(connect), one_shot=one_shot, never_wait=never_wait
         )
+        if not (listen or connect) and _wants_to_be_alone():
+            link.problem = "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"
+            return link
         try:
             if _forked:
                 raise LinkError("this process was forked from one that had joined already")
@@ -70,6 +73,16 @@ def leave(graph: Graph) -> None:
         link = _links.pop(graph, None)
     if link is not None:
         link.close()
+
+
+def _wants_to_be_alone() -> bool:
+    """Say whether the environment asks for no other processes at all.
+
+    Its other ranges and ROS_LOCALHOST_ONLY ask for this machine or more; nothing leaves it unless `listen` or `connect` say so.
+    """
+    import os
+
+    return os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "").upper() == "OFF"
 
 
 def _names(endpoints: str | Sequence[str] | None) -> Sequence[str]:

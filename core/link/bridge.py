@@ -17,6 +17,8 @@ from day6_tui.core.link.engine_thread import callback
 if TYPE_CHECKING:
     import zenoh
 
+Report = Callable[[str, Exception], None]
+
 _MOST_WAITING = 10_000
 """Messages that may wait for the bridge's thread; more are dropped, as on a slow network."""
 _ANSWER_SECONDS = 3600.0
@@ -26,8 +28,9 @@ _ANSWER_SECONDS = 3600.0
 class Bridge:
     """Joins two open sessions for one domain until `close`; it owns them."""
 
-    def __init__(self, inner: zenoh.Session, outer: zenoh.Session, domain_id: int) -> None:
+    def __init__(self, inner: zenoh.Session, outer: zenoh.Session, domain_id: int, report: Report) -> None:
         self._sessions = (inner, outer)
+        self._report = report
         self._work: queue.SimpleQueue[Callable[[], object] | None] = queue.SimpleQueue()
         self._tokens: dict[tuple[int, str], Any] = {}
         """By the side (0 inner, 1 outer) on which we declared it for the other."""
@@ -82,13 +85,12 @@ class Bridge:
     # on the bridge's thread
 
     def _run(self) -> None:
-        import zenoh
-
         while (work := self._work.get()) is not None:
             try:
                 work()
-            except zenoh.ZError:
-                continue  # the other side is gone at this moment; its tokens will tell everyone
+            except Exception as error:
+                # One thing could not be passed on (the other side is gone at this moment, say): the others can.
+                self._report("the bridge to other machines", error)
 
     def _pass_sample(self, to: int, sample: zenoh.Sample) -> None:
         import zenoh
@@ -100,6 +102,7 @@ class Bridge:
             attachment=sample.attachment,
             congestion_control=sample.congestion_control,
             priority=sample.priority,
+            timestamp=sample.timestamp,
             allowed_destination=zenoh.Locality.REMOTE,
         )
 
@@ -117,7 +120,7 @@ class Bridge:
             target=zenoh.QueryTarget.ALL_COMPLETE if query.payload is not None else zenoh.QueryTarget.ALL,
             consolidation=zenoh.ConsolidationMode.NONE,
             # A cache answers with the keys of its messages, which are not the key that it is asked by.
-            accept_replies=query.accepts_replies,
+            accept_replies=query.accepts_replies(),
             timeout=_ANSWER_SECONDS,
             payload=query.payload,
             encoding=query.encoding,
@@ -136,4 +139,11 @@ class Bridge:
 
 
 def _answer(query: zenoh.Query, answer: zenoh.Sample) -> None:
-    query.reply(answer.key_expr, answer.payload, encoding=answer.encoding, attachment=answer.attachment)
+    # By its time a late joiner knows a message that it has been given before.
+    query.reply(
+        answer.key_expr,
+        answer.payload,
+        encoding=answer.encoding,
+        attachment=answer.attachment,
+        timestamp=answer.timestamp,
+    )

@@ -247,7 +247,7 @@ class Link:
         except zenoh.ZError:
             inner.close()
             raise
-        self._gate = Bridge(inner, outer, self.graph.domain_id)
+        self._gate = Bridge(inner, outer, self.graph.domain_id, self._report)
 
     def _try_as_client(self) -> None:
         import zenoh

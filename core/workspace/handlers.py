@@ -177,7 +177,7 @@ class Status:
             blocks.append(f"[{len(self._running)} ongoing]")
         blocks += [f"[{job} - {now - began:.1f}s]" for job, began in self._running.items()]
         line = " ".join(blocks)
-        room = self._console.stdout.columns - 1
+        room = (self._console.stdout.columns or 80) - 1  # a terminal may not know its size
         return line if len(line) <= room else line[: room - 4] + " ..."
 
 

@@ -477,3 +477,23 @@ def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix
     assert until(lambda: student.nodes() == teacher.nodes() == ["/describer", "/rviz"])
     far.kill()
     assert until(lambda: near.nodes() == ["/rviz"], 2.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "meet"),
+    [
+        ("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF", False),
+        ("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST", True),
+        ("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET", True),
+        ("ROS_LOCALHOST_ONLY", "1", True),
+    ],
+)
+def test_processes_of_one_machine_meet_unless_discovery_is_off(world: World, name: str, value: str, meet: bool) -> None:
+    here, other = world.here(), world.process(**{name: value})
+    here.node("here")
+    other.node("other")
+    third = world.process()
+    third.node("third")
+    expected = ["/here", "/other", "/third"] if meet else ["/here", "/third"]
+    assert until(lambda: here.nodes() == expected and third.nodes() == expected)
+    assert other.nodes() == (expected if meet else ["/other"])

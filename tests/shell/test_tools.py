@@ -10,7 +10,10 @@ from typing import Any
 
 import pytest
 
-TREE = "mkdir -p a/b; echo one > a/x.py; echo two > a/b/car.urdf; : > a/b/empty; printf 'x=1\\ny=2\\n' > f; printf 'x=1\\ny=3\\nz\\n' > g"
+TREE = (
+    "mkdir -p a/b; echo one > a/x.py; echo two > a/b/car.urdf; : > a/b/empty; "
+    "printf 'x=1\\ny=2\\n' > f; printf 'x=1\\ny=3\\nz\\n' > g"
+)
 
 SAME_AS_THE_TOOLS = [
     "find a -name '*.py' -o -name '*.urdf' | sort",

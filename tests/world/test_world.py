@@ -222,21 +222,25 @@ def test_the_line_sensor_sees_the_line_under_the_middle(machine: Machine) -> Non
     assert seen[-1].layout.dim[0].label == "left_to_right"
 
 
-def test_a_car_can_follow_the_line_all_the_way_round(machine: Machine) -> None:
+def test_the_line_follower_goes_all_the_way_round_and_stops_at_ctrl_c(machine: Machine) -> None:
     machine.open_world("world:=line")
-    seen = machine.watch(Float32MultiArray, "/line_sensor", 1)
-    machine.advance(0.1)
-    travelled, before, error = 0.0, machine.model.snapshot().pose, 0.0
-    for _ in range(1500):
-        data = seen[-1].data
-        total = sum(data)
-        if total:
-            error = (2 * data[0] + data[1] - data[3] - 2 * data[4]) / total
-        drive(machine, 0.25, 1.6 * error, seconds=0.04)
-        pose = machine.model.snapshot().pose
-        travelled += math.hypot(pose[0] - before[0], pose[1] - before[1])
-        before = pose
-    assert travelled > 14.0 and sum(seen[-1].data) > 0
+    start = machine.model.snapshot().pose
+    follower = machine.start("day6_world", "line_follower")
+    far, lost, back = 0.0, 0, False
+    for _ in range(1000):
+        machine.advance(0.1)
+        snapshot = machine.model.snapshot()
+        away = math.hypot(snapshot.pose[0] - start[0], snapshot.pose[1] - start[1])
+        far = max(far, away)
+        lost = lost + 1 if not sum(snapshot.line) else 0
+        assert lost < 30, f"it lost the line at {snapshot.pose}"
+        if far > 2.5 and away < 0.2:
+            back = True
+            break
+    assert back
+    follower.program.interrupt()
+    machine.advance(1.0)
+    assert machine.model.snapshot().velocity[0] == pytest.approx(0)
 
 
 def test_the_same_seed_gives_the_same_world_and_another_one_does_not(machine: Machine) -> None:

@@ -172,7 +172,7 @@ class RqtConsolePane(WindowPane):
             Segment(f" #{record.number} ", colours.strong),
             Segment(f"{record.severity} ", self._style(record)),
             Segment(f"{record.node}  ", colours.node),
-            Segment(_whole_time(record.stamp_ns), colours.muted),
+            Segment((_whole_time if width >= 70 else _time_of_day)(record.stamp_ns), colours.muted),
         ]
         used = sum(cell_len(segment.text) for segment in head)
         if record.location:

@@ -243,16 +243,17 @@ async def diff(session: Session) -> int:
             complain(session, f"{name}: {reason(error)}")
             return 2
         texts.append(data.splitlines())
-    if texts[0] == texts[1]:
+    old, new = texts
+    if old == new:
         return 0
     if "q" in options:
         session.print(f"Files {names[0]} and {names[1]} differ")
     elif "u" in options or "U" in options:
         context = int(options.get("U", "3")) if options.get("U", "3").isdigit() else 3
-        for line in difflib.unified_diff(*texts, *names, n=context, lineterm=""):
+        for line in difflib.unified_diff(old, new, names[0], names[1], n=context, lineterm=""):
             session.print(line)
     else:
-        _normal_diff(session, *texts)
+        _normal_diff(session, old, new)
     return 1
 
 

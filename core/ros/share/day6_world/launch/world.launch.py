@@ -4,16 +4,18 @@ As with Gazebo, robot_state_publisher hands the description to the world and tur
 goes by the world's clock.
 """
 
+import os
+
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, OpaqueFunction
-from launch.substitutions import LaunchConfiguration
+from launch.substitutions import Command, LaunchConfiguration
 from launch_ros.actions import Node
 
 from day6_tui.urdf import shipped_model
 
 ARGUMENTS = (
     ("world", "empty", "empty, walls, maze, line, or a world file"),
-    ("robot", str(shipped_model("day6_bot_gazebo")), "the URDF file of the robot"),
+    ("robot", str(shipped_model("day6_bot_gazebo")), "the URDF or xacro file of the robot"),
     ("use_sim_time", "true", "go by the world's clock"),
     ("seed", "0", "the same number gives the same noise"),
     ("speed", "1.0", "how fast the world's time passes"),
@@ -24,8 +26,12 @@ ARGUMENTS = (
 
 def nodes(context):
     value = {name: LaunchConfiguration(name).perform(context) for name, _, _ in ARGUMENTS}
-    with open(value["robot"], encoding="utf-8") as file:
-        description = file.read()
+    robot = os.path.expanduser(value["robot"])
+    if robot.endswith(".xacro"):
+        description = Command(["xacro ", f"'{robot}'"]).perform(context)
+    else:
+        with open(robot, encoding="utf-8") as file:
+            description = file.read()
     use_sim_time = value["use_sim_time"].lower() == "true"
     return [
         Node(
