@@ -31,6 +31,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("next", "f3", "F3", weight=7),
     Action("previous", "shift+f3", "Shift+F3", palette=False),
     Action("windows", "f4", "F4", weight=4),
+    Action("inspector", "f6", "F6", weight=1),
     Action("enlarge", "f8", "F8", weight=3),
     Action("pause", "f9", "F9", weight=2),
     Action("palette", "ctrl+p", "^P", weight=6, palette=False),

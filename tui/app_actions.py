@@ -107,6 +107,14 @@ class AppActions:
             self.terminals.activate(index)
             self.desktop.focus_pane(self.terminals)
 
+    def do_inspector(self) -> None:
+        """Open the inspector, or close the one that is open."""
+        for pane in self.desktop.panes.values():
+            if pane.window.kind == "inspector":
+                pane.window.close_by_user()
+                return
+        self.machine.run_tool("day6_inspector", "inspector")
+
     def do_enlarge(self) -> None:
         self.desktop.toggle_enlarged()
 

@@ -93,6 +93,20 @@ class Machine:
             self._counted = changes
         return self._counts
 
+    def run_tool(self, package: str, executable: str) -> None:
+        """Start a program of ours that belongs to the desktop, not to a terminal; it ends when its window is closed."""
+        from day6_tui.core.ros.programs import load
+        from day6_tui.core.session.streams import InputStream, OutputStream
+        from day6_tui.core.shell.redirection import Streams
+
+        desk = self.desk
+        streams = Streams(InputStream(), OutputStream(), OutputStream())
+
+        def start() -> None:
+            desk.start_program([executable], load(package, executable), streams, env=desk.environment(), cwd=desk.home)
+
+        desk.scheduler.call_soon_threadsafe(start)
+
     # -- time ----------------------------------------------------------------------------------------------------------
 
     @property

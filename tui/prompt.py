@@ -53,9 +53,9 @@ class Prompt(Overlay):
     def _window(self, width: int) -> tuple[str, str, str]:
         """What of the line is shown, around the cursor: before, at and after it."""
         before, at, after = self.value[: self._cursor], self.value[self._cursor :][:1], self.value[self._cursor + 1 :]
-        while cell_len(before) > width - 1:
+        while before and cell_len(before) > width - 1:
             before = before[1:]
-        while cell_len(before) + cell_len(at or " ") + cell_len(after) > width:
+        while after and cell_len(before) + cell_len(at or " ") + cell_len(after) > width:
             after = after[:-1]
         return before, at or " ", after
 

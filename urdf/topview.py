@@ -36,12 +36,13 @@ def render_top(
     glyphs: str = "ascii",
     labels: Mapping[str, str] | None = None,
     zoom: float = 1.0,
+    shift: tuple[int, int] = (0, 0),
 ) -> list[Row]:
     """Return `rows` rows of (text, style) runs, each exactly `columns` cells wide.
 
     `transforms` gives links in the root link's frame. `labels` are short texts by link name, put beside the wheels
     where there is room (by default the link names). `glyphs` 'ascii' draws with ASCII only, other sets with box lines.
-    `zoom` enlarges the picture about its middle; at 1 the whole robot fits.
+    `zoom` enlarges the picture about its middle; at 1 the whole robot fits. `shift` moves it by columns and rows.
     """
     global _kept
     plan = _kept
@@ -49,7 +50,7 @@ def render_top(
         plan = _kept = plan_top(robot)
     canvas = Canvas(columns, rows)
     if columns > 0 and rows > 0:
-        _Drawing(plan, transforms, canvas, _LINES.get(glyphs, _BOX_LINES), labels or {}, zoom).draw()
+        _Drawing(plan, transforms, canvas, _LINES.get(glyphs, _BOX_LINES), labels or {}, zoom, shift).draw()
     return canvas.rows()
 
 
@@ -64,6 +65,7 @@ class _Drawing:
         lines: str,
         labels: Mapping[str, str],
         zoom: float,
+        shift: tuple[int, int],
     ) -> None:
         self._plan = plan
         self._given = transforms
@@ -82,7 +84,10 @@ class _Drawing:
         self._column = max(per_column, per_row / 2) / max(zoom, 0.01)
         self._row = 2 * self._column
         self._middle = ((left + right) / 2, (bottom + top) / 2)
-        self._zero = ((canvas.width - _MARGIN_RIGHT) / 2 - 0.5, self._label_rows + height / 2 - 0.5)
+        self._zero = (
+            (canvas.width - _MARGIN_RIGHT) / 2 - 0.5 + shift[0],
+            self._label_rows + height / 2 - 0.5 + shift[1],
+        )
 
     def draw(self) -> None:
         for body in sorted(self._plan.bodies, key=lambda body: body.style != "chassis"):

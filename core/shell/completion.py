@@ -44,6 +44,12 @@ class Completer:
                 return sorted({_quoted(choice, quote) for choice in choices if choice.startswith(typed)}), start
             if not _wants_file(words):
                 return [], start
+        elif words[0] == "colcon":
+            from day6_tui.core.workspace.completion import complete
+
+            offered = complete(words, self._session, self._shell.cwd, self._shell.environment)
+            if offered is not None:
+                return sorted({_quoted(choice, quote) for choice in offered if choice.startswith(typed)}), start
         elif words[0] in ("kill", "fg", "bg", "wait") and typed.startswith("%"):
             return sorted(f"%{job.number}" for job in self._shell.jobs.jobs), start
         return self._files(typed, quote, folders_only=words[0] in _ONLY_FOLDERS), start

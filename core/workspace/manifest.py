@@ -60,8 +60,8 @@ def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> M
         raise ManifestError(f"{shown}/{FILE_NAME}", str(error.strerror), schema_named=True) from error
     path = f"{shown}/{FILE_NAME}"
     try:
-        root = ElementTree.fromstring(data)
-    except (ElementTree.ParseError, ValueError, LookupError) as error:
+        root = parse_xml(data)
+    except (ValueError, LookupError) as error:
         # The real one asks the same broken text whether it names the schema, and so keeps silent.
         raise ManifestError(path, f"The manifest contains invalid XML:\n{error}", schema_named=False) from error
     try:
@@ -69,6 +69,16 @@ def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> M
     except _Fault as fault:
         named = bool(_SCHEMA.search(data.decode("utf-8", "replace")))
         raise ManifestError(path, str(fault), named) from fault
+
+
+def parse_xml(data: bytes) -> ElementTree.Element:
+    """Parse XML that may come from anywhere: a document that defines entities is refused. ValueError if it is none."""
+    if b"<!ENTITY" in data:
+        raise ValueError("entities are not allowed")
+    try:
+        return ElementTree.fromstring(data)
+    except ElementTree.ParseError as error:
+        raise ValueError(error) from error
 
 
 class _Fault(ValueError):

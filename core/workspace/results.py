@@ -6,9 +6,13 @@ import os
 from argparse import Namespace
 from dataclasses import dataclass, field
 from pathlib import Path
-from xml.etree import ElementTree
+from typing import TYPE_CHECKING
 
 from day6_tui.core.workspace.events import Console
+from day6_tui.core.workspace.manifest import parse_xml
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
 
 _COUNTED = {"test": "tests", "error": "errors", "failure": "failures"}
 _SKIPPED = ("skip", "skipped", "disabled")
@@ -93,8 +97,8 @@ def _files(base: Path) -> list[Path]:
 def _read(path: Path, cwd: Path, console: Console) -> Result | None:
     name = path.relative_to(cwd).as_posix() if cwd in path.parents else str(path)
     try:
-        root = ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, OSError) as error:
+        root = parse_xml(path.read_bytes())
+    except (ValueError, OSError) as error:
         console.warn("colcon.colcon_test_result.test_result.xunit", f"Skipping '{name}': {error}")
         return None
     suites = [root] if root.tag == "testsuite" else list(root.findall("testsuite")) if root.tag == "testsuites" else []
@@ -115,7 +119,7 @@ def _read(path: Path, cwd: Path, console: Console) -> Result | None:
     return result if suites else None
 
 
-def _details(suite: ElementTree.Element) -> list[str]:
+def _details(suite: Element) -> list[str]:
     details = []
     for case in suite.iter("testcase"):
         lines = [f"{case.get('classname', '')} {case.get('name', '')}".strip()]

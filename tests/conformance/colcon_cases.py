@@ -79,7 +79,7 @@ def _edited(file: str, before: str, after: str) -> Prepare:
 def _emptied(file: str) -> Prepare:
     def prepare(workshop: Workshop) -> None:
         workshop.publisher()
-        (workshop.workspace / file).write_text("")
+        (workshop.workspace / file).write_text("", encoding="utf-8")
 
     return prepare
 

@@ -38,6 +38,8 @@ REASONS = {
         "core/ros/programs/joint_state_publisher/_joints.py",
         "xml",
     ): "expat only says what is no XML; every entity definition is refused; tried in tests/joint_state_publisher",
+    ("core/workspace/manifest.py", "xml"): "a text that defines entities is refused; tried in tests/workspace",
+    ("core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
     ("core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
 }
 """Where something dangerous is used all the same, and why it is not dangerous there."""

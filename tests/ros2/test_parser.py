@@ -23,7 +23,7 @@ def test_the_bare_command_prints_help_with_every_command_and_exits_0(machine):
 def test_an_unknown_command_names_all_choices_in_quotes(machine):
     result = machine.ros2("topics")
     assert result.status == 2
-    assert "invalid choice: 'topics' (choose from 'action', 'component', 'daemon'," in result.stderr
+    assert "invalid choice: 'topics' (choose from 'action', 'bag', 'component', 'daemon'," in result.stderr
 
 
 def test_an_unknown_verb_is_answered_by_the_usage_of_its_command(machine):

@@ -65,7 +65,7 @@ def test_a_package_is_built_after_those_it_needs(workshop: Workshop) -> None:
 def test_when_one_fails_those_that_need_it_are_not_started(workshop: Workshop) -> None:
     base = workshop.create("z_base")
     workshop.create("a_user", "--dependencies z_base")
-    (base / "setup.py").write_text("import nothing_of_that_name\n")
+    (base / "setup.py").write_text("import nothing_of_that_name\n", encoding="utf-8")
     done = workshop.run("colcon build")
     assert done.status == 1
     assert timeless(done.out) == (
@@ -77,8 +77,10 @@ def test_when_one_fails_those_that_need_it_are_not_started(workshop: Workshop) -
 
 def test_ctrl_c_aborts_the_build_and_leaves_no_process(workshop: Workshop) -> None:
     package = workshop.create("slow")
-    text = (package / "setup.py").read_text()
-    (package / "setup.py").write_text("import time\nprint('waiting', flush=True)\ntime.sleep(60)\n" + text)
+    text = (package / "setup.py").read_text(encoding="utf-8")
+    (package / "setup.py").write_text(
+        "import time\nprint('waiting', flush=True)\ntime.sleep(60)\n" + text, encoding="utf-8"
+    )
     running = workshop.start("colcon build; echo status $?")
     workshop.wait(lambda: "Starting >>> slow" in running.out.text)
     shell_program = next(program for program in workshop.desk.programs.values() if program.session.argv[0] == "colcon")
@@ -123,7 +125,7 @@ def test_a_folder_that_cannot_be_written_is_named(workshop: Workshop) -> None:
 def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeypatch: pytest.MonkeyPatch) -> None:
     workshop.create("hello")
     assert workshop.run("colcon build").status == 0
-    before = (workshop.workspace / "install/setup.bash").read_text()
+    before = (workshop.workspace / "install/setup.bash").read_text(encoding="utf-8")
 
     def full(*arguments: object) -> None:
         raise OSError(28, "No space left on device")
@@ -132,7 +134,7 @@ def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeyp
     done = workshop.run("colcon build")
     assert done.status == 1
     assert "No space left on device" in done.err
-    assert (workshop.workspace / "install/setup.bash").read_text() == before
+    assert (workshop.workspace / "install/setup.bash").read_text(encoding="utf-8") == before
     assert not list(workshop.workspace.rglob(".day6-*"))
 
 
@@ -243,10 +245,10 @@ def messages(workshop: Workshop) -> Path:
     package = folder / "day6_msgs"
     for name in ("msg", "srv", "launch"):
         (package / name).mkdir()
-    (package / "msg" / "Num.msg").write_text("int64 num\ngeometry_msgs/Point where\n")
-    (package / "srv" / "Add.srv").write_text("int64 a\nint64 b\n---\nint64 sum\n")
-    (package / "launch" / "x.launch.py").write_text("")
-    (package / "CMakeLists.txt").write_text(LISTS)
+    (package / "msg" / "Num.msg").write_text("int64 num\ngeometry_msgs/Point where\n", encoding="utf-8")
+    (package / "srv" / "Add.srv").write_text("int64 a\nint64 b\n---\nint64 sum\n", encoding="utf-8")
+    (package / "launch" / "x.launch.py").write_text("", encoding="utf-8")
+    (package / "CMakeLists.txt").write_text(LISTS, encoding="utf-8")
     edit(
         package / "package.xml",
         "  <export>",

@@ -25,6 +25,9 @@ MANIFEST = """\
 """
 
 
+BOMB = b'<!DOCTYPE package [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]><package format="3"><name>&b;</name></package>'
+
+
 def make(folder: Path, name: str, more: str = "") -> Path:
     folder.mkdir(parents=True)
     (folder / "package.xml").write_text(MANIFEST.format(name=name, more=more), encoding="utf-8")
@@ -107,7 +110,7 @@ def test_a_fault_of_the_manifest_is_told_in_catkin_pkgs_words(
     assert error.value.schema_named
 
 
-@pytest.mark.parametrize("data", [b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")])
+@pytest.mark.parametrize("data", [BOMB, b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")])
 def test_a_broken_file_is_no_package_and_no_crash(tmp_path: Path, data: bytes) -> None:
     make(tmp_path / "one", "one")
     (tmp_path / "one" / "package.xml").write_bytes(data)

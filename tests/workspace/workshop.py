@@ -125,7 +125,7 @@ class Workshop:
     def publisher(self, *, entry_point: bool = True) -> Path:
         """The package of the lesson: day6_publisher with talker.py, and (if asked) its entry point."""
         package = self.create("day6_publisher", "--dependencies rclpy std_msgs")
-        (package / "day6_publisher" / "talker.py").write_text(TALKER)
+        (package / "day6_publisher" / "talker.py").write_text(TALKER, encoding="utf-8")
         if entry_point:
             edit(
                 package / "setup.py",

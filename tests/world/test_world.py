@@ -143,6 +143,11 @@ def test_the_article_s_car_is_a_ghost_and_may_not_enter(machine: Machine) -> Non
     assert "[ERROR] [world]: day6_bot may not enter this world:" in running.log
 
 
+def test_a_refused_robot_has_no_joint_states(machine: Machine) -> None:
+    machine.open_world(robot=shipped_model())
+    assert machine.node.count_publishers("/joint_states") == 0
+
+
 def test_one_link_without_mass_is_named(machine: Machine, tmp_path: Path) -> None:
     machine.open_world(robot=without("inertial", "right_wheel", tmp_path))
     assert machine.said[1].startswith("right_wheel: no <inertial>")
@@ -225,7 +230,7 @@ def test_the_line_sensor_sees_the_line_under_the_middle(machine: Machine) -> Non
 def test_the_line_follower_goes_all_the_way_round_and_stops_at_ctrl_c(machine: Machine) -> None:
     machine.open_world("world:=line")
     start = machine.model.snapshot().pose
-    follower = machine.start("day6_world", "line_follower")
+    follower = machine.start("day6_world", "line_follower", "--ros-args", "-p", "speed:=0.35", "-p", "gain:=2.5")
     far, lost, back = 0.0, 0, False
     for _ in range(1000):
         machine.advance(0.1)

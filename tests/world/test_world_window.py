@@ -106,6 +106,19 @@ def test_in_ascii_the_nose_is_an_arrow() -> None:
         assert arrow in text
 
 
+@pytest.mark.parametrize("size", [(40, 14), (60, 38), (120, 40)])
+def test_the_line_has_no_gaps_however_small_it_is_drawn(size: tuple[int, int]) -> None:
+    pane = pane_of(model_of("line", robot=None), *size, glyphs="half")
+    spots = set(kinds_of(pane)[picture.LINE])
+    reached, waiting = set(), [next(iter(spots))]
+    while waiting:
+        x, y = waiting.pop()
+        if (x, y) in spots and (x, y) not in reached:
+            reached.add((x, y))
+            waiting += [(x + dx, y + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+    assert reached == spots
+
+
 def test_the_trail_stays_behind_the_car() -> None:
     model = model_of("empty", pose=(1.0, 0.0, 0.0))
     for step in range(60):

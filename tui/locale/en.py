@@ -174,6 +174,23 @@ TEXTS = {
     "rqt.type": "type",
     "rqt.hide": "Hide",
     "rqt.refresh": "refresh",
+    "inspector.unheard": "{topic}: {nodes} publishes, nobody listens",
+    "inspector.unsaid": "{topic}: {nodes} listens, nobody publishes",
+    "inspector.near": "{said} is published and {heard} is listened to: is one of the names a slip?",
+    "inspector.types": "{topic}: {publisher} sends {sent}, {subscriber} wants {wanted}; nothing arrives",
+    "inspector.qos": "{topic}: the QoS of {publisher} does not suit {subscriber} ({policy}); nothing arrives",
+    "inspector.fight": "{topic}: {count} nodes publish at the same time and fight over it: {nodes}",
+    "inspector.twins": "{count} nodes are called {name}: lists and parameters cannot tell them apart",
+    "inspector.unknown_joint": "{topic} names the joint {joint}, which the robot description does not have",
+    "inspector.unknown_joint_near": (
+        "{topic} names the joint {joint}, which the robot description does not have; did you mean {nearest}?"
+    ),
+    "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
+    "inspector.slow": "{topic} comes {rate} times a second; the eye needs about 20",
+    "inspector.well": "nothing is wrong",
+    "inspector.count": "{errors} errors, {all} in all",
+    "action.inspector": "Inspect",
+    "help.action.inspector": "what is wrong with the graph right now",
     "editor.save": "save",
     "editor.find": "find",
     "editor.line": "line",
@@ -403,6 +420,10 @@ TEXTS = {
     "help.editor": (
         "A file of your home folder. What is wrong in it is named below and underlined, while you type. Unsaved text is kept and "
         "comes back, whatever happens. Any other editor on the same files works as well: a change on the disk shows up here."
+    ),
+    "help.inspector": (
+        "What is wrong with the graph right now: names that differ by a letter, types and QoS that do not match, two publishers "
+        "that fight, joints the robot does not have. Red keeps messages from arriving."
     ),
     "help.topics": (
         "All topics, with their type and how many publish and subscribe. Enter listens to the chosen topic and measures its "

@@ -174,6 +174,21 @@ TEXTS = {
     "rqt.type": "类型",
     "rqt.hide": "隐藏",
     "rqt.refresh": "刷新",
+    "inspector.unheard": "{topic}：{nodes} 在发布，但没有人听",
+    "inspector.unsaid": "{topic}：{nodes} 在听，但没有人发布",
+    "inspector.near": "有人发布 {said}，有人在听 {heard}：是不是有一个名字写错了？",
+    "inspector.types": "{topic}：{publisher} 发的是 {sent}，{subscriber} 要的是 {wanted}，什么也收不到",
+    "inspector.qos": "{topic}：{publisher} 的 QoS 和 {subscriber} 的对不上（{policy}），什么也收不到",
+    "inspector.fight": "{topic}：有 {count} 个发布者同时在发，互相打架：{nodes}",
+    "inspector.twins": "有 {count} 个节点都叫 {name}：列表和参数分不清它们",
+    "inspector.unknown_joint": "{topic} 里有关节 {joint}，机器人描述里没有这个关节",
+    "inspector.unknown_joint_near": "{topic} 里有关节 {joint}，机器人描述里没有；是不是想写 {nearest}？",
+    "inspector.silent_joint": "关节 {joint} 能动，但没有人在 {topic} 上发它的位置",
+    "inspector.slow": "{topic} 每秒只来 {rate} 次；眼睛要看得顺，大约需要 20 次",
+    "inspector.well": "一切正常",
+    "inspector.count": "{errors} 个错误，共 {all} 条",
+    "action.inspector": "检查",
+    "help.action.inspector": "现在的计算图有什么问题",
     "editor.save": "保存",
     "editor.find": "查找",
     "editor.line": "行",
@@ -398,6 +413,9 @@ TEXTS = {
     "help.editor": (
         "你主目录里的一个文件。有错误时，下面会说是什么错，那一行会加下划线，边打字边检查。没保存的内容会留着，无论发生什么都能找回来。"
         "用别的编辑器改同一个文件也可以：磁盘上一变，这里就跟着变。"
+    ),
+    "help.inspector": (
+        "现在的计算图有什么问题：名字差一个字母、类型或 QoS 对不上、两个发布者打架、机器人没有的关节。标红的会让消息收不到。"
     ),
     "help.topics": (
         "所有的话题：类型、几个发布者、几个订阅者。按 Enter 开始听选中的话题，测量它的频率和带宽，下面显示最新的一条消息。"

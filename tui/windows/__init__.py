@@ -28,6 +28,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),
+    "inspector": ("inspector", "InspectorPane"),
     "rviz2": ("rviz2", "RVizPane"),
 }
 """Kind of window -> module in this package and class in it."""

@@ -54,6 +54,7 @@ class RVizPane(WindowPane):
         self.panel_open = True
         self.words: list[str] = []
         self._words_at = -10.0
+        self._words_seen: tuple[object, ...] = ()
         self._tree_seen = -1
         self._shown_lines: dict[int, tuple[object, ...]] = {}
         self._shown_frame: tuple[str, ...] = ()
@@ -179,9 +180,16 @@ class RVizPane(WindowPane):
         self.top = max(0, min(self.top, len(self.lines) - height))
 
     def _pull_words(self, now: float) -> bool:
+        rviz = self.rviz
+        state = (rviz.version, rviz.tree_version, self.prop, self.on_panel, self.has_focus, rviz.message, rviz.progress)
+        waiting = now < self._said_at
+        if state == self._words_seen and self.words and not waiting and not self._said:
+            return False
         if now - self._words_at < WORDS_SECONDS and self.words:
-            return now < self._said_at
-        self._words_at = now
+            return True
+        if not waiting:
+            self._said = ""
+        self._words_at, self._words_seen = now, state
         self._rate = round(self.view.rate)
         words = wrap(self.sentence(now), max(10, self.inner_width - 2))
         if len(words) > self.word_lines:
@@ -190,7 +198,7 @@ class RVizPane(WindowPane):
         if words != self.words:
             self.words = words
             self.touch_lines(range(self.body_height, self.inner_height))
-        return now < self._said_at
+        return waiting
 
     def sentence(self, now: float = 0.0) -> str:
         """What stands below: what was just said, what is loading, the chosen line in full, or what can be seen."""
@@ -317,6 +325,7 @@ class RVizPane(WindowPane):
             if line.prop is prop:
                 self.chosen = index
         self._keep_chosen_in_sight()
+        self._words_at = -10.0
         self.touch()
 
     def chosen_display(self) -> Display | None:

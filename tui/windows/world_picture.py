@@ -112,6 +112,11 @@ class WorldPicture:
         half = scenery.line_width / 2
         for ax, ay, bx, by in scenery.line:
             self._fill(rows, _bar((ax, ay), (bx, by), half), LINE)
+            # A line thinner than a pixel must not have gaps where it passes between the middles of two.
+            steps = max(1, math.ceil(math.hypot(bx - ax, by - ay) / view.scale * 2))
+            for step in range(steps + 1):
+                share = step / steps
+                self._dot(rows, ax + (bx - ax) * share, ay + (by - ay) * share, LINE)
         for solid in scenery.solids:
             self._fill(rows, _corners(solid.points, solid.radius), WALL)
         return rows

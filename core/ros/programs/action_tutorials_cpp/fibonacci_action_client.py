@@ -33,7 +33,7 @@ async def main(session: Session) -> int:
         def feedback(message: Any) -> None:
             logger.info(f"Next number in sequence received: {_numbers(message.feedback.sequence)}")
 
-        sent = client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=feedback)
+        sent: Any = client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=feedback)
         await session.spin_until(sent)
         if not sent.result().accepted:
             logger.error("Goal was rejected by server")

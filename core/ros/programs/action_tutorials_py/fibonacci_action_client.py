@@ -24,7 +24,7 @@ async def main(session: Session) -> int:
     try:
         while not client.server_is_ready():
             await session.sleep(0.02)
-        sent = client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=feedback)
+        sent: Any = client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=feedback)
         await session.spin_until(sent)
         if not sent.result().accepted:
             info("Goal rejected :(")

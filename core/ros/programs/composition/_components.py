@@ -82,7 +82,7 @@ class Client:
         if not self._client.service_is_ready():
             self._logger.info("Service not available after waiting")
             return
-        future = self._client.call_async(AddTwoInts.Request(a=2, b=3))
+        future: Any = self._client.call_async(AddTwoInts.Request(a=2, b=3))
         future.add_done_callback(lambda done: self._logger.info(f"Got result: [{done.result().sum}]"))
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from day6_tui.urdf.model import Robot
     from rclpy.node import Node
+    from rclpy.publisher import Publisher
 
 RAYS = 180
 FIRST_RAY, RAY_STEP = -math.pi, 2 * math.pi / RAYS
@@ -46,7 +47,8 @@ class Sensors:
         self._odom = node.create_publisher(Odometry, "odom", 10)
         self._truth = node.create_publisher(Odometry, "ground_truth", 10)
         self._tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100))
-        self._joints = node.create_publisher(JointState, "joint_states", 10) if publishes_joints else None
+        self._publishes_joints = publishes_joints
+        self._joints: Publisher[JointState] | None = None
         self._scan = node.create_publisher(LaserScan, "scan", 10)
         self._line = node.create_publisher(Float32MultiArray, "line_sensor", 10)
         self._root = ""
@@ -62,7 +64,16 @@ class Sensors:
         named = [name for name in names if _LIDAR.search(name)]
         self._lidar = self._wanted_link if self._wanted_link in names else named[0] if named else robot.root
         self._front = plan_top(robot).bounds[2]
+        if self._publishes_joints and self._joints is None:
+            self._joints = self._node.create_publisher(JointState, "joint_states", 10)
         self.newest = None
+
+    def unmount(self) -> None:
+        """There is no robot: nobody may take this node for one that tells of joints."""
+        if self._joints is not None:
+            self._node.destroy_publisher(self._joints)
+            self._joints = None
+        self.line, self.newest = (), None
 
     def publish(self, stamp: Time, wants_rays: bool) -> None:
         """Publish the state after a step; a scan only when it is due and somebody looks."""

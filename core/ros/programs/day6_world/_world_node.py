@@ -129,6 +129,8 @@ class WorldNode:
                 lines.append(status("warning", "world.left_away", text=problem))
             if reasons:
                 lines = [status("error", "world.refused", robot=name), *reasons]
+        if self._simulation.robot is None:
+            self._sensors.unmount()
         self._admission = tuple(lines)
         self._log(name)
         self._sideways = False

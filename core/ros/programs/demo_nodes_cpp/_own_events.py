@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterEvent
 
@@ -63,7 +63,7 @@ async def hear_all(session: Session, name: str) -> int:
     try:
         await session.spin_until(pause, 0.2)
         for values in (FIRST, SECOND):
-            future = client.set_parameters(_parameters(values))
+            future: Any = client.set_parameters(_parameters(values))
             await session.spin_until(future)
             for result in future.result().results:
                 if not result.successful:

@@ -29,7 +29,7 @@ async def list_own(session: Session, name: str) -> int:
     new = {"foo": 2, "bar": "hello", "baz": 1.45, "foo.first": 8, "foo.second": 42, "foobar": True}
     await session.spin_until(client.set_parameters([Parameter(each, value=value) for each, value in new.items()]))
     node.get_logger().info("Listing parameters...")
-    future = client.list_parameters(["foo", "bar"], 10)
+    future: Any = client.list_parameters(["foo", "bar"], 10)
     await session.spin_until(future)
     found = future.result().result
     lines = ["", "Parameter names:", *(f" {each}" for each in found.names)]
@@ -56,7 +56,7 @@ async def set_and_get_own(session: Session, name: str) -> int:
     if not await wait_for_service(session, node, client.services_are_ready):
         return 0
     session.executor.add_node(node)
-    future = client.set_parameters([Parameter(each, kind, value) for each, (kind, _, value) in start.items()])
+    future: Any = client.set_parameters([Parameter(each, kind, value) for each, (kind, _, value) in start.items()])
     await session.spin_until(future)
     for result in future.result().results:
         if not result.successful:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from example_interfaces.srv import AddTwoInts
 
@@ -20,7 +20,7 @@ async def ask(session: Session) -> int:
     if not await wait_for_service(session, node, client.service_is_ready):
         return 0
     session.executor.add_node(node)
-    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    future: Any = client.call_async(AddTwoInts.Request(a=2, b=3))
     try:
         await session.spin_until(future)
     except KeyboardInterrupt:

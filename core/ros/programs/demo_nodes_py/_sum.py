@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from example_interfaces.srv import AddTwoInts
 
@@ -21,7 +21,7 @@ async def ask(session: Session) -> int:
         await wait_until(
             session, client.service_is_ready, lambda: session.print("service not available, waiting again...")
         )
-        future = client.call_async(AddTwoInts.Request(a=2, b=3))
+        future: Any = client.call_async(AddTwoInts.Request(a=2, b=3))
         await session.spin_until(future)
     except KeyboardInterrupt:
         return 0

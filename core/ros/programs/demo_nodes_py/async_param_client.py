@@ -36,7 +36,7 @@ async def main(session: Session) -> int:
         if not await ready(session, client.services_are_ready, 3.0):
             raise RuntimeError(MISSING)
         info("Setting parameters:")
-        values = [
+        values: list[Parameter[Any]] = [
             Parameter(NAMES[0], Parameter.Type.INTEGER, 10),
             Parameter(NAMES[1], Parameter.Type.BOOL, False),
             Parameter(NAMES[2], Parameter.Type.STRING, "Fee Fi Fo Fum"),

@@ -19,7 +19,9 @@ async def main(session: Session) -> int:
         node.declare_parameter(name, 0.0)
 
     def before(parameters: list[Parameter[Any]]) -> list[Parameter[Any]]:
-        more = [Parameter("param2", Parameter.Type.DOUBLE, 4.0) for each in parameters if each.name == "param1"]
+        more: list[Parameter[Any]] = [
+            Parameter("param2", Parameter.Type.DOUBLE, 4.0) for each in parameters if each.name == "param1"
+        ]
         return [*parameters, *more]
 
     def judge(parameters: list[Parameter[Any]]) -> SetParametersResult:

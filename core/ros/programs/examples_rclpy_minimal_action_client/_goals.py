@@ -33,7 +33,7 @@ class Goals:
         while not self.client.server_is_ready():
             await self.session.sleep(0.02)
         self.info("Sending goal request...")
-        sent = self.client.send_goal_async(Fibonacci.Goal(order=ORDER), feedback_callback=self._feedback)
+        sent: Any = self.client.send_goal_async(Fibonacci.Goal(order=ORDER), feedback_callback=self._feedback)
         await self.session.spin_until(sent)
         handle = sent.result()
         self.info("Goal accepted :)" if handle.accepted else "Goal rejected :(")

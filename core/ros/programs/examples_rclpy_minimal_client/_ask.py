@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from example_interfaces.srv import AddTwoInts
 
@@ -22,7 +22,7 @@ async def ask(session: Session, name: str, *, pause: float = 0.0) -> int:
     try:
         await wait_until(session, client.service_is_ready, lambda: info("service not available, waiting again..."))
         await session.sleep(pause)
-        future = client.call_async(request)
+        future: Any = client.call_async(request)
         await session.spin_until(future)
     except KeyboardInterrupt:
         return 0

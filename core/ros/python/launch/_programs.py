@@ -22,6 +22,7 @@ STARTER = str(Path(__file__).with_name("_process"))
 _SHELL_SIGNS = re.compile(r"[|&;<>()$`*?\[\]{}~#!\n]")
 _COMMAND_PLACE = re.compile(r"((?:^|[|&;(`])\s*(?:(?:then|do|else|exec|time)\s+)*)([^\s|&;()<>'\"`]+)")
 """Where a shell line has the name of a command."""
+_MORE_THAN_ONE = re.compile(r"[|&;(`\n]")
 _WORD_ENDS = re.compile(r"[\s|&;()<>]+")
 
 
@@ -69,7 +70,10 @@ def _with_our_commands(line: str) -> str:
         words = [sys.executable, STARTER, "command", word]
         return before + (subprocess.list2cmdline(words) if os.name == "nt" else shlex.join(words))
 
-    return _COMMAND_PLACE.sub(replaced, line)
+    changed = _COMMAND_PLACE.sub(replaced, line)
+    # Where it is all there is to do, signals are for it and not for a shell that waits for it.
+    alone = os.name != "nt" and changed != line and not _MORE_THAN_ONE.search(line)
+    return f"exec {changed}" if alone else changed
 
 
 def built_in(path: str) -> tuple[str, str] | None:

@@ -121,7 +121,7 @@ class NodeGraph:
 
     # counts
 
-    def _count(self, name: str, kind: EndpointKind, what: str) -> int:
+    def _count_endpoints(self, name: str, kind: EndpointKind, what: str) -> int:
         self.handle.check()
         full = expand_topic_name(name, self.handle.name, self.handle.namespace)
         service = kind in (EndpointKind.CLIENT, EndpointKind.SERVICE)
@@ -131,19 +131,19 @@ class NodeGraph:
 
     def count_publishers(self, topic_name: str) -> int:
         """Return the number of publishers of a topic (relative names belong to the node's namespace; no remapping)."""
-        return self._count(topic_name, EndpointKind.PUBLISHER, "publishers")
+        return self._count_endpoints(topic_name, EndpointKind.PUBLISHER, "publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
         """Return the number of subscriptions of a topic."""
-        return self._count(topic_name, EndpointKind.SUBSCRIPTION, "subscribers")
+        return self._count_endpoints(topic_name, EndpointKind.SUBSCRIPTION, "subscribers")
 
     def count_clients(self, service_name: str) -> int:
         """Return the number of clients of a service."""
-        return self._count(service_name, EndpointKind.CLIENT, "clients")
+        return self._count_endpoints(service_name, EndpointKind.CLIENT, "clients")
 
     def count_services(self, service_name: str) -> int:
         """Return the number of servers of a service."""
-        return self._count(service_name, EndpointKind.SERVICE, "services")
+        return self._count_endpoints(service_name, EndpointKind.SERVICE, "services")
 
     # endpoints
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -46,12 +47,24 @@ def executables(session: Session, package: str) -> list[Executable] | None:
         return [Executable(name, folder / name, True) for name in sorted(built_in(package))]
     return sorted(
         (
-            Executable(path.name, path, False)
+            Executable(_name(path), path, False)
             for path in folder.rglob("*")
-            if path.is_file() and os.access(path, os.X_OK) and not _in_hidden_folder(path, folder)
+            if path.is_file()
+            and os.access(path, os.X_OK)
+            and not _in_hidden_folder(path, folder)
+            and not _is_launcher(path)
         ),
         key=lambda each: each.path,
     )
+
+
+def _name(path: Path) -> str:
+    """On Windows the script of `talker` is talker-script.py, and talker.exe starts it."""
+    return path.name.removesuffix("-script.py") if sys.platform == "win32" else path.name
+
+
+def _is_launcher(path: Path) -> bool:
+    return sys.platform == "win32" and path.suffix == ".exe" and path.with_name(f"{path.stem}-script.py").exists()
 
 
 def _in_hidden_folder(path: Path, root: Path) -> bool:

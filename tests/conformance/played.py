@@ -1,4 +1,4 @@
-"""Plays recorded programs of real rclpy with ours and makes both outputs comparable.
+"""Plays programs with our rclpy or with a real one and makes what they do comparable.
 
 What is made equal: time stamps, addresses, paths, and everything that shows the inside of an implementation (its frames in a
 traceback, the line of its warnings). What a student reads of their own program stays.
@@ -17,6 +17,7 @@ from pathlib import Path
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
 
 ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = Path(__file__).with_name("programs")
 RECORDED = Path(__file__).with_name("recorded.jsonl")
 REFERENCE = ROOT.parent / "shared" / "reference" / "golden" / "rclpy_behaviour.jsonl"
 SITE = "<PREFIX>/lib/python3.11/site-packages"
@@ -46,46 +47,73 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Case:
-    """One recorded program and what it did with real rclpy."""
+    """One program, the lines it may read, and what it did with real rclpy."""
 
     name: str
     code: str
     expected: Outcome
+    stdin: str = ""
 
 
-def cases(source: Path) -> list[Case]:
-    """Return the cases of a file; none where it is absent."""
-    if not source.is_file():
+def reference_cases() -> list[Case]:
+    """Return the cases of the reference folder; none where it is absent."""
+    if not REFERENCE.is_file():
         return []
-    entries = [json.loads(line) for line in source.read_text(encoding="utf-8").splitlines()]
+    entries = [json.loads(line) for line in REFERENCE.read_text(encoding="utf-8").splitlines()]
     return [
         Case(entry["name"], entry["code"], comparable(Outcome(entry["stdout"], entry["stderr"], entry["exit_code"])))
         for entry in entries
     ]
 
 
-def play(code: str, folder: Path) -> Outcome:
-    """Run a program as a process with our rclpy in an empty folder; -9 after `TIMEOUT_S` seconds."""
-    (folder / "prog.py").write_text(code, encoding="utf-8")
-    env = program_environment()
+def program_cases() -> list[Case]:
+    """Return the programs of `programs/` with what is recorded of them (nothing yet: an empty outcome with status -1)."""
+    recorded: dict[str, Outcome] = {}
+    if RECORDED.is_file():
+        for line in RECORDED.read_text(encoding="utf-8").splitlines():
+            entry = json.loads(line)
+            name = entry.pop("name")
+            recorded[name] = Outcome(**entry)
+    return [
+        Case(
+            path.stem,
+            path.read_text(encoding="utf-8"),
+            recorded.get(path.stem, Outcome("", "", -1)),
+            path.with_suffix(".input").read_text(encoding="utf-8") if path.with_suffix(".input").is_file() else "",
+        )
+        for path in sorted(PROGRAMS.glob("*.py"))
+    ]
+
+
+def play(case: Case, folder: Path, *, real: str | None = None, domain: int = 0) -> Outcome:
+    """Run a program as a process in an empty folder, with our rclpy or that of the interpreter `real`.
+
+    -9 after `TIMEOUT_S` seconds. A real one uses the ROS domain `domain` and checks messages, as ours does always.
+    """
+    (folder / "prog.py").write_text(case.code, encoding="utf-8")
+    env = dict(os.environ) if real is not None else program_environment()
     env.update(LANG="C.UTF-8", DAY6_LINK="off", PYTHONDONTWRITEBYTECODE="1")
     for name in ("COLUMNS", "RCUTILS_CONSOLE_OUTPUT_FORMAT", "ROS_PYTHON_CHECK_FIELDS"):
         env.pop(name, None)
+    if real is not None:
+        env.pop("PYTHONPATH", None)
+        env.update(ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST", ROS_PYTHON_CHECK_FIELDS="1", ROS_DOMAIN_ID=str(domain))
     process = subprocess.Popen(
-        [sys.executable, "prog.py"],
+        [real or sys.executable, "prog.py"],
         cwd=folder,
         env=env,
-        stdin=subprocess.DEVNULL,
+        stdin=subprocess.PIPE if case.stdin else subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
     try:
-        stdout, stderr = process.communicate(timeout=TIMEOUT_S)
+        stdout, stderr = process.communicate(case.stdin or None, timeout=TIMEOUT_S)
     except subprocess.TimeoutExpired:
         process.kill()
         stdout, stderr = process.communicate()
-    prefixes = ((str(folder) + os.sep, ""), (str(PYTHON_PATH), SITE), (str(ROOT), SITE))
+    site = "" if real is None else str(Path(real).absolute().parents[1] / "lib" / "python3.11" / "site-packages")
+    prefixes = ((str(folder) + os.sep, ""), (site or str(PYTHON_PATH), SITE), (str(ROOT), SITE))
     for path, placeholder in prefixes:
         stdout, stderr = stdout.replace(path, placeholder), stderr.replace(path, placeholder)
     return comparable(Outcome(stdout, stderr, process.returncode))

@@ -1,4 +1,7 @@
-"""Recorded programs of real rclpy (Kilted, 9.1.2) do the same with ours: output, errors and exit status."""
+"""Programs do with our rclpy what they were recorded to do with a real one (Kilted, 9.1.2): output, errors, exit status.
+
+`differential.py` runs the same programs on a real rclpy where there is one, and records them.
+"""
 
 from __future__ import annotations
 
@@ -10,20 +13,26 @@ import pytest
 
 sys.path.insert(0, os.path.dirname(__file__))
 
-from golden import RECORDED, REFERENCE, Case, cases, play
+from differential import difference
 from known_differences import KNOWN, TIMING, UNCHECKED_FIELDS
+from played import REFERENCE, Case, play, program_cases, reference_cases
 
-_CASES = cases(REFERENCE)
-_OWN = cases(RECORDED)
+_REFERENCE = reference_cases()
+_PROGRAMS = program_cases()
 
 
-def test_the_recorded_cases_are_there() -> None:
+def test_the_reference_cases_are_there() -> None:
     if not REFERENCE.is_file():
         pytest.skip(f"the reference folder is not beside this repository: {REFERENCE}")
-    names = [case.name for case in _CASES]
+    names = [case.name for case in _REFERENCE]
     assert len(names) > 80
     assert set(KNOWN) <= set(names), "a known difference names a case that does not exist"
     assert set(UNCHECKED_FIELDS) <= set(names)
+
+
+def test_every_program_is_recorded() -> None:
+    assert len(_PROGRAMS) >= 100
+    assert [case.name for case in _PROGRAMS if case.expected.exit_code == -1] == []
 
 
 recorded_here = pytest.mark.skipif(
@@ -33,11 +42,11 @@ recorded_here = pytest.mark.skipif(
 
 
 @recorded_here
-@pytest.mark.parametrize("case", _CASES, ids=lambda case: case.name)
-def test_a_recorded_program_does_the_same(case: Case, tmp_path: Path) -> None:
+@pytest.mark.parametrize("case", _REFERENCE, ids=lambda case: case.name)
+def test_a_reference_program_does_the_same(case: Case, tmp_path: Path) -> None:
     if case.name in UNCHECKED_FIELDS:
         pytest.skip("agreed: recorded with field checks off, ours are on")
-    outcome = play(case.code, tmp_path)
+    outcome = play(case, tmp_path)
     if case.name in KNOWN:
         assert outcome != case.expected, f"no longer a difference: {KNOWN[case.name]}"
         pytest.xfail(KNOWN[case.name])
@@ -49,10 +58,6 @@ def test_a_recorded_program_does_the_same(case: Case, tmp_path: Path) -> None:
 
 
 @recorded_here
-@pytest.mark.parametrize("case", _OWN, ids=lambda case: case.name)
-def test_a_program_of_ours_does_what_it_did_with_real_rclpy(case: Case, tmp_path: Path) -> None:
-    """The programs of recorded.jsonl; `record.py` records them anew where a real rclpy is."""
-    outcome = play(case.code, tmp_path)
-    assert outcome.exit_code == case.expected.exit_code, outcome.stderr
-    assert outcome.stdout == case.expected.stdout
-    assert outcome.stderr == case.expected.stderr
+@pytest.mark.parametrize("case", _PROGRAMS, ids=lambda case: case.name)
+def test_a_program_does_what_it_did_with_real_rclpy(case: Case, tmp_path: Path) -> None:
+    assert difference(case.expected, play(case, tmp_path)) == []

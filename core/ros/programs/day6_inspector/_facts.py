@@ -1,0 +1,123 @@
+"""Gathers the facts through a node of its own, as any node could: names, ends and QoS of all topics, joint states, the robot."""
+
+from __future__ import annotations
+
+from collections import deque
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from sensor_msgs.msg import JointState
+from std_msgs.msg import String
+
+from day6_tui.core.graph.names import full_name
+from day6_tui.core.ros.programs.day6_inspector._rules import End, Facts, Finding, findings
+from day6_tui.urdf.check import check_text
+from day6_tui.urdf.model import MOVING_TYPES
+from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, qos_check_compatible
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+JOINT_STATES, DESCRIPTION = "/joint_states", "/robot_description"
+JOINT_STATE = "sensor_msgs/msg/JointState"
+MEMORY = 20
+"""So many arrivals are kept to tell a rate."""
+
+STILL_S = 3.0
+"""A topic that has been silent for so long has no rate."""
+
+
+class Inspector:
+    """The model of the window: `findings` is replaced as a whole and `version` raised when it changed."""
+
+    def __init__(self, node: Node) -> None:
+        self._node = node
+        self._arrivals: deque[int] = deque(maxlen=MEMORY)
+        self._heard: tuple[str, ...] = ()
+        self._joints: frozenset[str] | None = None
+        self.findings: tuple[Finding, ...] = ()
+        self.version = 0
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        node.create_subscription(JointState, JOINT_STATES, self._on_joints, 100)
+        node.create_subscription(String, DESCRIPTION, self._on_description, latched)
+
+    def refresh(self) -> None:
+        """Look at the graph again (on the program's thread)."""
+        found = tuple(findings(self.facts()))
+        if found != self.findings:
+            self.findings = found
+            self.version += 1
+
+    def facts(self) -> Facts:
+        """Return what is known now, without hidden nodes and topics, and without this node."""
+        node = self._node
+        names = [
+            full_name(space, name) for name, space in node.get_node_names_and_namespaces() if not name.startswith("_")
+        ]
+        publishers: dict[str, tuple[End, ...]] = {}
+        subscriptions: dict[str, tuple[End, ...]] = {}
+        deaf: list[tuple[str, str, str, str]] = []
+        for topic, _ in node.get_topic_names_and_types():
+            if any(part.startswith("_") for part in topic.split("/")):
+                continue
+            offers = _seen(node.get_publishers_info_by_topic(topic))
+            requests = _seen(node.get_subscriptions_info_by_topic(topic))
+            if offers:
+                publishers[topic] = tuple(_end(offer) for offer in offers)
+            if requests:
+                subscriptions[topic] = tuple(_end(request) for request in requests)
+            deaf += [
+                (topic, _end(offer).node, _end(request).node, _policy(offer.qos_profile, request.qos_profile))
+                for offer in offers
+                for request in requests
+                if qos_check_compatible(offer.qos_profile, request.qos_profile)[0] == QoSCompatibility.ERROR
+            ]
+        speaks = JOINT_STATES in publishers
+        return Facts(
+            publishers=publishers,
+            subscriptions=subscriptions,
+            nodes=tuple(names),
+            deaf=tuple(deaf),
+            rates={JOINT_STATES: rate} if (rate := self._rate()) is not None else {},
+            heard_joints=self._heard if speaks else (),
+            joints=self._joints,
+        )
+
+    def _rate(self) -> float | None:
+        """Messages a second on /joint_states, None when there were too few or none lately."""
+        now = self._node.get_clock().now().nanoseconds
+        if len(self._arrivals) < 3 or now - self._arrivals[-1] > STILL_S * 1e9:
+            return None
+        gaps = sorted(after - before for before, after in pairwise(self._arrivals))
+        middle = gaps[len(gaps) // 2]
+        return 1e9 / middle if middle > 0 else None
+
+    def _on_joints(self, message: JointState) -> None:
+        self._arrivals.append(self._node.get_clock().now().nanoseconds)
+        if tuple(message.name) != self._heard:
+            self._heard = tuple(message.name)
+
+    def _on_description(self, message: String) -> None:
+        robot = check_text(message.data).robot
+        if robot is None:
+            self._joints = None
+        else:
+            moving = (joint for joint in robot.joints if joint.type in MOVING_TYPES and joint.mimic is None)
+            self._joints = frozenset(joint.name for joint in moving)
+
+
+def _seen(infos: list[Any]) -> list[Any]:
+    return [info for info in infos if not info.node_name.startswith("_")]
+
+
+def _end(info: Any) -> End:
+    return End(full_name(info.node_namespace, info.node_name), info.topic_type)
+
+
+def _policy(offer: QoSProfile, request: QoSProfile) -> str:
+    """Name the policies that do not suit, as DDS compares them."""
+    text = qos_check_compatible(offer, request)[1]
+    for name in ("reliab", "durab", "deadline", "liveliness"):
+        if name in text.lower():
+            return {"reliab": "reliability", "durab": "durability"}.get(name, name)
+    return "QoS"

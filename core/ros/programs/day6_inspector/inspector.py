@@ -1,0 +1,30 @@
+"""`ros2 run day6_inspector inspector`: says what is wrong with the graph, in a window or, without a screen, once as text."""
+
+from __future__ import annotations
+
+from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
+from day6_tui.core.session.session import Session
+
+LOOK_SECONDS = 0.5
+SETTLE_SECONDS = 1.5
+"""Without a window: how long to listen before the findings are printed."""
+
+
+async def main(session: Session) -> int | None:
+    """Watch until interrupted; without a display print the findings and end with 1 if there are errors."""
+    node = session.create_node(f"_day6_inspector_{session.pid}", start_parameter_services=False)
+    model = Inspector(node)
+    session.spawn(session.spin(node))
+    if session.display is None:
+        await session.sleep(SETTLE_SECONDS)
+        model.refresh()
+        for finding in model.findings:
+            session.print(f"{finding.level}: {finding.text}")
+        if not model.findings:
+            session.print("nothing is wrong")
+        return 1 if any(finding.level == "error" for finding in model.findings) else 0
+    model.refresh()
+    session.display.open("inspector", "Inspector", model)
+    async for _ in session.every(LOOK_SECONDS):
+        model.refresh()
+    return 0
