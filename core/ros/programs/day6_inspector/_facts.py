@@ -107,7 +107,8 @@ class Inspector:
 
 
 def _seen(infos: list[Any]) -> list[Any]:
-    return [info for info in infos if not info.node_name.startswith("_")]
+    """Leave out hidden nodes, but for those of `ros2 topic pub` and `echo`: their topic names are typed by hand."""
+    return [info for info in infos if not info.node_name.startswith("_") or info.node_name.startswith("_ros2cli")]
 
 
 def _end(info: Any) -> End:

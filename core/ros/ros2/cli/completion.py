@@ -184,6 +184,23 @@ async def parameter_names(typed: Typed) -> Iterable[str]:
     return await listed_parameters(typed.session, typed.values.get("node_name", ""))
 
 
+def topic_fields(typed: Typed) -> Iterable[str]:
+    """Complete a field of the topic's messages, part by part: `pose`, then `pose.position` …"""
+    from rosidl_runtime_py.utilities import get_message
+
+    own = [typed.values["message_type"]] if "message_type" in typed.values else None
+    types = own or dict(_all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""), [])
+    path = typed.prefix.split(".")[:-1]
+    try:
+        kind = get_message(types[0])
+        for part in path:
+            kind = get_message(kind.get_fields_and_field_types()[part])
+        fields = kind.get_fields_and_field_types()
+    except (AttributeError, ImportError, IndexError, KeyError, ValueError):
+        return []
+    return [".".join([*path, name]) for name in fields]
+
+
 def message_prototype(typed: Typed) -> Iterable[str]:
     """Complete the values of a message by the default ones."""
     return _prototype(typed.values.get("message_type", ""), None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.ros2.cli.completion import topic_names, topic_types
+from day6_tui.core.ros.ros2.cli.completion import topic_fields, topic_names, topic_types
 from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node
 from day6_tui.core.ros.ros2.cli.options import (
     add_length_options,
@@ -40,11 +40,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "passed, the following fields are prepended: source_timestamp, received_timestamp, publication_sequence_number, "
         "reception_sequence_number.",
     )
-    parser.add_argument(
+    field = parser.add_argument(
         "--field",
         help="Echo a selected field of a message. Use '.' to select sub-fields. For example, to echo the position field of "
         "a nav_msgs/msg/Odometry message: 'ros2 topic echo /odom --field pose.pose.position'",
     )
+    completed(field, topic_fields)
     add_length_options(parser)
     parser.add_argument("--no-lost-messages", action="store_true", help="Don't report when a message is lost")
     parser.add_argument("--raw", action="store_true", help="Echo the raw binary representation")
