@@ -39,6 +39,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("help", "f1", "F1"),
     Action("scene.turtle"),
     Action("scene.car"),
+    Action("scene.world"),
     Action("close"),
     Action("copy"),
     Action("paste"),

@@ -49,6 +49,9 @@ DEFAULT_FPS = 30.0
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library takes 50 ms of a core and 11 MB."""
 
+BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}
+"""Kind of a window -> what the top bar calls the desk while there is one."""
+
 WAITING_OUTPUT = 3
 """Writes the terminal has not taken yet from which the next frame is put off."""
 
@@ -96,6 +99,8 @@ class Day6App(AppActions, App[None]):
         self.terminals.other_pieces = lambda: self.desktop.other_tabs(self.terminals)
         self.terminals.on_key_before = self.key_before
         self.welcome = WelcomePane(self.look, self.chosen)
+        self.welcome.on_typed = self.typed_at_welcome
+        self.welcome.on_pasted = self.pasted_at_welcome
         self.desktop = Desktop(self.look, self.terminals, self.welcome)
         self.top = Bar(self.look, self.top_pieces, name="top")
         self.bottom = Bar(self.look, self.bottom_pieces, name="bottom")
@@ -137,7 +142,7 @@ class Day6App(AppActions, App[None]):
         scene = getattr(self.options, "scene", None)
         if scene is not None:
             self.start_scene(scene)
-        else:
+        elif self.desktop.focused_pane() is not self.terminals:  # else a quick key has gone there already
             self.desktop.focus_pane(self.welcome)
         self.terminals.take_early_keys()
         self.frames.wake()
@@ -250,7 +255,7 @@ class Day6App(AppActions, App[None]):
         look, texts, machine = self.look, self.look.texts, self.machine
         colours, glyphs = look.colours, look.glyphs
         kinds = {pane.window.kind for pane in self.desktop.panes.values()}
-        name = "bar.turtle" if "turtlesim" in kinds else "bar.car" if "car" in kinds else "bar.desk"
+        name = next((f"bar.{name}" for kind, name in BAR_NAMES.items() if kind in kinds), "bar.desk")
         left = [
             Piece(" day6 ", colours.bar_strong),
             Piece(f"{glyphs.chevron} ", colours.bar_muted),
@@ -302,6 +307,24 @@ class Day6App(AppActions, App[None]):
             self.desktop.focus_pane(self.terminals)
         else:
             self.welcome.show_guide()
+            self.desktop.focus_pane(self.terminals)
+        self.frames.wake()
+
+    def typed_at_welcome(self, event: events.Key) -> None:
+        """Somebody types a command where there is no terminal: it goes to one that waits for a command."""
+        self._leave_welcome()
+        self.terminals.on_key(event)
+
+    def pasted_at_welcome(self, text: str) -> None:
+        """The same with what comes from the clipboard."""
+        self._leave_welcome()
+        self.terminals.paste(text)
+
+    def _leave_welcome(self) -> None:
+        self.welcome.show_guide()
+        if self.desktop.focused_pane() is not self.terminals:
+            if self.machine.desk is not None:
+                self.use_idle_terminal()
             self.desktop.focus_pane(self.terminals)
         self.frames.wake()
 

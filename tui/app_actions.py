@@ -175,6 +175,9 @@ class AppActions:
     def do_scene_car(self) -> None:
         self.start_scene("car")
 
+    def do_scene_world(self) -> None:
+        self.start_scene("world")
+
     def do_quit(self) -> None:
         self.exit()
 

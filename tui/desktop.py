@@ -192,7 +192,10 @@ class Desktop(Container):
             pane.touch()
 
     def focus_pane(self, pane: Pane) -> None:
-        """Give a pane the keyboard and bring it to the front."""
+        """Give a pane the keyboard and bring it to the front. What lay over another one is gone then."""
+        if self.overlay is not None:
+            overlay, self.overlay = self.overlay, None
+            overlay.remove()
         self._last_focus = pane
         number = getattr(pane, "number", None)
         if number is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from day6_tui.tui.actions import ACTIONS
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import TextOverlay
+from day6_tui.tui.overlay import TextOverlay, page_of
 from day6_tui.tui.pane import Pane
 
 
@@ -20,7 +20,7 @@ class HelpOverlay(TextOverlay):
 
     def paragraphs(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        found = [("overlay", texts(f"help.{self._page}")), ("overlay", "")]
+        found = [*page_of(texts(f"help.{self._page}")), ("overlay", "")]
         found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
         if self._hints:
             found.append(("overlay", ""))

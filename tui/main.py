@@ -40,7 +40,7 @@ def build_parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
-        "--scene", choices=("turtle", "car", "empty"), help="what to begin with (default: the welcome choices)"
+        "--scene", choices=("turtle", "car", "world", "empty"), help="what to begin with (default: the welcome choices)"
     )
     parser.add_argument("--robot", metavar="FILE", help="a URDF file of your own instead of the shipped car")
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the screen (default: that of the system)")
@@ -130,7 +130,7 @@ def _ros2(words: list[str]) -> int:
 
     from day6_tui.core.session.local import has_terminal, run_local
 
-    lasting = words[:1] in (["run"], ["launch"], ["daemon"]) or "echo" in words or "hz" in words
+    lasting = words[:1] in (["run"], ["launch"], ["daemon"], ["bag"]) or "echo" in words or "hz" in words
     show = _show_window if words[:1] == ["run"] and has_terminal() else None
     main = importlib.import_module("day6_tui.core.ros.ros2").main
     return run_local(main, ["ros2", *words], one_shot=not lasting, show=show)

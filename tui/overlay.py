@@ -119,6 +119,11 @@ class TextOverlay(Overlay):
         self._scroll(-3)
 
 
+def page_of(text: str) -> list[tuple[str, str]]:
+    """A help text as paragraphs; its lines with a tab are keys with what they do."""
+    return [("overlay_key" if "\t" in line else "overlay", line) for line in text.split("\n")]
+
+
 KEY_WIDTH = 11
 """Cells for the keys in a list of them."""
 

@@ -1,8 +1,8 @@
-"""One line to type: a filter, a file name, a number. Enter takes it, Esc leaves everything as it was."""
+"""One line to type (a filter, a file name, a number) or one key to answer with. Esc leaves everything as it was."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from rich.segment import Segment
 from textual import events
@@ -97,3 +97,29 @@ class Prompt(Overlay):
             self.touch()
         else:
             self.dismiss()
+
+
+class Question(Overlay):
+    """Asks for one of a few keys: `answers` says what each does, `keys` tells them to the user."""
+
+    def __init__(self, look: Look, title: str, keys: str, answers: Mapping[str, Callable[[], object]]) -> None:
+        super().__init__(look)
+        self._title = title
+        self._keys = keys
+        self._answers = answers
+
+    def wanted_height(self, width: int) -> int:
+        return len(wrap(self._keys, width - 2))
+
+    def title(self) -> list[Piece]:
+        return [Piece(f" {self._title} ", self.look.colours.title_focus)]
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        lines = wrap(self._keys, width - 2)
+        return [Segment(" " + lines[y], self.look.colours.overlay_strong)] if y < len(lines) else []
+
+    def handle_overlay_key(self, event: events.Key) -> None:
+        answer = self._answers.get((event.character or "").lower())
+        if answer is not None:
+            self.dismiss()
+            answer()

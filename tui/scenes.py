@@ -59,6 +59,19 @@ SCENES: dict[str, Scene] = {
             ("type", "ros2 run day6_bot wheel_spinner"),
         ),
     ),
+    "world": Scene(
+        "world",
+        "bar.world",
+        (
+            ("terminal", "idle"),
+            ("type", "ros2 launch day6_world world.launch.py world:=walls"),
+            ("window", "world"),
+            ("pause", "0.8"),
+            ("terminal", "new"),
+            ("type", "ros2 run teleop_twist_keyboard teleop_twist_keyboard"),
+            ("reading", ""),
+        ),
+    ),
     "empty": Scene("empty", "bar.desk", ()),
 }
 

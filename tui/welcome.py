@@ -31,6 +31,7 @@ class Choice(NamedTuple):
 WELCOME = (
     Choice("welcome.turtle", "welcome.turtle.more", "action.scene.turtle"),
     Choice("welcome.car", "welcome.car.more", "action.scene.car"),
+    Choice("welcome.world", "welcome.world.more", "action.scene.world"),
     Choice("welcome.empty", "welcome.empty.more", "guide"),
 )
 """The choices of the start, by their text keys."""
@@ -53,15 +54,25 @@ _LOGO_ASCII = (
 
 
 class WelcomePane(Pane):
-    """The welcome choices, or (`guide`) the commands worth trying. `on_choice` gets what the chosen entry does."""
+    """The welcome choices, or (`guide`) the commands worth trying.
+
+    `on_choice` gets what the chosen entry does, `on_typed` keys and `on_pasted` text that are no choice: whoever types a command
+    here means a terminal.
+    """
 
     help_key = "welcome"
+
+    on_typed: Callable[[events.Key], None]
+    on_pasted: Callable[[str], None]
 
     def __init__(self, look: Look, on_choice: Callable[[str], None]) -> None:
         super().__init__(look, id="welcome")
         self.guide = False
         self.chosen = 0
         self._on_choice = on_choice
+        self.on_typed = self.on_pasted = lambda typed: None
+        self._leaving = False
+        """Whether typing has begun that goes to a terminal: the keyboard follows a moment later than quick fingers."""
         self._built: list[list[Segment]] = []
         self._rows: dict[int, int] = {}
         self._built_for: object = None
@@ -80,7 +91,7 @@ class WelcomePane(Pane):
         if not self.guide:
             return list(WELCOME)
         commands = [Choice(command, "", f"type:{command}") for command in (*GUIDE_COMMANDS, *GUIDE_QUESTIONS)]
-        scenes = [Choice(choice.text, choice.more, choice.does) for choice in WELCOME[:2]]
+        scenes = [Choice(choice.text, choice.more, choice.does) for choice in WELCOME[:-1]]
         return [*commands, *scenes]
 
     def choose(self, index: int) -> None:
@@ -221,19 +232,33 @@ class WelcomePane(Pane):
 
     def on_key(self, event: events.Key) -> None:
         count = len(self.choices)
-        if event.key in ("down", "tab", "j"):
+        number = "123456789".find(event.character) if event.character and not self.guide else -1
+        if self._leaving:
+            self.on_typed(event)
+        elif event.key in ("down", "tab"):
             self.chosen = (self.chosen + 1) % count
-        elif event.key in ("up", "shift+tab", "k"):
+        elif event.key in ("up", "shift+tab"):
             self.chosen = (self.chosen - 1) % count
         elif event.key in ("enter", "space"):
             self.choose(self.chosen)
-        elif event.character and event.character.isdigit() and event.character != "0":
-            self.choose(int(event.character) - 1)
+        elif 0 <= number < count:
+            self.choose(number)
+        elif event.character and event.character.isprintable():
+            self._leaving = True
+            self.on_typed(event)
         else:
             return
         event.stop()
         event.prevent_default()
         self.touch()
+
+    def on_paste(self, event: events.Paste) -> None:
+        event.stop()
+        self._leaving = True
+        self.on_pasted(event.text)
+
+    def on_blur(self) -> None:
+        self._leaving = False
 
 
 def _centred(text: str, width: int, style: Style) -> list[Segment]:

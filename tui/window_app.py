@@ -40,7 +40,7 @@ from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay
+from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay, page_of
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
@@ -153,7 +153,7 @@ class SingleHelp(TextOverlay):
 
     def paragraphs(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        found = [("overlay", texts(f"help.{self._page}")), ("overlay", "")]
+        found = [*page_of(texts(f"help.{self._page}")), ("overlay", "")]
         found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
         found += [("overlay", f"{key}\t{texts('help.single.' + part)}") for key, part in KEYS + MORE_KEYS]
         return found

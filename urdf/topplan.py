@@ -44,7 +44,10 @@ class Plan:
 
 
 def find_wheels(robot: Robot) -> list[Wheel]:
-    """Return the wheels: joints that turn about a horizontal axis and carry a cylinder along that axis, or a ball."""
+    """Return the wheels: joints that turn about a horizontal axis and carry a cylinder along that axis, or a ball.
+
+    A wheel on a revolute joint is a beginner's wheel, so it counts; a ball on one is an elbow.
+    """
     rest = link_transforms(robot, {})
     wheels = []
     for joint in robot.tree():
@@ -64,7 +67,7 @@ def _wheel_of(joint: Joint, link: Link) -> Wheel | None:
     parts: list[Visual | Collision] = [*link.visuals, *link.collisions]
     for part in parts:
         shape = part.geometry
-        if isinstance(shape, Sphere):
+        if isinstance(shape, Sphere) and joint.type == "continuous":
             return Wheel(joint, shape.radius, 2 * shape.radius, True, part.origin)
         if isinstance(shape, Cylinder):
             along = rotate(part.origin.rotation, (0.0, 0.0, 1.0))

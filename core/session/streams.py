@@ -94,6 +94,9 @@ class InputStream:
     def pass_keys_to(self, receiver: KeyReceiver | None) -> None:
         """On a terminal: hand every key to `receiver` as it is typed, unechoed (None: handle them here again)."""
 
+    def give_back(self, text: str) -> None:
+        """On a terminal: keys that were handed on and not read; whoever reads next gets them."""
+
     def close(self) -> None:
         """Say that nobody will read from here any more."""
 

@@ -234,6 +234,9 @@ class TtyInput(InputStream):
         if receiver is not None:
             scheduler.call_soon_threadsafe(lambda: self.discipline.add_receiver(receiver))
 
+    def give_back(self, text: str) -> None:
+        self.terminal.send(text)
+
     async def read_key(self) -> str:
         while True:
             if self.discipline.front is self:

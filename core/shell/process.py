@@ -81,6 +81,8 @@ class Process:
         self.problem: Exception | None = None
         self._popen: subprocess.Popen[bytes] | None = None
         self._master: int | None = None
+        self._slave: int | None = None
+        """Our own end of the program's side, so that what it has not read of the keys outlives it."""
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
         self._killed = False
@@ -181,6 +183,7 @@ class Process:
         try:
             self.returncode = popen.wait()
         finally:
+            typed_ahead = self._take_unread()
             # What the process started in the background may hold its output open; that must not hold up the prompt.
             for reader in self._readers:
                 reader.join(0.5)
@@ -190,6 +193,8 @@ class Process:
             _end_group(popen.pid)
             end_marked(self._mark)
             self._close_master()
+            if typed_ahead:
+                self.session.stdin.give_back(typed_ahead)
             self.ended.set()
 
     def _launch(self) -> None:
@@ -212,7 +217,7 @@ class Process:
 
         session = self.session
         master, slave = pty.openpty()
-        self._master = master
+        self._master, self._slave = master, slave
         try:
             _set_window_size(master, terminal.columns, terminal.rows)
             for name in ("COLUMNS", "LINES"):
@@ -226,8 +231,9 @@ class Process:
                 env=env,
                 start_new_session=True,
             )
-        finally:
-            os.close(slave)
+        except BaseException:
+            self._take_unread()
+            raise
         self._read(master, terminal.output)
         self._read_pipes()
         session.stdin.pass_keys_to(self)
@@ -274,6 +280,26 @@ class Process:
         reader = threading.Thread(target=_pump, args=(source, target), name="day6-output", daemon=True)
         self._readers.append(reader)
         reader.start()
+
+    def _take_unread(self) -> str:
+        """Close our end of the program's side; return the keys that are still in it, as they were typed."""
+        slave, self._slave = self._slave, None
+        if slave is None or sys.platform == "win32":
+            return ""
+        import termios
+
+        try:
+            mode = termios.tcgetattr(slave)
+            mode[3] &= ~(termios.ICANON | termios.ECHO)
+            mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, 0
+            termios.tcsetattr(slave, termios.TCSANOW, mode)
+            data = os.read(slave, READ_SIZE)
+        except (OSError, termios.error):
+            data = b""
+        finally:
+            os.close(slave)
+        # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
+        return data.replace(b"\0", b"").decode("utf-8", "replace").replace("\n", "\r")
 
     def _close_master(self) -> None:
         self.session.stdin.pass_keys_to(None)

@@ -6,6 +6,7 @@ import os
 import threading
 from argparse import Namespace
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from day6_tui.core.workspace import reports
@@ -58,7 +59,8 @@ class Colcon:
         """Do it. Errors of the file system are told with the name of the file."""
         verb = self.args.verb_name
         try:
-            self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")
+            with suppress(OSError):
+                self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")
             return _VERBS[verb](self)
         except (Failure, OrderError) as error:
             self.warn("colcon", f"colcon {verb}: {error}", level="ERROR")
@@ -227,7 +229,7 @@ def _recorded(
             return status
         finally:
             folder = settings.build_base / package.name
-            if folder.is_dir():
+            with suppress(OSError):
                 write_text(folder / f"colcon_{verb}.rc", f"{'SIGINT' if work.stopped and result != '0' else result}\n")
 
     return run

@@ -15,6 +15,7 @@ from enum import Enum
 from pathlib import Path
 from typing import IO
 
+from day6_tui.core.shell.guardian import guard, release
 from day6_tui.core.workspace.events import INTERRUPTED, Event, Events, Result
 
 TICK = 0.1
@@ -98,6 +99,7 @@ class Work:
             start_new_session=sys.platform != "win32",
             creationflags=flags,
         )
+        guard(process.pid)
         self._processes.append(process)
         if self.stopped:
             self.stop()
@@ -127,6 +129,7 @@ class Work:
     def finish(self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str) -> int:
         """Wait for a command and for the last line of it."""
         status = process.wait()
+        release(process.pid)
         for reader in readers:
             reader.join(1.0)
         self._processes.remove(process)
@@ -234,14 +237,21 @@ class Executor:
             result = job.run(work)
         except JobFailure as error:
             result = error
+        except OSError as error:
+            # A full disk, a folder that may not be written: the file's name says more than where our code was.
+            where = f": '{error.filename}'" if error.filename else ""
+            work.stderr(f"error: {error.strerror or error}{where}\n")
+            result = 1
         except Exception as error:
             work.stderr(traceback.format_exc())
             result = error
         if work.stopped and result:
             result = INTERRUPTED
         told = result if isinstance(result, (int, str)) else 1
-        self._events.tell(Event("ended", job.name, result=told))
-        self._ended.put((job.name, result))
+        try:
+            self._events.tell(Event("ended", job.name, result=told))
+        finally:
+            self._ended.put((job.name, result))
 
     def _stop_all(self) -> None:
         for work in list(self._running.values()):

@@ -61,15 +61,34 @@ def _point(link: Path, target: str) -> None:
         link.symlink_to(target, target_is_directory=True)
 
 
-class EventLog:
-    """`events.log`: every event with its time."""
+class _Logging:
+    """A handler that writes files. When it cannot (a full disk), it gives up: a build must not fail for want of its log."""
 
     def __init__(self, folder: LogFolder) -> None:
         self._folder = folder
+        self._given_up = False
+
+    def handle(self, event: Event) -> None:
+        if self._given_up:
+            return
+        try:
+            self._log(event)
+        except OSError:
+            self._given_up = True
+
+    def _log(self, event: Event) -> None:
+        raise NotImplementedError
+
+
+class EventLog(_Logging):
+    """`events.log`: every event with its time."""
+
+    def __init__(self, folder: LogFolder) -> None:
+        super().__init__(folder)
         self._began = time.monotonic()
         self._file: IO[str] | None = None
 
-    def handle(self, event: Event) -> None:
+    def _log(self, event: Event) -> None:
         if self._file is None:
             if self._folder.path is None or event.kind == "end":
                 return
@@ -92,15 +111,15 @@ _FILES = {
 _ALL_FILES = ("command.log", "stderr.log", "stdout.log", "stdout_stderr.log", "streams.log")
 
 
-class JobLogs:
+class JobLogs(_Logging):
     """One folder for each package with its commands and its output."""
 
     def __init__(self, folder: LogFolder) -> None:
-        self._folder = folder
+        super().__init__(folder)
         self._began: dict[str, float] = {}
         self._files: dict[str, dict[str, IO[str]]] = {}
 
-    def handle(self, event: Event) -> None:
+    def _log(self, event: Event) -> None:
         if event.kind == "started":
             self._began[event.job] = time.monotonic()
         elif event.kind == "ended":

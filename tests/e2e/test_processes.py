@@ -179,7 +179,7 @@ def workspace(place: Place, how: str) -> str:
     (prefix / "share" / "ament_index" / "resource_index" / "packages").mkdir(parents=True)
     (prefix / "share" / "ament_index" / "resource_index" / "packages" / "pkg").touch()
     file = prefix / "lib" / "pkg" / "spins"
-    file.write_text(SPINS.format(python=sys.executable, how=how))
+    file.write_text(SPINS.format(python=sys.executable, how=how), encoding="utf-8")
     file.chmod(file.stat().st_mode | stat.S_IXUSR)
     return str(prefix)
 

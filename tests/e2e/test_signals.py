@@ -174,6 +174,7 @@ def _run(place: Place, number: int, case: Case) -> tuple[int, list[str], str]:
         text=True,
         env={**env, "ROS_DOMAIN_ID": "93"} if REAL else program_environment(env),
         preexec_fn=lambda: signal.signal(signal.SIGINT, handler),
+        encoding="utf-8",
     )
     assert process.stdout is not None
     said = [process.stdout.readline().rstrip()]

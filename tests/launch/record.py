@@ -2,7 +2,7 @@
 
 PYTHON has a real rclpy. SITE is a folder with the Python packages of the real launch, launch_ros, launch_xml, launch_yaml,
 ros2cli, ros2launch with their metadata and what they need; below its `share` are launch's grammar and its marker in the ament
-index. Each FOLDER is a case: its files, and `case.json` for what `played.Case` has beside them. It is added to recorded.jsonl
+index. Each FOLDER is a case: its files, and `case.json` for what `launch_cases.Case` has beside them. It is added to recorded.jsonl
 under the folder's name, replacing an older one. Without folders everything is recorded anew.
 """
 
@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, os.path.dirname(__file__))
 
-from played import RECORDED, Case, load_cases, play
+from launch_cases import RECORDED, Case, load_cases, play
 
 
 def read_case(folder: Path) -> Case:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from launch._programs import Foreign, what_runs
-from played import Case, our_command, play
+from launch_cases import Case, our_command, play
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to a process")
 

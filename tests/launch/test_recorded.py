@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
 import pytest
-from played import Case, Outcome, differences, load_cases, our_command, play
+from launch_cases import Case, Outcome, differences, load_cases, our_command, play
 
 KNOWN = {
     "no_such_executable": "the real one prints the address of an object where ours names the executable",

@@ -30,6 +30,7 @@ def run_python(world: World, source: str, **environment: str) -> subprocess.Comp
         capture_output=True,
         text=True,
         timeout=60,
+        encoding="utf-8",
     )
 
 
@@ -94,7 +95,7 @@ def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     assert leaver.end() == 0
     assert until(lambda: keeper.nodes() == [])
     assert len(sockets(world)) == 2
-    assert world.stderr.read_text() == ""
+    assert world.stderr.read_text(encoding="utf-8") == ""
 
 
 @needs_kill
@@ -217,6 +218,7 @@ sys.stdin.readline()
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        encoding="utf-8",
     ) as program:
         assert program.stdout is not None
         assert program.stdout.readline() == "this process was forked from one that had joined already\n"
@@ -243,7 +245,11 @@ time.sleep(60)
 """
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen(
-        [sys.executable, "-c", source], env={**os.environ, **settings}, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", source],
+        env={**os.environ, **settings},
+        stdout=subprocess.PIPE,
+        text=True,
+        encoding="utf-8",
     ) as program:
         assert program.stdout is not None
         child = max(int(program.stdout.readline()), int(program.stdout.readline()))
@@ -331,7 +337,7 @@ def test_nothing_listens_on_the_network(world: World) -> None:
     def listening() -> set[str]:
         found = set()
         for name in ("tcp", "tcp6", "udp", "udp6"):
-            for line in Path("/proc/self/net", name).read_text().splitlines()[1:]:
+            for line in Path("/proc/self/net", name).read_text(encoding="utf-8").splitlines()[1:]:
                 found.add(line.split()[9])
         own = set()
         for descriptor in os.listdir("/proc/self/fd"):

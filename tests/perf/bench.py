@@ -1,6 +1,6 @@
 """Measures the budgets of day6-tui and prints one table.
 
-    python tests/perf/bench.py [--real PYTHON] [--messages rclpy_bench.py] [--quick]
+    python tests/perf/bench.py [--real PYTHON] [--messages FILE] [--rclpy] [--quick]
 
 `--real` is an interpreter with real rclpy; `--messages` a message benchmark that runs on any rclpy. With both, messages are
 measured on both and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
@@ -123,8 +123,10 @@ class Bench:
 
     def rviz(self) -> Iterator[Row]:
         """The car on a turntable in an enlarged RViz: the whole robot turns, not only its wheels."""
-        (self.home / "turntable.urdf").write_text(_on_a_turntable(shipped_model().read_text(encoding="utf-8")))
-        (self.home / "turntable.rviz").write_text(TURNTABLE_VIEW)
+        (self.home / "turntable.urdf").write_text(
+            _on_a_turntable(shipped_model().read_text(encoding="utf-8")), encoding="utf-8"
+        )
+        (self.home / "turntable.rviz").write_text(TURNTABLE_VIEW, encoding="utf-8")
         with self.desktop(120, 40, "--scene", "empty") as screen:
             screen.first_frame()
             screen.read(2)
@@ -147,10 +149,29 @@ class Bench:
             yield "turning robot in RViz, 120x40, 15 fps", f"{usage.cpu_percent:.1f} %", "<= 18 %"
             yield "  bytes a second", f"{usage.bytes_written / usage.seconds:.0f}", "-"
 
+    def world(self) -> Iterator[Row]:
+        """The world at 50 steps a second with robot_state_publisher: standing, driving in circles, with the lidar drawn."""
+        with self.desktop(120, 40, "--scene", "empty") as screen:
+            screen.first_frame()
+            screen.read(2)
+            screen.send("ros2 launch day6_world world.launch.py world:=walls > /dev/null 2>&1 &\n")
+            screen.read(5)
+            yield "world, car standing still, 120x40", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 10 %"
+            circle = '"{linear: {x: 0.15}, angular: {z: 0.6}}"'
+            screen.send(f"ros2 topic pub --once /cmd_vel geometry_msgs/msg/Twist {circle} > /dev/null\n")
+            screen.read(4)
+            usage = screen.use(self.seconds)
+            yield "  driving in circles", f"{usage.cpu_percent:.1f} %", "<= 14 %"
+            yield "  bytes a second", f"{usage.bytes_written / usage.seconds:.0f}", "-"
+            screen.send("\x1bORl")  # F3: the window, l: the lidar
+            screen.read(2)
+            yield "  with the lidar drawn", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 18 %"
+            yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
+
     def keys(self) -> Iterator[Row]:
         """Key to echo, alone and with three runaway student programs, all on one core."""
         for name, code in RUNAWAYS.items():
-            (self.home / name).write_text(code)
+            (self.home / name).write_text(code, encoding="utf-8")
         one_core = {min(os.sched_getaffinity(0))}
         with self.desktop(120, 40, "--scene", "empty", cpus=one_core) as screen:
             screen.first_frame()
@@ -199,7 +220,51 @@ def messages(script: Path, real: str | None) -> Iterator[Row]:
 
 
 def _run_messages(python: str, script: Path, env: dict[str, str]) -> dict:  # type: ignore[type-arg]
-    done = subprocess.run([python, str(script), "--quick"], capture_output=True, text=True, env=env, check=True)
+    done = subprocess.run(
+        [python, str(script), "--quick"], capture_output=True, text=True, env=env, check=True, encoding="utf-8"
+    )
+    return json.loads(done.stdout)  # type: ignore[no-any-return]
+
+
+SIDE_BY_SIDE = {
+    "publish_String": ("publish -> callback, String", 1e6, "µs"),
+    "publish_Twist": ("publish -> callback, Twist", 1e6, "µs"),
+    "publish_JointState": ("publish -> callback, JointState of 10", 1e6, "µs"),
+    "fan_out_10": ("publish -> 10 callbacks, String", 1e6, "µs"),
+    "fan_out_100": ("publish -> 100 callbacks, String", 1e6, "µs"),
+    "service": ("service round trip", 1e6, "µs"),
+    "action": ("action, goal to result", 1e6, "µs"),
+    "hundred_nodes": ("100 nodes in one process", 1e3, "ms"),
+    "hundred_nodes_memory": ("  their memory", 1 / 1024, "MB"),
+    "jitter": ("100 Hz timer misses its period by, median", 1e6, "µs"),
+    "jitter_99": ("  99th percentile", 1e6, "µs"),
+}
+
+
+def side_by_side(real: str | None, seconds: float, rounds: int = 3) -> Iterator[Row]:
+    """One process by itself, on our rclpy and on a real one, in turns; the medians and what real takes of ours."""
+    ours_env = program_environment({**os.environ, "DAY6_LINK": "off"})
+    sides: dict[str, list[dict[str, float]]] = {"ours": [], "real": []}
+    for _ in range(rounds):
+        sides["ours"].append(_measure_side(sys.executable, ours_env, seconds))
+        if real:
+            sides["real"].append(_measure_side(real, dict(os.environ), seconds))
+    for name, (what, scale, unit) in SIDE_BY_SIDE.items():
+        mine = statistics.median(each[name] for each in sides["ours"]) * scale
+        text = f"{_figure(mine)} {unit}"
+        if real:
+            theirs = statistics.median(each[name] for each in sides["real"]) * scale
+            text += f" (real {_figure(theirs)} {unit}) = {theirs / mine:.1f} x better"
+        yield what, text, "-"
+
+
+def _figure(number: float) -> str:
+    return f"{number:.0f}" if number >= 100 else f"{number:.3g}"
+
+
+def _measure_side(python: str, env: dict[str, str], seconds: float) -> dict[str, float]:
+    command = [python, str(HERE / "rclpy_side.py"), str(seconds)]
+    done = subprocess.run(command, capture_output=True, text=True, env=env, check=True, encoding="utf-8")
     return json.loads(done.stdout)  # type: ignore[no-any-return]
 
 
@@ -223,14 +288,17 @@ def processes(real: str | None, rounds: int) -> Iterator[Row]:
     seconds = statistics.median(each[0] for each in ours)
     text = f"{seconds * 1000:.0f} ms, {statistics.median(each[1] for each in ours):.1f} MB"
     if real:
-        theirs = statistics.median(_first_message(real, dict(os.environ))[0] for _ in range(rounds))
-        text += f" = {seconds / theirs:.2f} x real rclpy"
+        both = [_first_message(real, dict(os.environ)) for _ in range(rounds)]
+        theirs = statistics.median(each[0] for each in both)
+        text += (
+            f" = {seconds / theirs:.2f} x real rclpy, which has {statistics.median(each[1] for each in both):.1f} MB"
+        )
     yield "process joined, start to first message", text, "<= 1/3, <= 38 MB"
 
 
 def _first_message(python: str, env: dict[str, str]) -> tuple[float, float]:
     began = time.time()
-    done = subprocess.run([python, "-c", TALKER], capture_output=True, text=True, env=env, check=True)
+    done = subprocess.run([python, "-c", TALKER], capture_output=True, text=True, env=env, check=True, encoding="utf-8")
     at, rss = done.stdout.split()
     return float(at) - began, int(rss) / 1024
 
@@ -240,11 +308,15 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
     parser.add_argument("--messages", metavar="FILE", type=Path, help="message benchmark")
+    parser.add_argument("--rclpy", action="store_true", help="only programs, not the desktop")
     parser.add_argument("--quick", action="store_true", help="shorter and fewer measurements")
     options = parser.parse_args()
     bench = Bench(options.quick)
     print("| what | measured | budget |\n| --- | --- | --- |")
-    sections = [bench.start(), bench.screens(), bench.rviz(), bench.keys(), processes(options.real, bench.rounds)]
+    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.keys()]
+    sections = [] if options.rclpy else screens
+    sections.append(processes(options.real, bench.rounds))
+    sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))
     if options.messages:
         sections.append(messages(options.messages, options.real))
     for section in sections:

@@ -86,7 +86,7 @@ class Soak:
         for each in (self.runtime, self.temporary, self.home):
             each.mkdir(mode=0o700)
         for name, code in PROGRAMS.items():
-            (self.home / f"{name}.py").write_text(START + code + "rclpy.spin(n)\n")
+            (self.home / f"{name}.py").write_text(START + code + "rclpy.spin(n)\n", encoding="utf-8")
         places = {"DAY6_RUNTIME_DIR": str(self.runtime), "TMPDIR": str(self.temporary), "LANG": "C.UTF-8"}
         os.environ.update(places)
         self.env = program_environment(dict(os.environ))
@@ -135,7 +135,9 @@ class Soak:
     # -- looking -------------------------------------------------------------------------------------------------------
 
     def listed(self) -> set[str]:
-        done = subprocess.run([*DAY6, "ros2", "node", "list"], env=self.env, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [*DAY6, "ros2", "node", "list"], env=self.env, capture_output=True, text=True, timeout=60, encoding="utf-8"
+        )
         return set(done.stdout.split())
 
     def compare(self, screen: Screen) -> None:
@@ -166,7 +168,7 @@ class Soak:
         end = time.monotonic() + 10
         while not file.exists() and time.monotonic() < end:
             screen.read(0.05)
-        return set(file.read_text().split()) if file.exists() else set()
+        return set(file.read_text(encoding="utf-8").split()) if file.exists() else set()
 
     def ours(self) -> list[int]:
         mark = f"DAY6_RUNTIME_DIR={self.runtime}".encode()
@@ -282,7 +284,10 @@ def _threads(pid: int) -> int:
 
 
 def _thread_names(pid: int) -> list[str]:
-    return [Path(f"/proc/{pid}/task/{task}/comm").read_text().strip() for task in os.listdir(f"/proc/{pid}/task")]
+    return [
+        Path(f"/proc/{pid}/task/{task}/comm").read_text(encoding="utf-8").strip()
+        for task in os.listdir(f"/proc/{pid}/task")
+    ]
 
 
 def _files(pid: int) -> int:

@@ -133,7 +133,7 @@ def _is_text(call: ast.Call) -> bool:
     owner = ast.unparse(function.value) if isinstance(function, ast.Attribute) else ""
     name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
     if name in ("read_text", "write_text"):
-        return True
+        return bool(owner)  # those of Path; core/workspace has a function of that name, which is about bytes
     if owner == "subprocess":
         return any(each.arg in ("text", "universal_newlines") for each in call.keywords)
     if name == "fdopen" or (name == "open" and not owner):

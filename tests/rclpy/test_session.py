@@ -84,9 +84,8 @@ def test_simulated_time_drives_the_timers_of_a_node_that_uses_it(world: Any) -> 
     assert ticks == [], "world time alone does not drive it"
     for seconds in (10, 11, 12, 20):
         tell(seconds)
-    # After a leap the call that is due exactly now comes at once as well (rcl/timer.c).
-    assert ticks == [10, 10, 11, 12, 20, 20]
+    assert ticks == [10, 11, 12, 20], "calls missed in a leap are left out"
     assert node.get_clock().now().clock_type is ClockType.ROS_TIME
     tell(5)
     tell(6)
-    assert ticks[6:] == [6], "after a jump back a whole period has to pass"
+    assert ticks[4:] == [6], "after a jump back a whole period has to pass"

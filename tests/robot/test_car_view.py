@@ -284,3 +284,12 @@ def test_the_picture_can_be_enlarged(machine: Machine) -> None:
         return max(row.rstrip().rfind("+") - row.find("+") for row in rows if "+" in row)
 
     assert wide(0.3) < wide(0.6) < wide(1.0)
+
+
+def test_the_picture_can_be_moved() -> None:
+    car = parse_robot(shipped_model())
+    lines = []
+    for down in (0, 5):
+        rows = ["".join(text for text, _ in row) for row in render_top(car, {}, 90, 30, shift=(0, down))]
+        lines.append(next(number for number, row in enumerate(rows) if "base_link" in row))
+    assert lines[0] + 5 == lines[1]

@@ -9,17 +9,29 @@ from typing import Any, NamedTuple
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros import ros2
+from day6_tui.core.ros.programs import load
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import Captured, TextInput
+from day6_tui.core.session.streams import Captured, InputStream, TextInput
 
 
 class Result(NamedTuple):
     stdout: str
     stderr: str
     status: int | None
+
+
+class IdleKeyboard(InputStream):
+    """A terminal at which nobody types."""
+
+    def isatty(self) -> bool:
+        return True
+
+    async def read_key(self) -> str:
+        await wait_for(Signal(), None)
+        return ""
 
 
 class Command:
@@ -119,6 +131,15 @@ class Machine:
 
         self.program(main)
         return made[0]
+
+    def run(self, package: str, executable: str, *args: str, stdin: InputStream | None = None) -> Session:
+        """Start an executable of ours, as `ros2 run` does; returns its session."""
+        session = self.session([executable, *args])
+        if stdin is not None:
+            session.stdin = stdin
+        Program(session, load(package, executable))
+        self.step()
+        return session
 
     def program(self, main) -> Session:
         """Run another program on the same machine: `main(session)`."""

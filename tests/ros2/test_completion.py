@@ -50,3 +50,13 @@ def test_packages_and_executables_are_offered(machine):
     assert machine.complete("run", "turtles") == ["turtlesim"]
     assert machine.complete("run", "turtlesim", "turtle_") == ["turtle_teleop_key"]
     assert machine.complete("run", "nope", "") == []
+
+
+def test_fields_are_offered_part_by_part(machine):
+    from geometry_msgs.msg import Twist
+
+    machine.node("robot", lambda node: node.create_publisher(Twist, "cmd_vel", 10))
+    assert machine.complete("topic", "echo", "/cmd_vel", "--field", "") == ["angular", "linear"]
+    assert machine.complete("topic", "echo", "/cmd_vel", "--field", "linear.") == ["linear.x", "linear.y", "linear.z"]
+    assert machine.complete("topic", "echo", "/cmd_vel", "--field", "linear.x.") == []
+    assert machine.complete("topic", "echo", "/nobody", "--field", "") == []

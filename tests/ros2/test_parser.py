@@ -111,7 +111,7 @@ def test_version_is_answered_with_a_note_that_a_real_one_does_not(machine):
 
 
 def test_what_is_not_there_yet_says_so_in_one_line(machine):
-    for words in (["launch", "x.launch.py"], ["bag", "record"], ["lifecycle", "nodes"], ["service", "echo", "/x"]):
+    for words in (["launch", "x.launch.py"], ["lifecycle", "nodes"], ["service", "echo", "/x"]):
         result = machine.ros2(*words)
         assert result.status == 1
         assert result.stdout == ""

@@ -157,6 +157,19 @@ def test_every_display_type_survives_saving_and_loading(machine: RVizMachine) ->
     assert not rviz.modified
 
 
+@pytest.mark.parametrize("frame", ["base_link", "lidar", "/base_link"])
+def test_the_fixed_frame_of_a_file_is_the_one_that_is_used(machine: RVizMachine, tmp_path: Path, frame: str) -> None:
+    file = tmp_path / "a.rviz"
+    file.write_text(f"Visualization Manager: {{Global Options: {{Fixed Frame: {frame}}}}}")
+    machine.transform("base_link", "lidar")
+    rviz = machine.open("-d", str(file))
+    axes = machine.add("Axes")
+    rviz.edit(axes.child("Reference Frame"), "lidar")
+    machine.settle()
+    assert rviz.statuses.line("Fixed Frame") == ("Ok", "OK")
+    assert lines(axes) == {"Transform": ("Ok", "Transform OK")}
+
+
 def test_changes_are_saved(machine: RVizMachine) -> None:
     rviz = machine.open()
     rviz.edit_text(rviz.displays[0].child("Cell Size"), "0.1")
@@ -181,7 +194,7 @@ def test_changes_are_saved(machine: RVizMachine) -> None:
         ("!!python/object/apply:os.system ['true']", "could not determine a constructor"),
         ("a: " + "[" * 200 + "]" * 200, "nested too deeply"),
         ("", "this is no RViz configuration"),
-        ("\0", "special characters"),
+        ("\0", "this is no YAML"),
     ],
 )
 def test_files_that_are_refused(text: str, why: str) -> None:

@@ -271,9 +271,11 @@ def test_saving_loading_and_pictures(machine: RVizMachine, tmp_path: Path) -> No
             await at.press("enter")
             assert "Fixed Frame: odom" in (tmp_path / "mine.rviz").read_text() and not rviz.modified
             at.pane.set(rviz.fixed, "other")
+            await at.settle()
             await at.press("ctrl+s")
             assert "Fixed Frame: other" in (tmp_path / "mine.rviz").read_text()
             at.pane.set(rviz.fixed, "third")
+            await at.settle()
             await at.press("ctrl+o", "ctrl+u")
             await at.type("no.rviz")
             await at.press("enter")

@@ -101,15 +101,15 @@ def test_what_is_no_object_is_refused(text: str) -> None:
 
 def test_the_users_settings_are_kept_and_ours_come_first(project: Path) -> None:
     (project / ".vscode").mkdir()
-    (project / ".vscode" / "settings.json").write_text(MINE)
-    (project / ".env").write_text("TOKEN=1\nPYTHONPATH=/mine\n")
+    (project / ".vscode" / "settings.json").write_text(MINE, encoding="utf-8")
+    (project / ".env").write_text("TOKEN=1\nPYTHONPATH=/mine\n", encoding="utf-8")
     assert print_environment(["--vscode", str(project)]) == 0
-    text = (project / ".vscode" / "settings.json").read_text()
+    text = (project / ".vscode" / "settings.json").read_text(encoding="utf-8")
     settings = jsonc.parse(text)
     assert "// large" in text
     assert settings["python.defaultInterpreterPath"] == "/my/python"
     assert settings["python.analysis.extraPaths"] == [str(ide.stub_folder()), str(PYTHON_PATH), "lib"]
-    lines = (project / ".env").read_text().splitlines()
+    lines = (project / ".env").read_text(encoding="utf-8").splitlines()
     assert "TOKEN=1" in lines
     (path,) = [line for line in lines if line.startswith("PYTHONPATH=")]
     assert path.startswith(f"PYTHONPATH={PYTHON_PATH}") and path.endswith("/mine")
@@ -118,17 +118,19 @@ def test_the_users_settings_are_kept_and_ours_come_first(project: Path) -> None:
 def test_a_launch_configuration_is_added_beside_the_users_and_only_once(project: Path) -> None:
     (project / ".vscode").mkdir()
     launch = project / ".vscode" / "launch.json"
-    launch.write_text('{"version": "0.2.0", "configurations": [ // mine\n{"name": "Mine", "type": "node"}\n]}\n')
+    launch.write_text(
+        '{"version": "0.2.0", "configurations": [ // mine\n{"name": "Mine", "type": "node"}\n]}\n', encoding="utf-8"
+    )
     for _ in range(2):
         assert print_environment(["--vscode", str(project)]) == 0
-    assert "// mine" in launch.read_text()
-    names = [each["name"] for each in jsonc.parse(launch.read_text())["configurations"]]
+    assert "// mine" in launch.read_text(encoding="utf-8")
+    names = [each["name"] for each in jsonc.parse(launch.read_text(encoding="utf-8"))["configurations"]]
     assert names == [ide.LAUNCH_NAME, "Mine"]
 
 
 def test_a_second_run_changes_nothing(project: Path) -> None:
     def contents() -> dict[str, str]:
-        return {str(file): file.read_text() for file in project.rglob("*") if file.is_file()}
+        return {str(file): file.read_text(encoding="utf-8") for file in project.rglob("*") if file.is_file()}
 
     print_environment(["--vscode", "--pycharm", str(project)])
     first = contents()
@@ -141,10 +143,10 @@ def test_a_file_that_is_not_understood_is_left_alone_and_named(
 ) -> None:
     (project / ".vscode").mkdir()
     settings = project / ".vscode" / "settings.json"
-    settings.write_text("{ broken")
+    settings.write_text("{ broken", encoding="utf-8")
     assert print_environment(["--vscode", str(project)]) == 1
     assert str(settings) in capsys.readouterr().err
-    assert settings.read_text() == "{ broken"
+    assert settings.read_text(encoding="utf-8") == "{ broken"
 
 
 def test_pycharm_gets_source_roots_and_variables_beside_its_own(project: Path) -> None:
@@ -153,7 +155,8 @@ def test_pycharm_gets_source_roots_and_variables_beside_its_own(project: Path) -
     (idea / "mine.iml").write_text(
         '<module type="PYTHON_MODULE" version="4"><component name="NewModuleRootManager">'
         '<content url="file://$MODULE_DIR$"><excludeFolder url="file://$MODULE_DIR$/build"/></content>'
-        '<orderEntry type="jdk" jdkName="Python 3.12" jdkType="Python SDK"/></component></module>'
+        '<orderEntry type="jdk" jdkName="Python 3.12" jdkType="Python SDK"/></component></module>',
+        encoding="utf-8",
     )
     assert print_environment(["--pycharm", str(project)]) == 0
     module = ElementTree.parse(idea / "mine.iml")
@@ -185,11 +188,15 @@ def test_the_stubs_have_every_interface_with_its_fields_and_constants() -> None:
 
 def test_a_plain_python3_with_the_editors_variables_is_a_ros_program(project: Path) -> None:
     print_environment(["--vscode", str(project)])
-    launch = json.loads((project / ".vscode" / "launch.json").read_text())
+    launch = json.loads((project / ".vscode" / "launch.json").read_text(encoding="utf-8"))
     (ours,) = launch["configurations"]
     env = {"PATH": os.environ.get("PATH", ""), "SYSTEMROOT": os.environ.get("SYSTEMROOT", ""), **ours["env"]}
-    (project / "a.py").write_text("import rclpy, std_msgs.msg\nprint(rclpy.__file__, std_msgs.msg.String())\n")
-    done = subprocess.run([ours["python"], "a.py"], cwd=project, env=env, capture_output=True, text=True, timeout=60)
+    (project / "a.py").write_text(
+        "import rclpy, std_msgs.msg\nprint(rclpy.__file__, std_msgs.msg.String())\n", encoding="utf-8"
+    )
+    done = subprocess.run(
+        [ours["python"], "a.py"], cwd=project, env=env, capture_output=True, text=True, timeout=60, encoding="utf-8"
+    )
     assert done.returncode == 0, done.stderr
     assert str(PYTHON_PATH) in done.stdout
 
@@ -200,14 +207,18 @@ PYRIGHT = os.environ.get("DAY6_PYRIGHT") or shutil.which("pyright")
 @pytest.mark.skipif(PYRIGHT is None, reason="pyright is not installed (DAY6_PYRIGHT may name it)")
 def test_pyright_finds_nothing_wrong_with_a_lesson_and_much_with_a_slip(project: Path) -> None:
     print_environment(["--vscode", str(project)])
-    paths = jsonc.parse((project / ".vscode" / "settings.json").read_text())["python.analysis.extraPaths"]
-    (project / "pyrightconfig.json").write_text(json.dumps({"extraPaths": paths}))
-    (project / "lesson.py").write_text(LESSON)
-    (project / "slip.py").write_text(LESSON.replace("message.name", "message.nam").replace("Twist()", "Twist(linar=1)"))
+    paths = jsonc.parse((project / ".vscode" / "settings.json").read_text(encoding="utf-8"))[
+        "python.analysis.extraPaths"
+    ]
+    (project / "pyrightconfig.json").write_text(json.dumps({"extraPaths": paths}), encoding="utf-8")
+    (project / "lesson.py").write_text(LESSON, encoding="utf-8")
+    (project / "slip.py").write_text(
+        LESSON.replace("message.name", "message.nam").replace("Twist()", "Twist(linar=1)"), encoding="utf-8"
+    )
 
     def errors(file: str) -> list[str]:
         command = [str(PYRIGHT), "--outputjson", "--pythonpath", sys.executable, file]
-        done = subprocess.run(command, cwd=project, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(command, cwd=project, capture_output=True, text=True, timeout=300, encoding="utf-8")
         return [
             each["message"] for each in json.loads(done.stdout)["generalDiagnostics"] if each["severity"] == "error"
         ]

@@ -32,7 +32,7 @@ def gone(pid: int) -> bool:
     except ProcessLookupError:
         return True
     status = Path(f"/proc/{pid}/stat")
-    return status.exists() and status.read_text().rpartition(")")[2].split()[0] == "Z"
+    return status.exists() and status.read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "Z"
 
 
 def until(condition: Callable[[], bool], seconds: float = 20.0) -> bool:
@@ -153,7 +153,7 @@ def test_ctrl_z_stops_it_and_fg_lets_it_go_on(seat: Any) -> None:
     (process,) = running_processes()
     stat = Path(f"/proc/{process.pid}/stat")
     if stat.exists():
-        assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "T")
+        assert until(lambda: stat.read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "T")
     seat.line("fg")
     seat.type("x\r")
     assert "got x" in seat.wait_prompt()
@@ -240,8 +240,8 @@ def test_no_process_outlives_a_day6_that_was_killed(tmp_path: Path, terminal: bo
     ours = subprocess.Popen([sys.executable, str(script)])
     try:
         pid_file = tmp_path / "pid"
-        assert until(lambda: pid_file.exists() and pid_file.read_text() != "")
-        pid = int(pid_file.read_text())
+        assert until(lambda: pid_file.exists() and pid_file.read_text(encoding="utf-8") != "")
+        pid = int(pid_file.read_text(encoding="utf-8"))
         ours.send_signal(signal.SIGKILL)
         ours.wait(10)
         assert until(lambda: gone(pid))
@@ -268,9 +268,9 @@ def test_a_pause_of_the_world_stops_it_too(machine: Any) -> None:
     if not stat.exists():
         pytest.skip("no /proc to look at")
     machine.desk.pause()
-    assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "T")
+    assert until(lambda: stat.read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "T")
     machine.desk.resume()
-    assert until(lambda: stat.read_text().rpartition(")")[2].split()[0] == "S")
+    assert until(lambda: stat.read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "S")
 
 
 def test_a_file_with_a_python_first_line_runs_as_a_command(machine: Any) -> None:
@@ -301,7 +301,7 @@ def test_daemons_of_a_program_end_with_it_though_they_left_its_group(machine: An
     write(machine.desk.home, "a.py", DAEMON)
     program = machine.start("python3 a.py")
     machine.wait(lambda: "ready" in machine.out.text)
-    daemons = [int(line) for line in (machine.desk.home / "pids").read_text().split()]
+    daemons = [int(line) for line in (machine.desk.home / "pids").read_text(encoding="utf-8").split()]
     assert len(daemons) == 3 and not any(gone(pid) for pid in daemons)
     program.interrupt()
     machine.wait(lambda: program.status is not None)
@@ -321,11 +321,11 @@ def test_daemons_do_not_outlive_a_day6_that_was_killed(tmp_path: Path) -> None:
     ours = subprocess.Popen([sys.executable, str(tmp_path / "desk.py")])
     pids = tmp_path / "pids"
     try:
-        assert until(lambda: pids.exists() and len(pids.read_text().split()) == 3)
+        assert until(lambda: pids.exists() and len(pids.read_text(encoding="utf-8").split()) == 3)
     finally:
         ours.kill()
         ours.wait(10)
-    assert until(lambda: all(gone(int(pid)) for pid in pids.read_text().split()))
+    assert until(lambda: all(gone(int(pid)) for pid in pids.read_text(encoding="utf-8").split()))
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere data is not limited")
@@ -368,3 +368,14 @@ def test_what_nobody_looked_at_is_dropped_and_the_terminal_says_how_much(
         said += [row for row in map(row_text, seat.terminal.screen.scrollback) if "dropped" in row]
     assert re.fullmatch(r"… \d{5} lines dropped *", said[0])
     assert "19999" in seat.wait_prompt()
+
+
+@posix
+def test_what_is_typed_while_a_program_runs_and_it_does_not_read_is_the_shells(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "import os, time\nprint('ready')\nwhile not os.path.exists('go'): time.sleep(0.01)\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.type("echo typed ahead; echo 你好\recho un")
+    (seat.desk.home / "go").touch()
+    seat.wait(lambda text: "typed ahead" in text.splitlines() and text.endswith(f"{PROMPT} echo un"))
+    assert "你好" in seat.look().splitlines()

@@ -7,6 +7,7 @@ import asyncio
 import pytest
 from fakes import FakeSimulation, turtle
 from screens import opened, screen_lines, screen_text, step
+from textual import events
 
 from day6_tui.tui.scenes import SCENES, Player
 
@@ -125,6 +126,60 @@ async def test_the_guide_types_a_command_but_leaves_running_it_to_the_user(desk)
         await pilot.press("enter")
         assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node"
         assert app.screen.focused is app.terminals
+
+
+async def test_a_command_typed_at_the_welcome_choices_goes_to_the_terminal_whole(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        assert app.screen.focused is app.welcome
+        await pilot.press(*"ros2 node list", "enter")
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "ros2 node list\r"
+        assert app.screen.focused is app.terminals and app.player is None
+
+
+async def test_quick_fingers_at_the_welcome_choices_lose_no_key(desk) -> None:
+    """All keys are there before the first is looked at, as when a line is sent by a program."""
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        for char in "ls 2 1":
+            app.welcome.post_message(events.Key("space" if char == " " else char, char))
+        app.welcome.post_message(events.Key("enter", "\r"))
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "ls 2 1\r" and app.player is None
+
+
+async def test_what_is_pasted_at_the_welcome_choices_goes_to_the_terminal(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.welcome.post_message(events.Paste("ros2 topic list"))
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "<ros2 topic list>" and app.screen.focused is app.terminals
+
+
+async def test_typing_at_the_guide_takes_a_terminal_in_which_nothing_runs(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        desk.terminals[0].busy = True
+        app.desktop.focus_pane(app.welcome)
+        await pilot.press(*"2d")
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "" and desk.terminals[1].sent == "2d"
+
+
+async def test_what_lay_over_a_pane_goes_when_the_keyboard_goes_to_another(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("f4", "f2")
+        await step(app, pilot)
+        assert app.desktop.overlay is None and "Windows and terminals" not in screen_text(app)
+        assert app.screen.focused is app.terminals
+
+
+def test_the_world_scene_launches_the_world_and_ends_where_the_keyboard_drives() -> None:
+    stage = _Stage()
+    _play("world", stage, visibly=False)
+    assert stage.done == [
+        "[idle]",
+        "ros2 launch day6_world world.launch.py world:=walls\r",
+        "[new]",
+        "ros2 run teleop_twist_keyboard teleop_twist_keyboard\r",
+    ]
 
 
 async def test_f3_goes_through_terminals_and_windows(desk) -> None:

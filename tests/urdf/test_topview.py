@@ -215,3 +215,9 @@ def test_in_a_low_picture_angle_and_speed_stand_beside_the_wheel_as_far_as_they_
     rows = ["".join(text for text, _ in row) for row in drawn]
     assert rows[0].strip() == "==#== 57 deg +1.00 rad/s"
     assert rows[8].strip() == "==#== 172 deg +1.00"
+
+
+def test_a_ball_on_a_joint_with_limits_is_an_elbow_and_no_wheel() -> None:
+    ball = '<sphere radius="0.1"/>'
+    assert len(find_wheels(robot(rolling("w", ball, "0 1 0")))) == 1
+    assert find_wheels(robot(rolling("w", ball, "0 1 0", "revolute"))) == []

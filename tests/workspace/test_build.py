@@ -331,3 +331,55 @@ def test_a_c_plus_plus_package_is_refused_honestly(workshop: Workshop) -> None:
     assert done.status == 1
     assert "day6-tui has no C++ compiler and no CMake: 'day6_cpp' cannot be built here" in done.err
     assert timeless(done.out).endswith("  1 package failed: day6_cpp\n  1 package had stderr output: day6_cpp\n")
+
+
+# -- terminals ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_new_terminal_reads_bashrc_and_an_old_one_does_not(workshop: Workshop) -> None:
+    workshop.create("hello", "--node-name hi")
+    workshop.run("colcon build")
+    before = workshop.desk.open_terminal(80, 24)
+    workshop.wait(lambda: before.waiting_at_prompt)
+    (workshop.home / ".bashrc").write_text("source ~/ros2_ws/install/setup.bash\n", encoding="utf-8")
+    after = workshop.desk.open_terminal(80, 24)
+    workshop.wait(lambda: after.waiting_at_prompt)
+    assert "AMENT_PREFIX_PATH" not in before.shell.environment
+    assert after.shell.environment["AMENT_PREFIX_PATH"] == str(workshop.workspace / "install/hello")
+
+
+def test_tab_knows_verbs_options_and_packages(workshop: Workshop) -> None:
+    from day6_tui.core.session.session import Session
+    from day6_tui.core.shell.completion import Completer
+
+    workshop.create("day6_one")
+    workshop.create("day6_two")
+    shell = workshop.terminal()
+    completer = Completer(shell, Session(workshop.desk.scheduler, None, ["bash"], env=shell.environment, cwd=shell.cwd))
+
+    def offered(line: str) -> list[str]:
+        answers: list[tuple[list[str], int]] = []
+
+        async def ask() -> None:
+            answers.append(await completer.complete(line))
+
+        workshop.desk.scheduler.spawn(ask(), "tab")
+        workshop.wait(lambda: bool(answers))
+        return answers[0][0]
+
+    assert offered("colcon b") == ["build"]
+    assert offered("colcon build --sym") == ["--symlink-install"]
+    assert offered("colcon build --packages-select day6_o") == ["day6_one"]
+    assert offered("colcon build --packages-select day6_one day6_") == ["day6_two"]
+
+
+def test_a_log_that_cannot_be_written_fails_no_build(workshop: Workshop, monkeypatch: pytest.MonkeyPatch) -> None:
+    workshop.create("hello")
+
+    def full(*arguments: object, **options: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("day6_tui.core.workspace.logs.open", full, raising=False)
+    done = workshop.run("colcon build")
+    assert (done.status, done.err) == (0, "")
+    assert timeless(done.out).endswith("\nSummary: 1 package finished [<T>]\n")

@@ -246,6 +246,17 @@ def test_the_line_follower_goes_all_the_way_round_and_stops_at_ctrl_c(machine: M
     follower.program.interrupt()
     machine.advance(1.0)
     assert machine.model.snapshot().velocity[0] == pytest.approx(0)
+    assert follower.program.status == 0
+
+
+def test_the_line_follower_stops_the_car_when_it_is_killed_too(machine: Machine) -> None:
+    machine.open_world("world:=line")
+    follower = machine.start("day6_world", "line_follower")
+    machine.advance(1.0)
+    assert machine.model.snapshot().velocity[0] > 0.1
+    follower.program.session.terminate()
+    machine.advance(1.0)
+    assert machine.model.snapshot().velocity[0] == pytest.approx(0)
 
 
 def test_the_same_seed_gives_the_same_world_and_another_one_does_not(machine: Machine) -> None:

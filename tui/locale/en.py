@@ -13,6 +13,7 @@ TEXTS = {
     "action.quit": "Quit",
     "action.help": "Help",
     "action.scene.turtle": "Drive the turtle",
+    "action.scene.world": "Drive the car in a world",
     "action.scene.car": "Make the car's wheels turn",
     "action.close": "Close this terminal or window",
     "action.copy": "Copy the selection",
@@ -38,6 +39,7 @@ TEXTS = {
     "help.action.quit": "ends every program and closes the desktop",
     "help.action.help": "explains the focused pane",
     "help.action.scene.turtle": "types the two commands of the turtle lesson",
+    "help.action.scene.world": "types the commands that put the car into a world with walls and drive it from the keyboard",
     "help.action.scene.car": "types the commands that show the car and turn its wheels",
     "help.action.close": "ends the shell, or the program that opened the window",
     "help.action.copy": "copies what is selected with the mouse",
@@ -57,6 +59,7 @@ TEXTS = {
     "bar.desk": "Desk",
     "bar.turtle": "Turtle",
     "bar.car": "Car",
+    "bar.world": "World",
     "bar.nodes": "nodes {count}",
     "bar.topics": "topics {count}",
     "bar.paused": "paused",
@@ -91,9 +94,11 @@ TEXTS = {
     "welcome.turtle.more": "turtlesim and the keyboard",
     "welcome.car": "Make the car's wheels turn",
     "welcome.car.more": "a URDF robot and /joint_states",
+    "welcome.world": "Drive the car in a world",
+    "welcome.world.more": "day6_world and /cmd_vel",
     "welcome.empty": "An empty desk",
     "welcome.empty.more": "just a terminal",
-    "welcome.keys": "↑ ↓ choose   Enter go   or press the number",
+    "welcome.keys": "↑ ↓ Enter or the number choose, or type a command",
     "welcome.truth": "The commands are typed for you, where you can see them. They are the real ones.",
     # guide
     "guide.title": "Desk",
@@ -195,6 +200,14 @@ TEXTS = {
     "editor.find": "find",
     "editor.line": "line",
     "editor.close": "close",
+    "editor.write": "save (Enter)",
+    "editor.write.name": "File Name to Write",
+    "editor.name": "a name is needed",
+    "editor.exists": "{name} exists: Enter again overwrites it",
+    "editor.modified": "Save modified buffer?",
+    "editor.modified.keys": "Y  yes      N  no, throw the changes away      Esc  go on writing",
+    "editor.cut": "cut lines, put them back",
+    "editor.indent": "a step in or out; several lines when they are chosen",
     "editor.undo": "undo, redo",
     "editor.open": "other file",
     "editor.reload": "as on disk",
@@ -398,7 +411,8 @@ TEXTS = {
     ),
     "help.car": (
         "Your robot from above, drawn from its URDF. The wheels turn as /joint_states and /tf say: nobody publishes, nothing "
-        "turns. In this picture the car stays where it is; turning wheels move nothing, just as in RViz."
+        "turns. In this picture the car stays where it is; turning wheels move nothing, just as in RViz.\n\n"
+        "+ and - enlarge and shrink the picture, the arrow keys move it, 0 shows everything, b changes the lines."
     ),
     "help.rviz2": (
         "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the panel Displays, on the "
@@ -457,7 +471,7 @@ TEXTS = {
     ),
     "help.welcome": (
         "Choose with the arrow keys and Enter, with a number, or with the mouse. The first choices type their commands into "
-        "terminals, one after the other, as a teacher would."
+        "terminals, one after the other, as a teacher would.\n\nOr simply begin to type a command: it goes to a terminal."
     ),
     # errors
     "error.home": "The home folder {path} cannot be used: {reason}",

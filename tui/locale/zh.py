@@ -13,6 +13,7 @@ TEXTS = {
     "action.quit": "退出",
     "action.help": "帮助",
     "action.scene.turtle": "驾驶小海龟",
+    "action.scene.world": "开着小车去闯一闯",
     "action.scene.car": "让小车的轮子转起来",
     "action.close": "关闭这个终端或窗口",
     "action.copy": "复制选中的文字",
@@ -38,6 +39,7 @@ TEXTS = {
     "help.action.quit": "结束所有程序，关闭桌面",
     "help.action.help": "解释当前的窗格",
     "help.action.scene.turtle": "替你输入小海龟课的两条命令",
+    "help.action.scene.world": "替你输入命令：把小车放进有墙的世界里，再用键盘开它",
     "help.action.scene.car": "替你输入显示小车、转动轮子的命令",
     "help.action.close": "结束 shell，或结束打开窗口的程序",
     "help.action.copy": "复制用鼠标选中的文字",
@@ -57,6 +59,7 @@ TEXTS = {
     "bar.desk": "桌面",
     "bar.turtle": "海龟",
     "bar.car": "小车",
+    "bar.world": "世界",
     "bar.nodes": "节点 {count}",
     "bar.topics": "话题 {count}",
     "bar.paused": "已暂停",
@@ -91,9 +94,11 @@ TEXTS = {
     "welcome.turtle.more": "turtlesim 和键盘遥控",
     "welcome.car": "让小车的轮子转起来",
     "welcome.car.more": "URDF 机器人和 /joint_states",
+    "welcome.world": "开着小车去闯一闯",
+    "welcome.world.more": "day6_world 和 /cmd_vel",
     "welcome.empty": "空桌面",
     "welcome.empty.more": "只有一个终端",
-    "welcome.keys": "↑ ↓ 选择   Enter 确定   也可以按数字",
+    "welcome.keys": "↑ ↓ 加 Enter 或者按数字选择，也可以直接输入命令",
     "welcome.truth": "命令会一个字一个字地替你输入，你都看得见，它们就是真正的命令。",
     # guide
     "guide.title": "桌面",
@@ -193,6 +198,14 @@ TEXTS = {
     "editor.find": "查找",
     "editor.line": "行",
     "editor.close": "关闭",
+    "editor.write": "保存（再按 Enter）",
+    "editor.write.name": "要写入的文件名",
+    "editor.name": "要有一个名字",
+    "editor.exists": "{name} 已经有了：再按一次 Enter 就覆盖它",
+    "editor.modified": "改过的内容要保存吗？",
+    "editor.modified.keys": "Y  保存      N  不保存，丢掉改动      Esc  继续写",
+    "editor.cut": "剪下几行、放回来",
+    "editor.indent": "缩进、退回一级；选中几行就一起移",
     "editor.undo": "撤销、重做",
     "editor.open": "别的文件",
     "editor.reload": "读回磁盘上的",
@@ -259,7 +272,7 @@ TEXTS = {
     "rviz.bad.finite": "这个数不是有限的数",
     "rviz.bad.vector": "请输入三个数：0; 0; 0.5",
     "rviz.bad.quaternion": "请输入四个数：x; y; z; w",
-    "rviz.bad.colour": "请输入三个 0 到 255 的数：红; 绿; 蓝",
+    "rviz.bad.colour": "请输入三个 0 到 255 的数，依次是红、绿、蓝：160; 160; 164",
     "rviz.bad.enum": "请从这些里面选：{options}",
     "rviz.bad.name": "请输入名字",
     "rviz.bad.picture": "文件名要以 .png 或 .svg 结尾",
@@ -393,7 +406,8 @@ TEXTS = {
     ),
     "help.car": (
         "从上往下看你的机器人，按它的 URDF 画出来。轮子按 /joint_states 和 /tf 转动：没有人发布，就没有东西转。"
-        "在这幅图里小车不会走开；轮子转了车也不动，和 RViz 里一样。"
+        "在这幅图里小车不会走开；轮子转了车也不动，和 RViz 里一样。\n\n"
+        "+ 和 - 放大缩小，方向键移动画面，0 看全图，b 换一种线条。"
     ),
     "help.rviz2": (
         "RViz 把 ROS 知道的东西画出来：机器人、坐标系、传感器数据。它自己不会让任何东西动。"
@@ -446,7 +460,10 @@ TEXTS = {
         "数值。\n\n字段写得像路径：/turtle1/pose/x；列表里的一项写成 /joint_states/pos"
         "ition[0]。听就是订阅，所以订阅者会多一个。"
     ),
-    "help.welcome": "用方向键和 Enter 选择，也可以按数字或点鼠标。前两项会像老师一样，把命令一条一条地输入到终端里。",
+    "help.welcome": (
+        "用方向键和 Enter 选择，也可以按数字或点鼠标。前三项会像老师一样，把命令一条一条地输入到终端里。\n\n"
+        "直接输入命令也行，它会进到终端里。"
+    ),
     # errors
     "error.home": "主目录 {path} 不能用：{reason}",
     "error.window": "这个窗口画不出来：{reason}",

@@ -23,6 +23,8 @@ FRAME_SECONDS = 0.05
 
 ZOOM = 1.25
 _ZOOMS = {"+": ZOOM, "=": ZOOM, "-": 1 / ZOOM, "_": 1 / ZOOM}
+_PANS = {"left": (1, 0), "right": (-1, 0), "up": (0, 1), "down": (0, -1)}
+"""Keys that look to a side: the picture moves to the other one."""
 
 _ROLES = {
     "": "text",
@@ -54,6 +56,7 @@ class CarPane(WindowPane):
         self._said: list[tuple[str, str]] = []
         self._drawn_at = 0.0
         self._zoom = 1.0
+        self._shift = (0, 0)
         self._boxes = False
         """Box lines instead of ASCII."""
 
@@ -88,7 +91,9 @@ class CarPane(WindowPane):
         degree = "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
         labels = snapshot.labels(degree)
         self._rows = list(
-            render_top(snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom)
+            render_top(
+                snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom, self._shift
+            )
         )
 
     def _say(self, status: Any) -> list[tuple[str, str]]:
@@ -155,8 +160,11 @@ class CarPane(WindowPane):
             self._boxes = not self._boxes
         elif event.character in _ZOOMS:
             self._zoom = min(max(self._zoom * _ZOOMS[event.character], 0.2), 20.0)
+        elif event.key in _PANS:
+            right, down = _PANS[event.key]
+            self._shift = (self._shift[0] + 4 * right, self._shift[1] + 2 * down)
         elif event.character == "0":
-            self._zoom = 1.0
+            self._zoom, self._shift = 1.0, (0, 0)
         else:
             return
         event.stop()

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 
 from rich.segment import Segment
-from rich.text import Text
 from textual import events
 from textual.app import ComposeResult
-from textual.widgets import TextArea
 from textual.widgets.text_area import Selection
 
 from day6_tui.core.session.display import Window
@@ -20,7 +18,9 @@ from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.prompt import Question
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.editor_area import EditorArea, has_grammar, theme_for
 
 KEEP_SECONDS = 1.0
 """So long after the last key the unsaved text is kept and checked."""
@@ -37,7 +37,7 @@ class EditorPane(WindowPane):
     def __init__(self, window: Window, look: Look) -> None:
         super().__init__(window, look)
         self.editor: Editor = window.model
-        self.area = _Area(self)
+        self.area = EditorArea(self, look)
         self.problem: Problem | None = None
         self._version = -1
         self._edited = 0.0
@@ -101,7 +101,10 @@ class EditorPane(WindowPane):
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        nano = [("^O", texts("editor.write")), ("^K ^U", texts("editor.cut"))] if self._is_nano else []
         return [
+            *nano,
+            ("Tab Shift+Tab", texts("editor.indent")),
             ("^Z ^Y", texts("editor.undo")),
             ("^T", texts("editor.open")),
             ("^R", texts("editor.reload")),
@@ -116,6 +119,10 @@ class EditorPane(WindowPane):
             return ()
         lines = wrap(self.look.texts("editor.choose"), width)
         return [Segment(lines[y], self.look.colours.muted)] if y < len(lines) else ()
+
+    def restyle(self) -> None:
+        super().restyle()
+        self.area.theme = theme_for(self.look)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -156,7 +163,7 @@ class EditorPane(WindowPane):
             return
         language = language_of(file.path)
         known = language in self.area.available_languages
-        self.area.language = language if known and _has_grammar(language) else None
+        self.area.language = language if known and has_grammar(language) else None
         self.area.load_text(self.editor.text)
         self._kept = self.editor.text
         self._keep_and_check()
@@ -197,7 +204,10 @@ class EditorPane(WindowPane):
         return True
 
     def close(self) -> None:
-        """Close the window; unsaved text asks for a second time, and is kept even then."""
+        """Close the window. Unsaved text: nano asks, the others want the key twice and keep a copy even then."""
+        if self.changed and self._is_nano:
+            self._ask_before_leaving()
+            return
         if self.changed and not self._leaving:
             self._leaving = True
             self._said = self.look.texts("editor.unsaved")
@@ -205,6 +215,47 @@ class EditorPane(WindowPane):
             return
         self._keep_and_check()
         self.window.close_by_user()
+
+    def _ask_before_leaving(self) -> None:
+        """nano's question: Y names the file once more and saves, N throws the changes away."""
+
+        def discard() -> None:
+            self.editor.keep(self.editor.saved)
+            self.window.close_by_user()
+
+        answers = {"y": partial(self.write_as, leave=True), "n": discard}
+        texts = self.look.texts
+        self.lay_over(Question(self.look, texts("editor.modified"), texts("editor.modified.keys"), answers))
+
+    def write_as(self, leave: bool = False) -> None:
+        """nano's ^O: show the name and save when Enter is pressed; under another name if it was changed."""
+        if self.editor.file is None:
+            return
+        own = self.editor.title()
+        asked = ""
+
+        def taken(name: str) -> str | None:
+            nonlocal asked
+            path = self.editor.folder / name
+            if name == own:
+                if not self.save():
+                    return self._said
+            elif not name.strip():
+                return self.look.texts("editor.name")
+            elif path.exists() and name != asked:
+                asked = name
+                return self.look.texts("editor.exists", name=name)
+            else:
+                try:
+                    self.editor.save_as(path, self.area.text)
+                except OSError as error:
+                    return self.look.texts("editor.not_saved", reason=error.strerror or error)
+            if leave:
+                self.window.close_by_user()
+            self.look.wake()
+            return None
+
+        self.ask(self.look.texts("editor.write.name"), own, taken)
 
     def _reload(self) -> None:
         place = self.area.cursor_location
@@ -289,7 +340,7 @@ class EditorPane(WindowPane):
 
     def used(self, key: str) -> bool:
         """Do what a key of the editor means; False if it is none."""
-        actions = {
+        actions: dict[str, Callable[[], object]] = {
             "ctrl+s": self.save,
             "ctrl+f": self.find,
             "ctrl+g": self.go_to_line,
@@ -298,80 +349,14 @@ class EditorPane(WindowPane):
             "ctrl+x" if self._is_nano else "ctrl+w": self.close,
         }
         if self._is_nano:
-            actions["ctrl+o"] = self.save
+            actions |= {
+                "ctrl+o": self.write_as,
+                "ctrl+w": self.find,
+                "ctrl+underscore": self.go_to_line,
+                "ctrl+k": self.area.cut_line,
+                "ctrl+u": self.area.put_line,
+            }
         action = actions.get(key)
         if action is not None:
             action()
         return action is not None
-
-
-class _Area(TextArea):
-    """The text: keys of the editor go to the pane first, Enter keeps the indentation, the wrong line is underlined."""
-
-    DEFAULT_CSS = """
-    _Area { margin: 1; border: none; padding: 0; width: 1fr; height: 1fr; }
-    _Area:focus { border: none; }
-    """
-
-    def __init__(self, pane: EditorPane) -> None:
-        super().__init__(
-            "",
-            theme=_theme(pane.look),
-            soft_wrap=False,
-            tab_behavior="indent",
-            show_line_numbers=True,
-            compact=True,
-        )
-        self._pane = pane
-
-    def on_text_area_changed(self, event: TextArea.Changed) -> None:
-        event.stop()
-        self._pane.edited()
-
-    def on_text_area_selection_changed(self, event: TextArea.SelectionChanged) -> None:
-        event.stop()
-        self._pane.touch_frame()
-
-    async def _on_key(self, event: events.Key) -> None:
-        if self._pane.used(event.key):
-            event.stop()
-            event.prevent_default()
-        elif event.key == "enter":
-            event.stop()
-            event.prevent_default()
-            self._new_line()
-        else:
-            await super()._on_key(event)
-
-    def _new_line(self) -> None:
-        """Begin a line as deep as this one, a step deeper after a colon in Python."""
-        row, column = self.cursor_location
-        before = self.document.get_line(row)[:column]
-        indentation = before[: len(before) - len(before.lstrip())]
-        if self.language == "python" and before.rstrip().endswith(":"):
-            indentation += "    "
-        self.insert("\n" + indentation)
-
-    def get_line(self, line_index: int) -> Text:
-        line = super().get_line(line_index)
-        problem = self._pane.problem
-        if problem is not None and problem.line == line_index + 1:
-            line.stylize("underline red")
-        return line
-
-    def forget_lines(self) -> None:
-        """Draw all lines anew."""
-        self._line_cache.clear()
-        self.refresh()
-
-
-def _theme(look: Look) -> str:
-    """The colours of the text: those of a well-known editor, or the terminal's own where there are few."""
-    return {"dark": "vscode_dark", "light": "github_light"}.get(look.colours.name, "css")
-
-
-def _has_grammar(language: str) -> bool:
-    """Say whether highlighting can be had: it comes from packages that a system may lack."""
-    from importlib.util import find_spec
-
-    return find_spec("tree_sitter") is not None and find_spec(f"tree_sitter_{language}") is not None

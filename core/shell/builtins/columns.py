@@ -238,7 +238,11 @@ async def diff(session: Session) -> int:
     texts = []
     for name in names:
         try:
-            data = await session.stdin.read_all() if name == "-" else (session.cwd / name).read_text("utf-8", "replace")
+            data = (
+                await session.stdin.read_all()
+                if name == "-"
+                else (session.cwd / name).read_text(encoding="utf-8", errors="replace")
+            )
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             return 2

@@ -55,11 +55,22 @@ def _xml(text: str) -> Problem | None:
     from xml.parsers import expat
 
     parser = expat.ParserCreate()
+    parser.EntityDeclHandler = _refuse_entity
     try:
         parser.Parse(text.encode("utf-8"), True)
     except expat.ExpatError as error:
         return Problem(error.lineno, error.offset + 1, expat.ErrorString(error.code))
+    except _Entity:
+        return Problem(parser.CurrentLineNumber, 1, "entity definitions are not read here")
     return None
+
+
+class _Entity(Exception):
+    """The text defines an entity, which could grow without end."""
+
+
+def _refuse_entity(*definition: object) -> None:
+    raise _Entity
 
 
 def _yaml(text: str) -> Problem | None:

@@ -50,6 +50,15 @@ class Editor:
         self.saved = self.text = text
         self.recovered = False
 
+    def save_as(self, path: Path, text: str) -> None:
+        """Write the text to another file and go on with that one. Raises OSError and then nothing has changed."""
+        file = TextFile(path, self._state)
+        file.write(text)
+        if self.file is not None:
+            self.file.forget()
+        self.file, self.saved, self.text, self.recovered = file, text, text, False
+        self.version += 1
+
     def keep(self, text: str) -> None:
         """Keep an unsaved text for the case that it never gets saved. Raises OSError."""
         if self.file is not None:

@@ -13,11 +13,14 @@ node = rclpy.create_node("cancelled")
 group = ReentrantCallbackGroup()
 
 
+ended = []
+
+
 def execute(goal_handle):
     for _ in range(500):
         if goal_handle.is_cancel_requested:
             goal_handle.canceled()
-            print("server: canceled")
+            ended.append("server: canceled")
             return Fibonacci.Result(sequence=[1, 2, 3])
         time.sleep(0.01)
     goal_handle.succeed()
@@ -50,6 +53,7 @@ print("accepted:", handle.accepted)
 answer = wait(handle.cancel_goal_async())
 print("cancel:", answer.return_code, len(answer.goals_canceling))
 result = wait(handle.get_result_async())
+print(ended)
 print("result:", result.status, list(result.result.sequence))
 executor.shutdown()
 rclpy.shutdown()

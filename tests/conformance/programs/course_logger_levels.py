@@ -6,8 +6,16 @@ from rclpy.logging import LoggingSeverity, get_logger, get_logger_effective_leve
 rclpy.init()
 node = rclpy.create_node("noisy")
 log = node.get_logger()
-for method in (log.debug, log.info, log.warning, log.error, log.fatal):
-    print(method.__name__, method(f"a {method.__name__}"))
+print(log.debug("a debug"))
+print(log.info("an info"))
+print(log.warning("a warning"))
+print(log.error("an error"))
+print(log.fatal("a fatal"))
+try:
+    for method in (log.info, log.error):
+        method("two levels from one line")
+except ValueError as error:
+    print("ValueError", error)
 child = log.get_child("arm")
 print(child.name, child.get_effective_level(), child.is_enabled_for(LoggingSeverity.DEBUG))
 log.set_level(LoggingSeverity.ERROR)

@@ -31,6 +31,7 @@ def most_at_once(*groups):
         executor.spin_once(timeout_sec=0.05)
     for timer in timers:
         timer.cancel()
+    time.sleep(0.3)
     executor.shutdown()
     node.destroy_node()
     return most

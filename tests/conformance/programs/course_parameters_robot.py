@@ -40,8 +40,11 @@ for new in (
     Parameter("name", value="Ada"),
     Parameter("nope", value=1),
 ):
-    result = robot.set_parameters([new])
-    print(new.name, new.value, result[0].successful, result[0].reason)
+    try:
+        result = robot.set_parameters([new])
+        print(new.name, new.value, result[0].successful, result[0].reason)
+    except Exception as error:
+        print(type(error).__name__, error)
 print(robot.get_parameter("speed").value, robot.get_parameter("name").value)
 print(sorted(robot.get_parameters_by_prefix("wheel")))
 print(robot.describe_parameter("speed").description, robot.has_parameter("wheel.count"))

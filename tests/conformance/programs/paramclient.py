@@ -1,9 +1,9 @@
 import rclpy, tempfile, os
 from rclpy.node import Node
-from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.parameter_event_handler import ParameterEventHandler
 from rcl_interfaces.msg import *
+from rclpy.parameter import Parameter
 
 
 def t(f):

@@ -11,9 +11,9 @@ def t(f):
         print(type(e).__module__ + "." + type(e).__qualname__, "|", e)
 
 
-from rosgraph_msgs.msg import Clock
 from rclpy.parameter import Parameter
 from rclpy.clock import *
+from rosgraph_msgs.msg import Clock
 from rclpy.duration import Duration
 
 rclpy.init()

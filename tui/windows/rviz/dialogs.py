@@ -96,8 +96,8 @@ def save(pane: RVizPane) -> None:
     path = pane.rviz.config_file or pane.rviz.default_file
     if path is None:
         save_as(pane)
-    elif problem := _write(pane, path):
-        pane.say(problem, 6.0)
+    else:
+        _write(pane, path)
 
 
 def save_as(pane: RVizPane) -> None:
@@ -107,21 +107,28 @@ def save_as(pane: RVizPane) -> None:
         name = text.strip()
         if not name:
             return pane.look.texts("rviz.bad.name")
-        return _write(pane, pane.rviz.path(name if name.endswith(".rviz") else f"{name}.rviz"))
+        _write(pane, pane.rviz.path(name if name.endswith(".rviz") else f"{name}.rviz"))
+        return None
 
     old = str(pane.rviz.config_file or "robot.rviz")
     pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, taken))
 
 
-def _write(pane: RVizPane, path: Path) -> str | None:
+def _write(pane: RVizPane, path: Path) -> None:
     rviz, texts = pane.rviz, pane.look.texts
-    try:
-        rviz.write_file(path, write_config(rviz.save()))
-    except OSError as error:
-        return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
-    rviz.config_file, rviz.modified = path, False
-    pane.say(texts("rviz.saved", file=str(path)))
-    return None
+
+    def work() -> None:
+        # On the program's thread, after every change that was asked for before.
+        try:
+            rviz.write_file(path, write_config(rviz.save()))
+        except OSError as error:
+            text = texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
+        else:
+            rviz.config_file, rviz.modified = path, False
+            text = texts("rviz.saved", file=str(path))
+        pane.app.call_later(pane.say, text, 6.0)
+
+    pane.request(work)
 
 
 def load(pane: RVizPane) -> None:

@@ -51,5 +51,7 @@ async def main(session: Session) -> int:
     try:
         await session.spin(node)
     except KeyboardInterrupt:
-        follower.stop()
+        return 0
+    finally:
+        follower.stop()  # however it ends: the world goes on with the last order
     return 0

@@ -32,8 +32,9 @@ async def list_own(session: Session, name: str) -> int:
     future: Any = client.list_parameters(["foo", "bar"], 10)
     await session.spin_until(future)
     found = future.result().result
-    lines = ["", "Parameter names:", *(f" {each}" for each in found.names)]
-    lines += ["Parameter prefixes:", *(f" {each}" for each in found.prefixes)]
+    # rclcpp keeps its parameters sorted.
+    lines = ["", "Parameter names:", *(f" {each}" for each in sorted(found.names))]
+    lines += ["Parameter prefixes:", *(f" {each}" for each in sorted(found.prefixes))]
     node.get_logger().info("\n".join(lines))
     return 0
 

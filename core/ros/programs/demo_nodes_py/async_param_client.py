@@ -52,8 +52,8 @@ async def main(session: Session) -> int:
             info(f"    - {name}: {parameter_value_to_python(value)}")
         info("Loading parameters: ")
         file = str(Path(get_package_share_directory("demo_nodes_py"), "params.yaml"))
-        loaded = parameter_dict_from_yaml_file(file)
-        results = (await answer(client.load_parameter_file(file))).results
+        loaded = parameter_dict_from_yaml_file(file, use_wildcard=True)
+        results = (await answer(client.load_parameter_file(file, use_wildcard=True))).results
         for (name, parameter), result in zip(loaded.items(), results, strict=True):
             info(f"    {name}:")
             info(f"        successful: {result.successful}")

@@ -39,7 +39,8 @@ class JointStatePublisher:
 
     `description` is a URDF's text from the command line, or None. Raises DescriptionError for a description or a
     parameter that cannot be used. Parameters `zeros.JOINT` and `dependent_joints.JOINT.{parent,factor,offset}` have no
-    declaration: like the original, the node declares whatever the command line gives.
+    declaration: like the original, the node declares whatever the command line gives. `dependent_joints` works as its
+    documentation says; version 2.4.0 itself reads it and forgets it as soon as it has a description.
     """
 
     def __init__(self, session: Session, description: str | None) -> None:

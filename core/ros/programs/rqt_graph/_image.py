@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import html
 import io
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
-from xml.sax.saxutils import escape
 
 from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Cell, Picture, Rect
 
@@ -157,7 +157,7 @@ def _element(shape: Shape) -> str:
     if isinstance(shape, Text):
         anchor = ' text-anchor="middle"' if shape.centred else ""
         place = f'x="{shape.at[0]:g}" y="{shape.at[1] + FONT_SIZE * 0.35:g}"'
-        return f'<text {place}{anchor} fill="{shape.colour}">{escape(shape.text)}</text>'
+        return f'<text {place}{anchor} fill="{shape.colour}">{html.escape(shape.text)}</text>'
     points = " ".join(f"{x:g},{y:g}" for x, y in shape.points)
     if isinstance(shape, Arrow):
         return f'<polygon points="{points}" fill="{INK}"/>'

@@ -132,7 +132,7 @@ async def main(session: Session) -> int:
     if session.display is None:
         return await _tell(session, rviz, changed)
     # The picture needs numpy, whose import would make the desktop stutter.
-    await in_thread(lambda: __import__("numpy"))
+    await in_thread(_load_numpy)
     rviz.tick()
     window = session.display.open("rviz2", _title(rviz, options.display_title_format), rviz)
     try:
@@ -141,6 +141,10 @@ async def main(session: Session) -> int:
         if not window.closed:
             log_interrupt(session)
     return 0
+
+
+def _load_numpy() -> None:
+    import numpy  # noqa: F401
 
 
 def _configure(session: Session, rviz: RViz, options: argparse.Namespace) -> None:

@@ -140,6 +140,7 @@ async def main(session: Session) -> int:
                 for key in keys:
                     teleop.press(key)
         except KeyboardInterrupt:
-            pass  # its own Ctrl-C: it stops the robot and ends quietly
-        teleop.publish(0, 0, 0, 0)
+            pass  # its own Ctrl-C: it ends quietly
+        finally:
+            teleop.publish(0, 0, 0, 0)
     return 0

@@ -105,7 +105,8 @@ async def main(session: Session) -> int:
                 teleop.tick()
         except KeyboardInterrupt:
             pass
-        teleop.publish(0.0, 0.0)
+        finally:
+            teleop.publish(0.0, 0.0)
     return 0
 
 

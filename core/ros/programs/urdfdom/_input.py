@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from day6_tui.core.session.session import Session
 from day6_tui.urdf import Robot, check_text
+from day6_tui.urdf.advice import advice_of
 from day6_tui.urdf.check import MAX_BYTES, read_description, too_large
 from day6_tui.urdf.explain import hint_of, hints_wanted, language_of
 
@@ -26,7 +27,8 @@ def take_hint_option(session: Session) -> bool:
 async def read_robot(session: Session, path: str, hints: bool) -> Robot | None:
     """Parse a file (`-`: standard input) and write the parser's messages to stderr; None if it is refused.
 
-    With `hints`, a line says where in the description the first mistake is and what it means.
+    With `hints`, a line says where in the description the first mistake is and what it means, also a mistake that the
+    parser does not mind.
     """
     text, size = await session.stdin.read_all() if path == "-" else "", 0
     if path != "-":
@@ -40,6 +42,8 @@ async def read_robot(session: Session, path: str, hints: bool) -> Robot | None:
         session.print_error("ERROR: Model Parsing the xml failed")
     language = language_of(session.env)
     hint = hint_of(report, text, language) if hints else None
+    if hints and hint is None and report.robot is not None:
+        hint = advice_of(report.robot, text, language)
     if hint is not None:
         session.print_error(hint.sentence(path if path != "-" else "stdin", language))
     return report.robot

@@ -38,6 +38,23 @@ def _type_of(interface: type[Any]) -> tuple[str, str]:
     return type_name(interface), type_hash(interface)
 
 
+def _refuse_unknown(qos: QoS, kind: str, line: int) -> None:
+    """Raise RCLError if a policy is UNKNOWN, which only what others offer can be (rmw_fastrtps, qos.cpp)."""
+    from day6_tui.core.graph.qos import Durability, History, Liveliness, Reliability
+
+    for policy, unknown, name, place in (
+        (qos.history, History.UNKNOWN, "history", 68),
+        (qos.durability, Durability.UNKNOWN, "durability", 82),
+        (qos.reliability, Reliability.UNKNOWN, "reliability", 96),
+        (qos.liveliness, Liveliness.UNKNOWN, "Liveliness", 134),
+    ):
+        if policy == unknown:
+            raise RCLError(
+                f"Failed to create {kind}: Unknown QoS {name} policy, at /project/src/qos.cpp:{place}, "
+                f"at /project/src/rcl/{kind}.c:{line}"
+            )
+
+
 class PublisherHandle(EndpointHandle):
     """A publisher. Raises InvalidHandle for a destroyed node, RCLError when the context is shut down."""
 
@@ -52,6 +69,7 @@ class PublisherHandle(EndpointHandle):
         node.claim_topic(
             full, type_name, "publisher", "/project/src/publisher.cpp:145, at /project/src/rcl/publisher.c:118"
         )
+        _refuse_unknown(qos_profile, "publisher", 118)
         endpoint = node.node.create_publisher(full, type_name, type_hash, qos_profile, copy_message)
         super().__init__(node, endpoint, is_topic=True)
         self._msg_type = msg_type
@@ -98,6 +116,7 @@ class SubscriptionHandle(EndpointHandle):
         node.claim_topic(
             full, type_name, "subscription", "/project/src/subscription.cpp:526, at /project/src/rcl/subscription.c:116"
         )
+        _refuse_unknown(qos_profile, "subscription", 116)
         endpoint = node.node.create_subscription(full, type_name, type_hash, qos_profile)
         super().__init__(node, endpoint, is_topic=True)
         self._msg_type = msg_type

@@ -267,7 +267,8 @@ class ROSClock(Clock):
         """Call the pre-callbacks of those whose threshold the jump exceeds, make the jump, return those handles."""
         active, override = self._active, self._override
         apply()
-        delta = self._now_ns() - before
+        # Another source of the time is no jump by so and so much (rcl/time.c).
+        delta = self._now_ns() - before if change is ClockChange.ROS_TIME_NO_CHANGE else 0
         after_active, after_override = self._active, self._override
         concerned = [handle for handle in handles if handle._threshold._exceeded_by(change, delta)]
         if any(handle._pre_callback is not None for handle in concerned):

@@ -167,14 +167,12 @@ class Timer(Entity):
         return result if is_coroutine_function(callback) else None
 
     def _advance(self, now: int) -> None:
-        """Note a call; the next one is due at the next whole period that is not over."""
+        """Note a call; the next one is due at the first whole period after now."""
         due = self._next
         self._last = now
         self._next = due + self._period
-        if self._next < now:
-            self._next = (
-                now if self._period == 0 else self._next + -(-(now - self._next) // self._period) * self._period
-            )
+        if self._next <= now:
+            self._next = now if self._period == 0 else self._next + (1 + (now - self._next) // self._period) * self._period
 
     def _info(self, due: int, now: int) -> TimerInfo:
         """Describe a call that was due at `due` and is made at `now`, by the timer's clock."""

@@ -35,9 +35,13 @@ def answering() -> Iterator[None]:
     """Inside, a wrong question raises what it raises where the real daemon, a server of its own, reports it back."""
     try:
         yield
-    except ValueError as error:
+    except Exception as error:
         from xmlrpc.client import Fault
 
+        from rclpy.exceptions import NameValidationException
+
+        if not isinstance(error, (ValueError, NameValidationException)):
+            raise
         raise Fault(1, f"{type(error)}:{error}") from None
 
 

@@ -30,7 +30,11 @@ def read_config(text: str) -> dict[str, Any]:
             return super().compose_node(parent, index)
 
     try:
-        loaded = yaml.load(text, Loader)
+        loader = Loader(text)
+        try:
+            loaded = loader.get_single_data()
+        finally:
+            loader.dispose()
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}, column {mark.column + 1}: " if mark is not None else ""

@@ -44,7 +44,7 @@ class Frames:
 
     def __init__(self, buffer: FrameBuffer) -> None:
         self.buffer = buffer
-        self.fixed = "map"
+        self.fixed = ""
         self._known: dict[tuple[str, int], Transform | None] = {}
 
     def forget(self) -> None:

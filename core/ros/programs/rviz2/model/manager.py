@@ -110,6 +110,7 @@ class RViz:
         self.views.add(self.view_type)
         self.views.add(self.view)
         self.view_version = 0
+        self.frames.fixed = self.fixed_frame
 
     # -- what displays ask for -----------------------------------------------------------------------------------------
 

@@ -18,8 +18,8 @@ MOST_TEXT_BYTES = 120_000_000
 """Of OBJ, DAE and STL as text, which take ten times their size while they are read."""
 
 MOST_TRIANGLES = 20_000
-CUBES = 128
-"""Small cubes along the longest side of a mesh that is made coarser."""
+CUBES = 126
+"""Small cubes along the longest side of a mesh that is made coarser: their numbers fit into 21 bits."""
 
 CHUNK = 200_000
 """Triangles read in one go; between two chunks the work may be given up."""
@@ -212,20 +212,23 @@ def coarse(chunks: Callable[[], Iterator[Any]], count: int) -> MeshData:
         low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
     side = float((high - low).max()) / CUBES or 1.0
     cubes = CUBES + 1
-    found = np.zeros((0, 3), np.int64)
+    found = np.zeros(0, np.int64)
+    """Triangles as three numbers of cubes, which have 21 bits each."""
     while True:
         for corners in chunks():
             cell = ((corners - low) / side).astype(np.int64)
             key = (cell[..., 0] * cubes + cell[..., 1]) * cubes + cell[..., 2]
             whole = (key[:, 0] != key[:, 1]) & (key[:, 1] != key[:, 2]) & (key[:, 0] != key[:, 2])
-            found = np.unique(np.concatenate([found, np.sort(key[whole], axis=1)]), axis=0)
+            a, b, c = np.sort(key[whole], axis=1).T
+            found = np.unique(np.concatenate([found, a << 42 | b << 21 | c]))
             if len(found) > 8 * MOST_TRIANGLES:
                 break
         else:
             if len(found) <= 2 * MOST_TRIANGLES:
                 break
         # Still too fine: larger cubes.
-        side, cubes, found = side * 2, cubes // 2 + 1, np.zeros((0, 3), np.int64)
-    keys, faces = np.unique(found, return_inverse=True)
+        side, cubes, found = side * 2, cubes // 2 + 1, np.zeros(0, np.int64)
+    corners = np.stack([found >> 42, found >> 21 & 0x1FFFFF, found & 0x1FFFFF], axis=1)
+    keys, faces = np.unique(corners, return_inverse=True)
     place = np.stack([keys // (cubes * cubes), keys // cubes % cubes, keys % cubes], axis=1)
     return MeshData((low + (place + 0.5) * side).astype(np.float32), faces.reshape(-1, 3))

@@ -1,0 +1,328 @@
+"""The editor's window on a desktop whose frames the test draws: keys of nano, nothing lost, text of every kind."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from textual import events
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from fakes import FakeDesk
+from screens import opened, screen_text, step
+
+from day6_tui.core.shell.editing.model import Editor
+
+TALKER = "import rclpy\n\n\ndef main():\n    rclpy.init()\n    print('你好')\n"
+
+
+class Bench:
+    """An editor on a file of `tmp_path`; `act` gets it with the desktop around it."""
+
+    def __init__(self, folder: Path, name: str = "nano", file: str = "talker.py") -> None:
+        self.path = folder / file
+        self.state = folder / "state"
+        self.name = name
+        self.app: Any = None
+        self.pilot: Any = None
+        self.pane: Any = None
+        self.window: Any = None
+
+    def run(self, act: Callable[[Bench], Awaitable[None]], width: int = 80, height: int = 24, **options: Any) -> Bench:
+        async def play() -> None:
+            desk = FakeDesk()
+            editor = Editor(self.path.parent, self.state, self.name)
+            editor.open(self.path)
+            self.window = desk.display.open("editor", self.name, editor)
+            async with opened(desk, width, height, scene="empty", **{"lang": "en", **options}) as (
+                self.app,
+                self.pilot,
+            ):
+                await self.step()
+                self.pane = self.app.query_one("EditorPane")
+                self.app.desktop.focus_pane(self.pane)
+                await self.step()
+                await act(self)
+
+        asyncio.run(play())
+        return self
+
+    async def step(self) -> None:
+        await step(self.app, self.pilot)
+
+    async def press(self, *keys: str) -> str:
+        """Press keys as a person does, one after the other; return the screen."""
+        await self.pilot.press(*keys)
+        await self.step()
+        return screen_text(self.app)
+
+    async def burst(self, text: str) -> None:
+        """Keys as fast as a terminal without bracketed paste sends a pasted text."""
+        for char in text:
+            key = {"\n": "enter", "\t": "tab"}.get(char, char)
+            self.app.screen.focused.post_message(events.Key(key, "\r" if char == "\n" else char))
+        await self.step()
+
+    async def paste(self, text: str) -> None:
+        self.pane.area.post_message(events.Paste(text))
+        await self.step()
+
+    @property
+    def text(self) -> str:
+        return str(self.pane.area.text)
+
+    @property
+    def saved(self) -> str:
+        return self.path.read_text(encoding="utf-8")
+
+    @property
+    def open(self) -> bool:
+        return not self.window.closed
+
+
+def test_nano_writes_with_ctrl_o_and_enter_and_leaves_with_ctrl_x(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("a", "b")
+        assert "File Name to Write" in await bench.press("ctrl+o")
+        await bench.press("enter")
+        assert bench.saved == "ab" and bench.open
+        await bench.press("ctrl+x")
+        assert not bench.open
+
+    bench = Bench(tmp_path).run(act)
+    assert bench.saved == "ab"
+
+
+def test_nano_asks_before_it_leaves_and_y_enter_saves(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("a")
+        assert "Save modified buffer?" in await bench.press("ctrl+x")
+        await bench.press("escape", "b")
+        assert bench.open and bench.text == "ab"
+        assert "talker.py" in await bench.press("ctrl+x", "y")
+        await bench.press("enter")
+        assert not bench.open
+
+    assert Bench(tmp_path).run(act).saved == "ab"
+
+
+def test_nano_throws_changes_away_only_when_told_so(tmp_path: Path) -> None:
+    path = tmp_path / "talker.py"
+    path.write_text(TALKER, encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("a", "ctrl+x", "n")
+        assert not bench.open
+
+    async def again(bench: Bench) -> None:
+        assert bench.text == TALKER and not bench.pane.editor.recovered
+
+    Bench(tmp_path).run(act)
+    assert Bench(tmp_path).run(again).saved == TALKER
+
+
+def test_ctrl_o_with_another_name_saves_there_and_goes_on_with_it(tmp_path: Path) -> None:
+    (tmp_path / "old.py").write_text("x = 1\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("a", "ctrl+o", "ctrl+u", *"old.py")
+        assert "exists" in await bench.press("enter")
+        assert (tmp_path / "old.py").read_text(encoding="utf-8") == "x = 1\n"
+        assert "nano  old.py" in await bench.press("enter")
+
+    Bench(tmp_path).run(act)
+    assert (tmp_path / "old.py").read_text(encoding="utf-8") == "a" and not (tmp_path / "talker.py").exists()
+
+
+def test_a_closed_gedit_asks_once_and_keeps_the_unsaved_text(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("a")
+        assert "not saved" in await bench.press("ctrl+w")
+        assert bench.open
+        await bench.press("ctrl+w")
+        assert not bench.open and not bench.path.exists()
+
+    async def again(bench: Bench) -> None:
+        assert bench.text == "a"
+        assert "not saved last time" in screen_text(bench.app)
+
+    Bench(tmp_path, "gedit").run(act)
+    Bench(tmp_path, "gedit").run(again)
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
+def test_a_long_pasted_program_arrives_as_it_is(tmp_path: Path, line_end: str) -> None:
+    program = "".join(f"def f{n}():\n    return {n}  # 第 {n} 个\n" for n in range(400))
+
+    async def act(bench: Bench) -> None:
+        await bench.paste(program.replace("\n", line_end))
+        await bench.press("ctrl+s")
+
+    assert Bench(tmp_path).run(act).saved == program
+
+
+def test_a_program_pasted_as_keys_does_not_become_a_staircase(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.burst(TALKER.replace("'你好'", "1"))
+        await bench.press("ctrl+s")
+
+    assert Bench(tmp_path).run(act).saved == TALKER.replace("'你好'", "1")
+
+
+def test_enter_keeps_the_depth_and_goes_deeper_after_a_colon(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        bench.pane.area.load_text("if True:")
+        bench.pane.area.move_cursor((0, 8))
+        bench.pane.area._last_key = -1.0
+        await bench.press("enter")
+        await bench.press("a")
+        await asyncio.sleep(0.02)
+        await bench.press("enter")
+        await bench.press("b")
+
+    bench = Bench(tmp_path)
+    texts: list[str] = []
+
+    async def look(one: Bench) -> None:
+        await act(one)
+        texts.append(one.text)
+
+    bench.run(look)
+    depth = "    " if bench.pane.area.language == "python" else ""
+    assert texts == [f"if True:\n{depth}a\n{depth}b"]
+
+
+def test_tab_moves_chosen_lines_and_shift_tab_moves_them_back(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("a\n\nb\n    c\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("shift+down", "shift+down", "shift+down", "tab")
+        assert bench.text == "    a\n\n    b\n        c\n"
+        await bench.press("shift+tab", "shift+tab")
+        assert bench.text == "a\n\nb\nc\n"
+        await bench.press("ctrl+z")
+        assert bench.text == "a\n\nb\n    c\n"
+        await bench.press("ctrl+home", "tab")
+        assert bench.text.startswith("    a\n")
+        assert bench.app.screen.focused is bench.pane.area
+
+    Bench(tmp_path).run(act)
+
+
+def test_escape_leaves_the_keyboard_in_the_text(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.press("escape", "i")
+        assert bench.text == "i" and bench.app.screen.focused is bench.pane.area
+
+    Bench(tmp_path, "vim").run(act)
+
+
+def test_nano_cuts_lines_and_puts_them_back(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("one\ntwo\nthree\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("ctrl+k", "ctrl+k")
+        assert bench.text == "three\n"
+        await bench.press("down", "ctrl+u")
+        assert bench.text == "three\none\ntwo\n"
+
+    Bench(tmp_path).run(act)
+
+
+def test_a_file_with_windows_line_ends_keeps_them(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_bytes(b"a = 1\r\nb = 2\r\n")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("#", "ctrl+s")
+
+    Bench(tmp_path).run(act)
+    assert (tmp_path / "talker.py").read_bytes() == b"#a = 1\r\nb = 2\r\n"
+
+
+def test_chinese_is_typed_found_and_named_by_its_line(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        for char in "# 轮子":
+            await bench.press("space" if char == " " else char)
+        assert bench.text == "# 轮子"
+        await bench.press("ctrl+home")
+        screen = await bench.press("ctrl+f", "轮", "子", "enter")
+        assert bench.pane.area.selected_text == "轮子" and "轮子" in screen
+
+    Bench(tmp_path).run(act, lang="zh")
+
+
+def test_what_is_wrong_is_said_with_its_line(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        await bench.paste("def main()\n    pass\n")
+        bench.pane._keep_and_check()
+        assert "line 1: SyntaxError" in screen_text(bench.app) or "line 1: SyntaxError" in await bench.press("up")
+
+    Bench(tmp_path).run(act)
+
+
+def test_a_very_long_line_can_be_walked_to_its_end(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("x" * 20_000 + "END\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        assert "END" in await bench.press("end")
+        assert "1:20004" in screen_text(bench.app)
+
+    Bench(tmp_path).run(act)
+
+
+@pytest.mark.parametrize("size", [(40, 10), (80, 24), (300, 100)])
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_every_size_shows_the_text_and_the_question(tmp_path: Path, size: tuple[int, int], language: str) -> None:
+    async def act(bench: Bench) -> None:
+        assert "hello" in await bench.press(*"hello")
+        question = await bench.press("ctrl+x")
+        assert "Y  " in question and bench.open
+
+    Bench(tmp_path).run(act, *size, lang=language)
+
+
+def test_a_click_puts_the_cursor_there(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("one\ntwo\nthree\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.pilot.click("EditorArea", offset=(5, 1))
+        await bench.step()
+        assert bench.pane.area.cursor_location[0] == 1
+
+    Bench(tmp_path).run(act)
+
+
+def test_a_change_on_the_disk_shows_up_unless_there_is_unsaved_text(tmp_path: Path) -> None:
+    path = tmp_path / "talker.py"
+    path.write_text("a = 1\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        path.write_text("a = 23\n", encoding="utf-8")
+        bench.pane._looked = 0.0
+        await bench.step()
+        assert bench.text == "a = 23\n"
+        await bench.press("#")
+        path.write_text("a = 456\n", encoding="utf-8")
+        bench.pane._looked = 0.0
+        await bench.step()
+        assert bench.text == "#a = 23\n" and "changed elsewhere" in screen_text(bench.app)
+        await bench.press("ctrl+s")
+        assert bench.saved == "a = 456\n", "not overwritten without a second word"
+        await bench.press("ctrl+s")
+
+    assert Bench(tmp_path).run(act).saved == "#a = 23\n"
+
+
+def test_the_text_takes_the_theme_of_the_desktop(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        before = bench.pane.area.theme
+        bench.app.do_theme()
+        await bench.step()
+        assert bench.pane.area.theme != before
+
+    Bench(tmp_path).run(act)

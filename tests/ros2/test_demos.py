@@ -1,0 +1,210 @@
+"""The demo packages of the tutorials, run as `ros2 run` runs them."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from day6_tui.core.ros.programs import executables, packages
+
+DEMOS = [
+    each
+    for each in packages()
+    if each.startswith(("demo_", "examples_", "action_tutorials", "lifecycle", "composition", "turtle_tf2"))
+]
+ALL = [(package, name) for package in DEMOS for name in executables(package)]
+
+
+def said(session) -> list[str]:
+    """What a program logged: `node: text`."""
+    return re.findall(r"(?m)^\[\w+\] \[[\d.]+\] \[([^\]]+)\]: (.*)$", session.stderr.text)
+
+
+@pytest.mark.parametrize(("package", "executable"), ALL, ids=lambda each: str(each))
+def test_every_demo_starts_and_ends_quietly_on_ctrl_c(machine, package, executable):
+    session = machine.run(package, executable, *(["f", *"000000"] if "static" in executable else []))
+    machine.step(1.2)
+    session.interrupt()
+    machine.step(0.1)
+    assert "Traceback" not in session.stderr.text
+    assert "Error" not in session.stderr.text.replace("RuntimeError: parameter_blackboard is not available", "")
+    names = [node.name for node in machine.graph.nodes]
+    assert names == []
+
+
+def test_the_packages_are_where_ros2_pkg_looks(machine):
+    listed = machine.ros2("pkg", "list").stdout.split()
+    assert set(DEMOS) <= set(listed)
+    assert machine.ros2("pkg", "xml", "demo_nodes_cpp", "-t", "version").stdout == "0.35.1\n"
+    assert "demo_nodes_cpp talker\n" in machine.ros2("pkg", "executables", "demo_nodes_cpp").stdout
+    share = machine.ros2("pkg", "prefix", "--share", "turtle_tf2_py").stdout
+    assert share.endswith("/share/turtle_tf2_py\n")
+
+
+@pytest.mark.parametrize(
+    ("package", "first", "heard"),
+    [
+        ("demo_nodes_cpp", "Publishing: 'Hello World: 1'", "I heard: [Hello World: 1]"),
+        ("demo_nodes_py", 'Publishing: "Hello World: 0"', "I heard: [Hello World: 0]"),
+    ],
+)
+def test_a_talker_is_heard_by_its_listener(machine, package, first, heard):
+    listener = machine.run(package, "listener")
+    talker = machine.run(package, "talker")
+    machine.step(2.1)
+    assert said(talker)[0] == ("talker", first)
+    assert said(listener)[0] == ("listener", heard)
+
+
+@pytest.mark.parametrize("client", ["add_two_ints_client", "add_two_ints_client_async"])
+@pytest.mark.parametrize("package", ["demo_nodes_cpp", "demo_nodes_py"])
+def test_two_and_three_are_five(machine, package, client):
+    asker = machine.run(package, client)
+    machine.step(1.5)
+    assert "service not available, waiting again..." in asker.stdout.text + asker.stderr.text
+    server = machine.run(package, "add_two_ints_server")
+    machine.step(0.5)
+    assert said(asker)[-1] == ("add_two_ints_client", "Result of add_two_ints: 5")
+    assert "Incoming request\na: 2 b: 3\n" in server.stderr.text
+
+
+def test_an_odd_number_is_no_even_parameter(machine):
+    machine.run("demo_nodes_cpp", "even_parameters_node")
+    assert machine.ros2("param", "set", "/even_parameters_node", "myint", "2").stdout == "Set parameter successful\n"
+    refused = machine.ros2("param", "set", "/even_parameters_node", "myint", "3")
+    assert refused.stderr == "Setting parameter failed: only even integers can be set\n"
+
+
+def test_the_blackboard_takes_any_parameter(machine):
+    board = machine.run("demo_nodes_cpp", "parameter_blackboard")
+    assert "serving '" in board.stderr.text
+    assert machine.ros2("param", "set", "/parameter_blackboard", "color", "red").status == 0
+    assert machine.ros2("param", "get", "/parameter_blackboard", "color").stdout == "String value is: red\n"
+    client = machine.run("demo_nodes_py", "async_param_client")
+    machine.step(1.0)
+    assert ("async_param_client", "    - string_parameter: Fee Fi Fo Fum") in said(client)
+    assert ("async_param_client", "        value: A turtle is never late") in said(client)
+
+
+def test_parameters_are_listed_and_got(machine):
+    lister = machine.run("demo_nodes_cpp", "list_parameters")
+    machine.step(0.5)
+    assert "Parameter names:\n bar\n foo\n foo.first\n foo.second\nParameter prefixes:\n foo\n" in lister.stderr.text
+    getter = machine.run("demo_nodes_cpp", "set_and_get_parameters")
+    machine.step(0.5)
+    assert (
+        "Parameter name: foo\nParameter value (integer): 2\n"
+        "Parameter name: baz\nParameter value (double): 1.450000\n"
+        "Parameter name: foobarbaz\nParameter value (bool_array): [true, false]\n"
+        "Parameter name: toto\nParameter value (byte_array): [0xff, 0x7f]\n"
+    ) in getter.stderr.text
+
+
+def test_ten_parameter_events_are_heard(machine):
+    session = machine.run("demo_nodes_cpp", "parameter_events")
+    machine.step(1.0)
+    assert session.stderr.text.count("Parameter event:") == 10
+    assert [node.name for node in machine.graph.nodes] == []
+
+
+def test_one_off_timers_ring_once(machine):
+    for name in ("one_off_timer", "reuse_timer"):
+        session = machine.run("demo_nodes_cpp", name)
+        machine.step(9.5)
+        texts = [text for _, text in said(session)]
+        assert texts.count("in periodic_timer callback") == 4
+        assert texts.count("in one_off_timer callback") == 2
+        session.interrupt()
+        machine.step()
+
+
+@pytest.mark.parametrize(
+    ("package", "last"),
+    [
+        ("action_tutorials_py", "Result: array('i', [0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55])"),
+        ("action_tutorials_cpp", "Result received: 0 1 1 2 3 5 8 13 21 34 55 "),
+    ],
+)
+def test_fibonacci_numbers_come_one_a_second(machine, package, last):
+    machine.run(package, "fibonacci_action_server")
+    client = machine.run(package, "fibonacci_action_client")
+    machine.step(5.0)
+    assert len(said(client)) < 10
+    machine.step(6.0)
+    assert said(client)[-1] == ("fibonacci_action_client", last)
+
+
+def test_an_order_that_would_not_fit_is_refused(machine):
+    machine.run("action_tutorials_cpp", "fibonacci_action_server")
+    result = machine.ros2("action", "send_goal", "/fibonacci", "example_interfaces/action/Fibonacci", "{order: 47}")
+    assert result.stdout.endswith("Goal was rejected.\n")
+
+
+def test_queued_goals_wait_and_a_newer_goal_aborts_an_older(machine):
+    goal = ("action", "send_goal", "/fibonacci", "example_interfaces/action/Fibonacci", "{order: 4}")
+    queue = machine.run("examples_rclpy_minimal_action_server", "server_queue_goals")
+    first, second = machine.start(*goal), machine.start(*goal)
+    machine.step(7.0)
+    assert "status: SUCCEEDED" in first.stdout and "status: SUCCEEDED" in second.stdout
+    assert [text for _, text in said(queue) if "queue" in text] == [
+        "Goal put in the queue",
+        "Next goal pulled from the queue",
+    ]
+    queue.interrupt()
+    machine.step()
+    machine.run("examples_rclpy_minimal_action_server", "server_single_goal")
+    first = machine.start(*goal)
+    first.step(1.5)
+    second = machine.start(*goal)
+    second.step(6.0)
+    assert "status: ABORTED" in first.stdout
+    assert "status: SUCCEEDED" in second.stdout
+
+
+def test_a_goal_is_cancelled_after_two_seconds(machine):
+    machine.run("examples_rclpy_minimal_action_server", "server")
+    client = machine.run("examples_rclpy_minimal_action_client", "client_cancel")
+    machine.step(4.0)
+    texts = [text for _, text in said(client)]
+    assert texts[-1] == "Goal successfully canceled"
+    assert texts.index("Canceling goal") < len(texts) - 1
+
+
+def test_a_second_turtle_follows_the_first(machine):
+    machine.run("turtlesim", "turtlesim_node")
+    for turtle in ("turtle1", "turtle2"):
+        machine.run(
+            *("turtle_tf2_py", "turtle_tf2_broadcaster", "--ros-args"),
+            *("-p", f"turtlename:={turtle}", "-r", f"__node:={turtle}_broadcaster"),
+        )
+    follower = machine.run("turtle_tf2_py", "turtle_tf2_listener")
+    machine.step(12.0)
+    assert ("turtle_tf2_frame_listener", "Successfully spawned turtle2") in said(follower)
+    pose = machine.ros2("topic", "echo", "--once", "--field", "x", "/turtle2/pose").stdout
+    assert abs(float(pose.split()[0]) - 5.544) < 0.5
+
+
+def test_matched_events_are_told(machine):
+    session = machine.run("demo_nodes_py", "matched_event_detect")
+    machine.step(2.0)
+    texts = [text for _, text in said(session)]
+    assert texts[:3] == ["Create a new subscription.", "First subscription is connected.", "Create a new subscription."]
+    assert texts[-1] == "Last publisher is disconnected."
+
+
+def test_the_logger_service_changes_what_is_shown(machine):
+    session = machine.run("demo_nodes_py", "use_logger_service")
+    machine.step(4.0)
+    texts = [text for _, text in said(session)]
+    assert "Output 1 with DEBUG logger level." not in texts
+    assert "Output 2 with DEBUG logger level." in texts
+    assert "Output 3 with INFO logger level." not in texts
+    assert [text for text in texts if text.startswith("Output 4 with")] == ["Output 4 with ERROR logger level."]
+
+
+def test_talker_qos_ends_after_its_cycles(machine):
+    session = machine.run("demo_nodes_py", "talker_qos", "--reliable", "-n", "2")
+    machine.step(5.0)
+    texts = [text for _, text in said(session)]
+    assert texts == ["Reliable talker", 'Publishing: "Hello World: 0"', 'Publishing: "Hello World: 1"']

@@ -1,0 +1,30 @@
+"""The line to type: editing, complaints, and no hang however narrow it is."""
+
+from __future__ import annotations
+
+from fakes import FakeDesk
+from screens import UTF8, opened, screen_text, step
+
+from day6_tui.tui.app import make_look
+from day6_tui.tui.prompt import Prompt
+
+
+def test_a_prompt_without_any_room_shows_what_it_can() -> None:
+    prompt = Prompt(make_look(None, UTF8), "Save", "rosgraph.dot", lambda text: None)
+    for width in range(-2, 20):
+        before, at, after = prompt._window(width)
+        assert len(before + at + after) <= max(1, width)
+    assert prompt._window(40) == ("rosgraph.dot", " ", "")
+
+
+async def test_what_is_wrong_is_told_and_the_line_stays(desk: FakeDesk) -> None:
+    async with opened(desk, 60, 20) as (app, pilot):
+        taken: list[str] = []
+        prompt = Prompt(app.look, "Line", "1", lambda text: taken.append(text) or (None if text == "12" else "1 to 20"))
+        app.desktop.open_overlay(prompt)
+        await pilot.press("home", "x", "enter")
+        await step(app, pilot)
+        assert "1 to 20" in screen_text(app) and app.desktop.overlay is prompt
+        await pilot.press("delete", "backspace", "1", "2", "enter")
+        await step(app, pilot)
+        assert taken == ["x1", "12"] and app.desktop.overlay is None

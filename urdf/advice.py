@@ -1,0 +1,83 @@
+"""What a correct description may still get wrong: the beginners' mistakes that no parser minds.
+
+Only what is almost surely not meant is named, so that a good robot gets no advice.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+
+from day6_tui.urdf.explain import Hint
+from day6_tui.urdf.kinematics import rotate
+from day6_tui.urdf.model import Cylinder, Joint, Link, Robot
+from day6_tui.urdf.xmlreader import Lines
+
+_TEXTS = {
+    "tumbles": (
+        (
+            "wheel {link} turns about another axis than its cylinder's, so it tumbles. A cylinder stands upright (z); "
+            'rpy="1.5707963 0 0" in the origin of its <visual> lays it down for <axis xyz="0 1 0"/>'
+        ),
+        (
+            "轮子 {link} 转的轴和圆柱的轴不是同一根，转起来会乱晃。圆柱本来是竖着的（z 轴）；"
+            '在 <visual> 的 origin 里写 rpy="1.5707963 0 0"，它就躺下来，配合 <axis xyz="0 1 0"/>'
+        ),
+    ),
+    "no_axis": (
+        "joint {joint} turns about no axis: 0 0 0 is none",
+        "关节 {joint} 没有转轴：0 0 0 不是一个方向",
+    ),
+    "stuck": (
+        "joint {joint} may move from {low:g} to {low:g}: that is not at all. Wheels are of the type continuous",
+        "关节 {joint} 只能从 {low:g} 动到 {low:g}，也就是动不了。轮子应该用 continuous 类型",
+    ),
+}
+
+
+def advice_of(robot: Robot, text: str, language: str = "en") -> Hint | None:
+    """Return the first piece of advice about an accepted robot, None if there is nothing to say."""
+    for joint in robot.joints:
+        key = _mistake(joint, robot.link(joint.child))
+        if key:
+            low = joint.limit.lower if joint.limit is not None else 0.0
+            said = _TEXTS[key][1 if language == "zh" else 0].format(joint=joint.name, link=joint.child, low=low)
+            return Hint(*_place(text, joint.name), said)
+    return None
+
+
+def _mistake(joint: Joint, child: Link) -> str:
+    """Return which text fits, empty if the joint looks right."""
+    if joint.type not in ("continuous", "revolute"):
+        return ""
+    length = math.hypot(*joint.axis)
+    if length == 0:
+        return "no_axis"
+    wheel = _disc(child)
+    if wheel is None:
+        return ""
+    if abs(sum(a * b for a, b in zip(wheel, joint.axis, strict=True))) < 0.5 * length:
+        return "tumbles"
+    if joint.type == "revolute" and joint.limit is not None and joint.limit.lower == joint.limit.upper:
+        return "stuck"
+    return ""
+
+
+def _disc(link: Link) -> tuple[float, float, float] | None:
+    """Return the axis of a link that is one flat cylinder about its own origin, as a wheel is."""
+    if len(link.visuals) != 1:
+        return None
+    visual = link.visuals[0]
+    shape = visual.geometry
+    if (
+        not isinstance(shape, Cylinder)
+        or shape.length > 2 * shape.radius
+        or math.hypot(*visual.origin.xyz) > shape.radius / 2
+    ):
+        return None
+    return rotate(visual.origin.rotation, (0.0, 0.0, 1.0))
+
+
+def _place(text: str, joint: str) -> tuple[int, int]:
+    match = re.search(rf"<joint\s[^>]*name\s*=\s*[\"']{re.escape(joint)}[\"']", text)
+    return Lines(text).at(match.start()) if match is not None else (0, 0)
