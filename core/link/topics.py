@@ -67,6 +67,8 @@ class Topics:
         # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
         self._lock = threading.RLock()
         self._outlets: dict[Publisher, _Outlet] = {}
+        self._own_gids: set[bytes] = set()
+        """The publishers of this process: a late joiner's question for what was kept reaches their caches too."""
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
         """Send one message. The Zenoh publisher is declared with the first."""
@@ -83,7 +85,9 @@ class Topics:
         with self._lock:
             outlet = self._outlets.get(publisher)
             if outlet is None:
-                outlet = _Outlet(self._declare(publisher), gid_of(endpoint_token(publisher, self._zid)), 0)
+                gid = gid_of(endpoint_token(publisher, self._zid))
+                self._own_gids.add(gid)
+                outlet = _Outlet(self._declare(publisher), gid, 0)
                 for message, source_timestamp, number in publisher.kept():
                     # Through `copy`: a publisher may keep something smaller than messages (rclpy's /rosout does).
                     outlet.put(publisher.copy(message), source_timestamp, number)
@@ -163,6 +167,8 @@ class Topics:
                 if subscription.destroyed or sample.attachment is None:
                     return
                 number, source_timestamp, gid = unpack(sample.attachment.to_bytes())
+                if gid in self._own_gids:
+                    return
                 publisher = self._remote.publisher_for(gid, subscription)
                 if publisher is None or (publisher.cache is not None and publisher.expired(source_timestamp)):
                     return

@@ -31,7 +31,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "times": "sleep timeout date",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python ros2 colcon rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "
+        "programs": "python3 python ros2 colcon rqt rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "
         "urdf_to_graphviz xacro bash sh",
     }.items()
 }
@@ -62,7 +62,7 @@ def place_of(name: str) -> str:
     """Where `which` says a command is: '' for what is part of the shell."""
     if name not in _MODULE_OF or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
         return ""
-    if name in ("ros2", "rviz2", "check_urdf", "urdf_to_graphviz", "xacro") or name.startswith("rqt_"):
+    if name in ("ros2", "rviz2", "check_urdf", "urdf_to_graphviz", "xacro") or name.startswith("rqt"):
         from day6_tui.core.ros.environment import DISTRO
 
         return f"/opt/ros/{DISTRO}/bin/{name}"

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -175,9 +176,7 @@ class _PythonBuild:
         answer = self._answers.get()
         self._answered = answer is not None
         if answer is None:
-            status = process.wait()
-            for reader in self._readers:
-                reader.join(1.0)
+            status = self.work.reap(process, self._readers)
         if self._first_errors and not self.work.stopped:
             self.settings.print_error("".join(self._first_errors))
         if answer is None:
@@ -190,19 +189,17 @@ class _PythonBuild:
         cwd = Path(request["cwd"])
         self.work.tell_command(cwd, shown)
         assert process.stdin is not None
-        try:
+        with suppress(OSError):  # it was interrupted: its status says so
             process.stdin.write(json.dumps(request).encode() + b"\n")
             process.stdin.close()
-        except OSError:
-            pass  # it was interrupted: its status says so
         return self.work.finish(process, self._readers, cwd, shown)
 
     def _close(self, process: subprocess.Popen[bytes]) -> None:
+        """Let the child end, which without a request it does at once."""
         if process.stdin is not None and not process.stdin.closed:
-            try:
+            with suppress(OSError):
                 process.stdin.close()
-            except OSError:
-                return
+        self.work.reap(process, self._readers)
 
     # -- what is run ---------------------------------------------------------------------------------------------------
 

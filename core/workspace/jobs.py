@@ -128,12 +128,18 @@ class Work:
 
     def finish(self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str) -> int:
         """Wait for a command and for the last line of it."""
+        status = self.reap(process, readers)
+        self.events.tell(Event("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n"))
+        return status
+
+    def reap(self, process: subprocess.Popen[bytes], readers: list[threading.Thread]) -> int:
+        """Wait for a command to be gone, which may be so already, and for the last line of it; returns its exit status."""
         status = process.wait()
-        release(process.pid)
         for reader in readers:
             reader.join(1.0)
-        self._processes.remove(process)
-        self.events.tell(Event("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n"))
+        if process in self._processes:
+            self._processes.remove(process)
+            release(process.pid)
         return status
 
     def stop(self) -> None:

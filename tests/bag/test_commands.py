@@ -242,6 +242,17 @@ def test_options_that_do_not_fit_are_refused_in_the_words_of_ros2bag(machine, wo
     assert (result.stderr, result.status) == (f"[ERROR] [ros2bag]: {answer}\n", 1)
 
 
+def test_wrong_options_leave_no_folder_behind(machine):
+    for words, answer in (
+        (("-e", "["), "argument -e/--regex: '[' is no regular expression"),
+        (("-a", "--storage-preset-profile", "quick"), "unknown mcap storage preset profile"),
+        (("-a", "-b", "5"), "greater than 1024. Specified value of 5"),
+    ):
+        result = machine.ros2("bag", "record", "-o", "bag", "--disable-keyboard-controls", *words)
+        assert answer in result.stderr and result.status != 0
+        assert not (machine.cwd / "bag").exists()
+
+
 def test_old_style_topics_are_taken_with_a_warning(machine):
     machine.node("counter", counter())
     command = record(machine, "/count", seconds=0.5)

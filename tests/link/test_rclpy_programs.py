@@ -81,6 +81,23 @@ rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
 print(answer.result().values[0].integer_value)
 print(("fibonacci_server", "/team") in node.get_node_names_and_namespaces())
 """
+LATE_JOINER = """
+import time
+import rclpy
+from rclpy.qos import QoSDurabilityPolicy, QoSProfile
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node("map_server")
+latched = QoSProfile(depth=10, durability=QoSDurabilityPolicy.TRANSIENT_LOCAL)
+node.create_publisher(String, "map", latched).publish(String(data="kept"))
+got = []
+node.create_subscription(String, "map", lambda m: got.append(m.data), latched)
+end = time.monotonic() + 0.5
+while time.monotonic() < end:
+    rclpy.spin_once(node, timeout_sec=0.05)
+print(got)
+"""
 
 Run = Callable[[str], subprocess.Popen[str]]
 
@@ -116,6 +133,11 @@ def test_a_parameter_is_read_from_another_process(run: Run) -> None:
     run(SERVER)
     output, _ = run(PARAMETER_CLIENT).communicate(timeout=30)
     assert output == "42\nTrue\n"
+
+
+def test_a_late_joiner_in_the_publishers_own_process_gets_what_was_kept_once(run: Run) -> None:
+    output, _ = run(LATE_JOINER).communicate(timeout=30)
+    assert output == "['kept']\n"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to one process")

@@ -7,10 +7,12 @@ from typing import Any
 
 import pytest
 from std_msgs.msg import Int32, String
+from test_msgs.action import Fibonacci
 
 from day6_tui.core.interfaces import get_interface, type_hash
 from rclpy._own_services import GET_TYPE_DESCRIPTION, HASHES
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+from rclpy.action import ActionClient, ActionServer
 
 
 def test_a_fresh_node_has_two_publishers_and_seven_services(world: Any) -> None:
@@ -149,3 +151,35 @@ def test_a_result_is_forgotten_after_its_timeout(world: Any) -> None:
     assert world.until(goal.get_result_async()).status == 4
     world.run(0.2)
     assert world.until(goal.get_result_async()).status == 0
+
+
+def test_a_destroyed_node_stays_in_the_graph_until_its_action_server_goes(world: Any) -> None:
+    """So does a real one: the server holds the node."""
+    node = world.node("worker")
+    server = ActionServer(node, Fibonacci, "count", lambda _goal: Fibonacci.Result())
+    client = ActionClient(world.node("asker"), Fibonacci, "count")
+    node.destroy_node()
+    assert client.server_is_ready()
+    server.destroy()
+    assert not client.server_is_ready()
+    assert [each.name for each in world.graph.nodes] == ["asker"]
+
+
+def test_shutdown_takes_away_what_an_action_server_kept(world: Any) -> None:
+    node = world.node("worker")
+    server = ActionServer(node, Fibonacci, "count", lambda _goal: Fibonacci.Result())
+    node.destroy_node()
+    assert world.graph.nodes
+    world.context.shutdown()
+    assert not world.graph.nodes
+    assert server is not None
+
+
+def test_a_timer_leaves_out_the_calls_a_busy_program_missed(world: Any) -> None:
+    node = world.node("busy")
+    calls: list[int] = []
+    timer = node.create_timer(1.0, lambda: calls.append(world.time.elapsed))
+    world.time.elapsed += 3_000_000_000
+    world.settle()
+    assert calls == [3_000_000_000]
+    assert timer.time_until_next_call() == 1_000_000_000

@@ -108,12 +108,3 @@ def test_version_is_answered_with_a_note_that_a_real_one_does_not(machine):
     assert result.status == 0
     assert result.stdout.startswith("ros2 ")
     assert "usage" in result.stderr
-
-
-def test_what_is_not_there_yet_says_so_in_one_line(machine):
-    for words in (["launch", "x.launch.py"], ["lifecycle", "nodes"], ["service", "echo", "/x"]):
-        result = machine.ros2(*words)
-        assert result.status == 1
-        assert result.stdout == ""
-        assert result.stderr.count("\n") == 1
-        assert "not yet part of day6-tui" in result.stderr

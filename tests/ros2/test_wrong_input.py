@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from ros2_machine import Machine
@@ -129,9 +127,9 @@ def build(node):
 
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.sampled_from(COMMANDS), st.lists(st.sampled_from(WORDS), max_size=5))
-def test_any_words_are_answered(command_words, rest):
+def test_any_words_are_answered(tmp_path, command_words, rest):
     words = [*command_words, *rest]
-    machine = Machine(Path.cwd())
+    machine = Machine(tmp_path)
     machine.node("robot", build)
     command = machine.start(*words)
     for _ in range(40):
@@ -148,10 +146,10 @@ def test_any_words_are_answered(command_words, rest):
     assert left == ["robot"], f"{words} left {left} behind"
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.text(max_size=30), st.sampled_from(["std_msgs/msg/String", "geometry_msgs/msg/Twist", "std_msgs/msg/Byte"]))
-def test_any_yaml_is_answered(text, type_name):
-    machine = Machine(Path.cwd())
+def test_any_yaml_is_answered(tmp_path, text, type_name):
+    machine = Machine(tmp_path)
     result = machine.ros2("topic", "pub", "--once", "-w", "0", "/x", type_name, "--", text)
     assert result.status in (0, 1, 2), (text, result)
     assert "Traceback" not in result.stderr

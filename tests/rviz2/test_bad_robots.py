@@ -220,7 +220,9 @@ def test_sizes_that_are_no_numbers_are_not_drawn(machine: RVizMachine) -> None:
 
 def test_a_robot_of_three_thousand_links_does_not_stop_the_others(machine: RVizMachine) -> None:
     count = 3000
-    links = "".join(f"<link name='l{i}'><visual><geometry><box size='1 1 1'/></geometry></visual></link>" for i in range(count))
+    links = "".join(
+        f"<link name='l{i}'><visual><geometry><box size='1 1 1'/></geometry></visual></link>" for i in range(count)
+    )
     joints = "".join(
         f"<joint name='j{i}' type='fixed'><parent link='l0'/><child link='l{i}'/></joint>" for i in range(1, count)
     )

@@ -336,6 +336,13 @@ TEXTS = {
     "rviz.seen.all_lost": "robot {name}, all white: none of its links has a transform to {frame}",
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
+    # rqt
+    "rqt.plugins": "Which window? Each is also a command of its own.",
+    "rqt.open": "open",
+    "rqt.about.rqt_graph": "who talks to whom",
+    "rqt.about.rqt_console": "the log messages of all nodes",
+    "rqt.about.rqt_topic": "topics, their rates and messages",
+    "rqt.about.rqt_plot": "numbers over time",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -458,6 +465,9 @@ TEXTS = {
         "End go to its limits, z to its zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
         "between radians and degrees. With the mouse: drag the knob.\n\n"
         "If another node publishes the same joints, the robot jitters: both give orders, and the last one counts."
+    ),
+    "help.rqt": (
+        "rqt collects the windows that tools of ROS have. The arrow keys choose one, Enter opens it in place of this list."
     ),
     "help.rqt_console": (
         "The log messages of all nodes, from the topic /rosout. The arrow keys choose one, below the table it stands "

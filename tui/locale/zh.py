@@ -334,6 +334,13 @@ TEXTS = {
     "rviz.seen.all_lost": "机器人 {name} 全是白色：没有一个 link 有到 {frame} 的坐标变换",
     "rviz.seen.turned": "，转了 {degrees}°",
     "rviz.seen.more": "还有 {count} 个 link",
+    # rqt
+    "rqt.plugins": "打开哪个窗口？每一个也是一条单独的命令。",
+    "rqt.open": "打开",
+    "rqt.about.rqt_graph": "谁在和谁说话",
+    "rqt.about.rqt_console": "所有节点的日志",
+    "rqt.about.rqt_topic": "话题、频率和消息",
+    "rqt.about.rqt_plot": "随时间变化的数字",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -450,6 +457,7 @@ TEXTS = {
         "r 是 Randomize（随机），c 是 Center（居中），d 在弧度和角度之间切换。也可以用鼠标拖。\n\n"
         "如果还有别的节点发布同样的关节，机器人就会抖动：两边都在下命令，谁最后说就听谁的。"
     ),
+    "help.rqt": "rqt 把 ROS 工具的窗口集中在一起。用方向键选一个，按 Enter 就在这里打开。",
     "help.rqt_console": (
         "所有节点的日志，来自话题 /rosout。用方向键选一条，表格下面会显示它的全文。\n\n字母键排除某个级别：d "
         "Debug，i Info，w Warn，e Error，f Fatal。节点根本不输出哪些日志，由它自己的级别"

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,46 +38,82 @@ def light_of(picture: Picture) -> Array:
 
 def paint_solids(picture: Picture, shapes: Sequence[Shape], levels: int, thin: Segments) -> None:
     """Paint opaque solids, then the transparent ones from far to near; thin ones are added to `thin`."""
+    solids = _measure(picture, shapes)
     light = light_of(picture)
-    transparent = []
-    for shape in shapes:
-        if shape.colour[3] <= 0.003 or not all(math.isfinite(each) for each in (*shape.size, *shape.pose.xyz)):
-            continue
-        turn = np.array(matrix(shape.pose.rotation))
-        solid = turn * (np.array(shape.size, np.float64) / 2)
-        centre = np.array(shape.pose.xyz, np.float64)
-        if shape.colour[3] < 0.997:
-            depth = float((centre - picture.position) @ picture.axes[2])
-            transparent.append((depth, shape, solid, centre))
+    opaque = [solid for solid in solids if solid.shape.colour[3] >= 0.997]
+    faint = sorted((solid for solid in solids if solid.shape.colour[3] < 0.997), key=lambda solid: -solid.depth)
+    for solid in (*opaque, *faint):
+        if solid.is_thin:
+            thin.add(solid.centre - solid.half, solid.centre + solid.half, solid.shape.colour)
         else:
-            _paint(picture, shape, solid, centre, light, levels, thin)
-    for _, shape, solid, centre in sorted(transparent, key=lambda each: -each[0]):
-        _paint(picture, shape, solid, centre, light, levels, thin)
+            _paint(picture, solid, light, levels)
 
 
-def _paint(
-    picture: Picture, shape: Shape, solid: Array, centre: Array, light: Array, levels: int, thin: Segments
-) -> None:
-    corners = picture.seen(_CORNERS @ solid.T + centre)
-    nearest, farthest = corners[:, 2].min(), corners[:, 2].max()
-    if farthest <= picture.near:
-        return
-    if nearest <= picture.near and not picture.parallel:
-        left, top, right, bottom = 0, 0, picture.width, picture.height
-    else:
-        x, y = picture.project(corners)
-        left, right = max(0, int(np.floor(x.min()))), min(picture.width, int(np.ceil(x.max())) + 1)
-        top, bottom = max(0, int(np.floor(y.min()))), min(picture.height, int(np.ceil(y.max())) + 1)
-        if left >= right or top >= bottom:
-            return
-        if _as_line(picture, shape, solid, centre, thin):
-            return
-    try:
-        back = np.linalg.inv(solid)
-    except np.linalg.LinAlgError:
-        return
+class _Solid(NamedTuple):
+    """A shape that may be seen: its place, the pixels it covers at most, the map back to the unit shape."""
+
+    shape: Shape
+    centre: Array
+    half: Array
+    """Half of its longest extent, as a vector."""
+    back: Array
+    depth: float
+    region: tuple[int, int, int, int]
+    """Left, top, right and bottom."""
+    is_thin: bool
+
+
+def _measure(picture: Picture, shapes: Sequence[Shape]) -> list[_Solid]:
+    """Find out about all shapes at once where and how large they are on the screen."""
+    shapes = [
+        shape
+        for shape in shapes
+        if shape.colour[3] > 0.003 and all(map(math.isfinite, (*shape.size, *shape.pose.xyz, *shape.pose.rotation)))
+    ]
+    if not shapes:
+        return []
+    turns = np.array([matrix(shape.pose.rotation) for shape in shapes])
+    sizes = np.array([shape.size for shape in shapes], np.float64)
+    centres = np.array([shape.pose.xyz for shape in shapes], np.float64)
+    maps = turns * (sizes[:, None, :] / 2)
+    corners = picture.seen(_CORNERS @ maps.transpose(0, 2, 1) + centres[:, None, :])
+    nearest, farthest = corners[..., 2].min(axis=1), corners[..., 2].max(axis=1)
+    x, y = picture.project(corners)
+    width, height = picture.width, picture.height
+    left, right = np.floor(np.clip(x.min(axis=1), 0, width)), np.ceil(np.clip(x.max(axis=1) + 1, 0, width))
+    top, bottom = np.floor(np.clip(y.min(axis=1), 0, height)), np.ceil(np.clip(y.max(axis=1) + 1, 0, height))
+    whole = (nearest <= picture.near) & (not picture.parallel)
+    left, top = np.where(whole, 0, left).astype(int), np.where(whole, 0, top).astype(int)
+    right, bottom = np.where(whole, width, right).astype(int), np.where(whole, height, bottom).astype(int)
+    seen = (farthest > picture.near) & (left < right) & (top < bottom)
+    depths = (centres - picture.position) @ picture.axes[2]
+    scale = picture.down / (1.0 if picture.parallel else np.maximum(depths, picture.near))
+    second = np.sort(np.abs(sizes), axis=1)[:, 1]
+    thin = (second * scale <= THIN) & ~whole
+    longest = np.abs(sizes).argmax(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        # The inverse of a rotation after a scaling.
+        backs = 2 / sizes[:, :, None] * turns.transpose(0, 2, 1)
+    flat = ~np.isfinite(backs).all(axis=(1, 2))
+    return [
+        _Solid(
+            shapes[index],
+            centres[index],
+            maps[index, :, longest[index]],
+            backs[index],
+            float(depths[index]),
+            (int(left[index]), int(top[index]), int(right[index]), int(bottom[index])),
+            bool(thin[index]),
+        )
+        for index in np.flatnonzero(seen & (thin | ~flat)).tolist()
+    ]
+
+
+def _paint(picture: Picture, solid: _Solid, light: Array, levels: int) -> None:
+    shape, back = solid.shape, solid.back
+    left, top, right, bottom = solid.region
     start, along = picture.rays(left, top, right, bottom)
-    start, along = (start - centre) @ back.T, along @ back.T
+    start, along = (start - solid.centre) @ back.T, along @ back.T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         depth, normal, where = _HITS.get(shape.kind, _hit_sphere)(start, along, picture.near)
         region = np.s_[top:bottom, left:right]
@@ -91,20 +128,6 @@ def _paint(
     rows, columns = np.nonzero(hit)
     flat = (rows + top) * picture.width + columns + left
     picture.put(flat, depth, colour * shade[:, None], shape.colour[3], SURFACE, shade)
-
-
-def _as_line(picture: Picture, shape: Shape, solid: Array, centre: Array, thin: Segments) -> bool:
-    """Hand a solid that is thin on the screen to the line painter; True if it was."""
-    depth = float((centre - picture.position) @ picture.axes[2])
-    scale = picture.pixels_per_metre(depth)
-    sizes = [abs(size) * scale for size in shape.size]
-    longest = max(range(3), key=sizes.__getitem__)
-    others = [size for index, size in enumerate(sizes) if index != longest]
-    if max(others) > THIN:
-        return False
-    half = solid[:, longest]
-    thin.add(centre - half, centre + half, shape.colour)
-    return True
 
 
 def _shade(normal: Array, light: Array, levels: int) -> Array:

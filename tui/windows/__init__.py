@@ -23,6 +23,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "car": ("car", "CarPane"),
     "rqt_graph": ("rqt_graph", "RqtGraphPane"),
     "topics": ("topics", "TopicsPane"),
+    "rqt": ("rqt", "RqtPane"),
     "rqt_console": ("rqt_console", "RqtConsolePane"),
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),

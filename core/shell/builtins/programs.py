@@ -79,6 +79,7 @@ COMMANDS: dict[str, Main] = {
     "python": python3,
     "ros2": ros2,
     "colcon": colcon,
+    "rqt": _program("rqt_gui", "rqt_gui"),
     "rqt_graph": _program("rqt_graph", "rqt_graph"),
     "rqt_console": _program("rqt_console", "rqt_console"),
     "rqt_plot": _program("rqt_plot", "rqt_plot"),

@@ -17,10 +17,10 @@ from day6_tui.tui.prompt import Prompt
 from day6_tui.urdf.model import Vector
 
 if TYPE_CHECKING:
-    from day6_tui.tui.windows.rviz2 import RVizPane
+    from day6_tui.tui.windows.rviz.pane import PicturePane
 
 
-def edit(pane: RVizPane, prop: Property) -> None:
+def edit(pane: PicturePane, prop: Property) -> None:
     """Choose or type a value."""
     options = list(prop.options) if prop.kind in (ENUM, FRAME, TOPIC) else []
     if options:
@@ -29,7 +29,7 @@ def edit(pane: RVizPane, prop: Property) -> None:
         type_value(pane, prop)
 
 
-def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
+def _choose(pane: PicturePane, prop: Property, options: list[str]) -> None:
     texts = pane.look.texts
     entries = [Entry(option, "", partial(pane.set, prop, option)) for option in options]
     if prop.kind in (FRAME, TOPIC):
@@ -38,7 +38,7 @@ def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
     pane.open_overlay(Menu(pane.look, "rviz.choose", entries, chosen=chosen))
 
 
-def type_value(pane: RVizPane, prop: Property) -> None:
+def type_value(pane: PicturePane, prop: Property) -> None:
     """Type a value; a wrong one is explained and the line stays open."""
 
     def taken(text: str) -> str | None:
@@ -53,7 +53,7 @@ def type_value(pane: RVizPane, prop: Property) -> None:
     pane.open_overlay(Prompt(pane.look, prop.name, prop.text, taken))
 
 
-def add(pane: RVizPane) -> None:
+def add(pane: PicturePane) -> None:
     """The Add dialog: every display type, then every topic with the types that show it."""
     rviz, texts = pane.rviz, pane.look.texts
 
@@ -76,7 +76,7 @@ def add(pane: RVizPane) -> None:
     pane.open_overlay(Menu(pane.look, "rviz.add.title", entries))
 
 
-def rename(pane: RVizPane, display: Display) -> None:
+def rename(pane: PicturePane, display: Display) -> None:
     """Give a display another name."""
 
     def taken(text: str) -> str | None:
@@ -91,7 +91,7 @@ def rename(pane: RVizPane, display: Display) -> None:
 # -- files -------------------------------------------------------------------------------------------------------------
 
 
-def save(pane: RVizPane) -> None:
+def save(pane: PicturePane) -> None:
     """Save the configuration where it came from; the first time it becomes the user's default, as in RViz."""
     path = pane.rviz.config_file or pane.rviz.default_file
     if path is None:
@@ -100,7 +100,7 @@ def save(pane: RVizPane) -> None:
         _write(pane, path)
 
 
-def save_as(pane: RVizPane) -> None:
+def save_as(pane: PicturePane) -> None:
     """Save under a name."""
 
     def taken(text: str) -> str | None:
@@ -114,7 +114,7 @@ def save_as(pane: RVizPane) -> None:
     pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, taken))
 
 
-def _write(pane: RVizPane, path: Path) -> None:
+def _write(pane: PicturePane, path: Path) -> None:
     rviz, texts = pane.rviz, pane.look.texts
 
     def work() -> None:
@@ -131,7 +131,7 @@ def _write(pane: RVizPane, path: Path) -> None:
     pane.request(work)
 
 
-def load(pane: RVizPane) -> None:
+def load(pane: PicturePane) -> None:
     """Load a configuration."""
 
     def taken(text: str) -> str | None:
@@ -149,7 +149,7 @@ def load(pane: RVizPane) -> None:
     pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.load"), old, taken, note=_near(pane)))
 
 
-def _near(pane: RVizPane) -> str:
+def _near(pane: PicturePane) -> str:
     """The .rviz files at hand."""
     try:
         names = sorted(each.name for each in pane.rviz.path(".").glob("*.rviz"))
@@ -158,7 +158,7 @@ def _near(pane: RVizPane) -> str:
     return ", ".join(names[:5])
 
 
-def screenshot(pane: RVizPane) -> None:
+def screenshot(pane: PicturePane) -> None:
     """Save the view as a picture; the ending says which kind."""
 
     def taken(text: str) -> str | None:

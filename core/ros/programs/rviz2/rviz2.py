@@ -6,6 +6,7 @@ The command line is that of rviz_common/visualizer_app.cpp.
 from __future__ import annotations
 
 import argparse
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -28,6 +29,9 @@ SETTLE_SECONDS = 2.0
 
 LOOK_SECONDS = 1.0
 """How often statuses are looked at when nothing happens (VisualizationManager::onUpdate)."""
+
+SHARE = 0.2
+"""Of the time that ticks may take."""
 
 RESTLESS_SECONDS = 0.2
 """How often a picture is made that changes by time alone."""
@@ -192,8 +196,11 @@ async def _run(session: Session, rviz: RViz, changed: Signal) -> None:
     """Tick when something changed, at most as often as can be seen."""
     while True:
         changed.clear()
+        began = time.thread_time()
         rviz.tick()
-        period = max(1 / max(1, rviz.frame_rate.value), rviz.pace)
+        cost = time.thread_time() - began
+        # A robot of thousands of links must leave time to the others on this thread.
+        period = max(1 / max(1, rviz.frame_rate.value), rviz.pace, min(cost / SHARE, LOOK_SECONDS))
         # A user's wish is followed at once, even while the world stands still.
         await session.wait(rviz.urgent, period)
         rviz.urgent.clear()

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Protocol
 
@@ -56,6 +59,15 @@ class BagWriter(Protocol):
     def close(self) -> None: ...
 
 
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Inside, what comes of damaged bytes is a RuntimeError that names the file."""
+    try:
+        yield
+    except (struct.error, zlib.error, LookupError, TypeError, ValueError, ArithmeticError, MemoryError) as error:
+        raise _mcap_records.BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
+
+
 def get_registered_readers() -> set[str]:
     """Return the storages that can be read."""
     return set(SUFFIXES)
@@ -105,13 +117,14 @@ def open_file(path: Path, storage_id: str = "") -> BagReader:
     """Open one file for reading. RuntimeError says what is wrong with it."""
     storage = storage_of(path, storage_id)
     try:
-        if storage == "mcap":
-            from rosbag2_py._mcap_read import McapReader
+        with reading(path):
+            if storage == "mcap":
+                from rosbag2_py._mcap_read import McapReader
 
-            return McapReader(path)
-        from rosbag2_py._sqlite import SqliteReader
+                return McapReader(path)
+            from rosbag2_py._sqlite import SqliteReader
 
-        return SqliteReader(path)
+            return SqliteReader(path)
     except OSError as error:
         raise RuntimeError(f"{error.strerror}: {path}") from None
 

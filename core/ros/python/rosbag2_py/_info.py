@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rosbag2_py._files import open_file
+from rosbag2_py._files import open_file, reading
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import EVENT_SUFFIX, BagMetadata, StorageOptions, TopicInformation, nanoseconds_of
 from rosbag2_py._topic_filter import is_service_event
@@ -36,7 +36,8 @@ class Info:
             raise RuntimeError(f"Could not find metadata in bag directory {uri}")
         file = open_file(path, storage_id)
         try:
-            return file.metadata()
+            with reading(path):
+                return file.metadata()
         finally:
             file.close()
 

@@ -120,6 +120,8 @@ class McapReader:
             at += length
 
     def _body(self, offset: int, length: int) -> bytes:
+        if offset < 0 or length < 0 or offset + length > self._size:
+            raise BadBag(f"{self._path.name} is damaged: it names a place behind its end")
         self._file.seek(offset)
         return self._file.read(length)
 

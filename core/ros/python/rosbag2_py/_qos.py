@@ -208,12 +208,18 @@ def from_yaml(text: Any) -> list[QoS]:
             return []
         import yaml
 
-        text = yaml.safe_load(text)
+        try:
+            text = yaml.safe_load(text)
+        except yaml.YAMLError:
+            raise ValueError("the QoS profiles of a topic are no YAML") from None
     if text is None:
         return []
     if not isinstance(text, list) or not all(isinstance(each, dict) for each in text):
         raise ValueError("the QoS profiles of a topic are not a list of profiles")
-    return [_profile(each) for each in text]
+    try:
+        return [_profile(each) for each in text]
+    except TypeError as error:
+        raise ValueError(f"a QoS profile of a topic is wrong: {error}") from None
 
 
 def to_rclcpp_qos_vector(text: str, version: int) -> list[QoS]:

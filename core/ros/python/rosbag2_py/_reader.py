@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rosbag2_py._compression import decompress
-from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file
+from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file, reading
 from rosbag2_py._mcap_read import Message
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
@@ -62,7 +62,9 @@ class SequentialReader:
             self._files = [self._find(path) for path in metadata.relative_file_paths]
         elif self._folder.is_file():
             self._files = [self._folder]
-            self._metadata = self._reader(self._folder).metadata()
+            file = self._reader(self._folder)
+            with reading(self._folder):
+                self._metadata = file.metadata()
         else:
             raise RuntimeError(NO_STORAGE)
         if storage_options.start_time_ns >= 0:
@@ -120,8 +122,10 @@ class SequentialReader:
         """Return the texts of the message types, each once."""
         found: dict[str, MessageDefinition] = {}
         for path in self._files:
-            for definition in self._reader(path).definitions():
-                found.setdefault(definition.topic_type, definition)
+            file = self._reader(path)
+            with reading(path):
+                for definition in file.definitions():
+                    found.setdefault(definition.topic_type, definition)
         return list(found.values())
 
     # -- messages ------------------------------------------------------------------------------------------------------
@@ -187,12 +191,13 @@ class SequentialReader:
             stream = self._reader(path).messages(
                 start, self._filter.allows, reverse=reverse, by_file=self._order.sort_by == ReadOrderSortBy.File
             )
-            for message in stream:
-                if message.received_ns > self._end_ns:
-                    continue
-                if unpack:
-                    message = message._replace(data=decompress(metadata.compression_format, message.data))
-                yield message
+            with reading(path):
+                for message in stream:
+                    if message.received_ns > self._end_ns:
+                        continue
+                    if unpack:
+                        message = message._replace(data=decompress(metadata.compression_format, message.data))
+                    yield message
 
     def __del__(self) -> None:
         for file in self._open.values():

@@ -49,8 +49,6 @@ class SqliteWriter:
     pieces = 0
 
     def __init__(self, path: Path, preset: str = "", distro: str = "") -> None:
-        if preset and preset not in PRESETS:
-            raise RuntimeError(f"Invalid storage preset profile {preset}. Valid options are {', '.join(PRESETS)}.")
         if path.exists():
             raise FileExistsError(f"Failed to create bag: File '{path}' already exists!")
         # The recorder of a classmate's program may be closed by another thread than the one that opened it.

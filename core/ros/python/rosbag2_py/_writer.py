@@ -18,6 +18,7 @@ from rosbag2_py._files import (
     create_file,
     get_registered_serializers,
     get_registered_writers,
+    presets,
 )
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
@@ -139,6 +140,13 @@ class _Bag:
     def _check(self) -> None:
         if self.storage not in SUFFIXES:
             raise RuntimeError("No storage could be initialized. Abort")
+        preset = self.options.storage_preset_profile
+        known = presets(self.storage)
+        if preset and preset not in known:
+            listed = ", ".join(map(repr, known))
+            raise RuntimeError(f"unknown {self.storage} storage preset profile (valid options are {listed}): {preset}")
+        if preset.startswith("zstd"):
+            zstd_codec()
         least, size = MINIMUM_SPLIT[self.storage], self.options.max_bagfile_size
         if 0 < size < least:
             raise RuntimeError(

@@ -62,6 +62,17 @@ def not_negative_int(text: str) -> int:
     return value
 
 
+def regular_expression(text: str) -> str:
+    """The argparse type of a regular expression."""
+    import re
+
+    try:
+        re.compile(text)
+    except re.error as problem:
+        raise ArgumentTypeError(f"'{text}' is no regular expression: {problem}") from None
+    return text
+
+
 def path_of(parser: Any, text: str) -> str:
     """A path as the session's working directory has it."""
     return str(Path(parser.session.cwd, text))

@@ -14,6 +14,7 @@ from day6_tui.core.ros.ros2.bag._options import (
     not_negative_float,
     not_negative_int,
     positive_float,
+    regular_expression,
 )
 from day6_tui.core.ros.ros2.cli.completion import topic_names
 from day6_tui.core.ros.ros2.cli.options import completed
@@ -146,10 +147,18 @@ def _add_choice(parser: ArgumentParser) -> None:
             topic_names,
         )
     parser.add_argument(
-        "-e", "--regex", default="", help="Play only topics and services matches with regular expression."
+        "-e",
+        "--regex",
+        type=regular_expression,
+        default="",
+        help="Play only topics and services matches with regular expression.",
     )
     parser.add_argument(
-        "-x", "--exclude-regex", default="", help="regular expressions to exclude topics and services from replay."
+        "-x",
+        "--exclude-regex",
+        type=regular_expression,
+        default="",
+        help="regular expressions to exclude topics and services from replay.",
     )
     for name, things in (("--exclude-topics", "topic"), ("--exclude-services", "service")):
         parser.add_argument(

@@ -14,6 +14,7 @@ from day6_tui.core.ros.ros2.bag._options import (
     error,
     event_topics,
     qos_overrides,
+    regular_expression,
     warning,
 )
 from day6_tui.core.ros.ros2.cli.completion import message_types, service_names, topic_names
@@ -84,12 +85,14 @@ def _add_topics(parser: ArgumentParser) -> None:
     parser.add_argument(
         "-e",
         "--regex",
+        type=regular_expression,
         default="",
         help="Record only topics and services containing provided regular expression. Note:  --all, --all-topics or "
         "--all-services will override --regex.",
     )
     parser.add_argument(
         "--exclude-regex",
+        type=regular_expression,
         default="",
         help="Exclude topics and services containing provided regular expression. Works on top of --all, --all-topics, "
         "--all-services, --topics, --services or --regex.",

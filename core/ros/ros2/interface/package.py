@@ -26,6 +26,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 async def main(session: Session, args: Namespace) -> str | None:
     from rosidl_runtime_py.get_interfaces import get_interfaces
 
+    if not args.package_name:
+        raise AssertionError("The resource name must not be empty")  # as the ament index does
     wanted = {"msg": args.only_msgs, "srv": args.only_srvs, "action": args.only_actions}
     try:
         found = get_interfaces([args.package_name], session.env)

@@ -6,7 +6,7 @@ import re
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.ros2.cli.node import absolute, graph_node, node_names
+from day6_tui.core.ros.ros2.cli.node import absolute, graph_node, node_names, split_name
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option
 from day6_tui.core.ros.ros2.param._services import ParameterServices, add_node_argument
 from day6_tui.core.ros.ros2.param._values import type_name
@@ -33,7 +33,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     async with graph_node(session, args) as node:
-        names = sorted(set(node_names(node, hidden=args.include_hidden_nodes)))
+        # By their names first and then by their namespaces, as the real command sorts them.
+        names = sorted(set(node_names(node, hidden=args.include_hidden_nodes)), key=split_name)
     if args.node_name:
         wanted = absolute(args.node_name)
         if wanted not in names:
@@ -44,7 +45,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     for name in names:
         of_node = services.for_node(name)
         if not await of_node.ready():
-            session.print(f"Wait for service timed out waiting for parameter services for node {name}")
+            session.print(f"Wait for service timed out waiting for parameter services for node {_node_name(name)}")
             continue
         response = await of_node.call("ListParameters", prefixes=args.param_prefixes)
         parameters = sorted(response.result.names)
@@ -56,6 +57,12 @@ async def main(session: Session, args: Namespace) -> str | None:
         for each in parameters:
             session.print(f"  {each} (type: {types[each]})" if args.param_type else f"  {each}")
     return None
+
+
+def _node_name(full_name: str) -> str:
+    """Return what ros2cli prints for a node where it forgets to take its full name."""
+    name, namespace = split_name(full_name)
+    return f"NodeName(name={name!r}, namespace={namespace!r}, full_name={full_name!r})"
 
 
 async def _types(services: ParameterServices, parameters: list[str]) -> dict[str, str]:

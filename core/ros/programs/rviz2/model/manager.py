@@ -16,6 +16,7 @@ from day6_tui.core.ros.programs.rviz2.model.config import read_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display, FailedDisplay
 from day6_tui.core.ros.programs.rviz2.model.displays import PACKAGE, TYPES, display_class, types_for
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer, Frames
+from day6_tui.core.ros.programs.rviz2.model.panels import load_expanded, save_panels
 from day6_tui.core.ros.programs.rviz2.model.properties import (
     COLOUR,
     ENUM,
@@ -378,22 +379,10 @@ class RViz:
         if isinstance(current, dict):
             self.set_view(str(current.get("Class", "")).rpartition("/")[2], mimic=False)
             self.view.load(current)
-        self._load_expanded(config.get("Panels"))
+        load_expanded(self.root, config.get("Panels"))
         self.modified = False
         self.tree_changed()
         self.touch()
-
-    def _load_expanded(self, panels: Any) -> None:
-        for panel in panels if isinstance(panels, list) else ():
-            tree = panel.get("Property Tree Widget") if isinstance(panel, dict) else None
-            if not isinstance(tree, dict) or panel.get("Class") != "rviz_common/Displays":
-                continue
-            expanded = tree.get("Expanded")
-            wanted = {str(path) for path in expanded} if isinstance(expanded, list) else set()
-            for prop in self.root.walk():
-                if prop is not self.root and prop.children:
-                    prop.expanded = _expanded_path(prop) in wanted
-            self.statuses.expanded = self.statuses.expanded or "/Global Status1" in wanted or "/Status1" in wanted
 
     def save(self) -> dict[str, Any]:
         """What a .rviz file holds, with everything of the loaded one that is not ours kept."""
@@ -416,30 +405,5 @@ class RViz:
         manager.setdefault("Name", "root")
         manager.setdefault("Value", True)
         config["Visualization Manager"] = manager
-        config["Panels"] = self._save_panels(config.get("Panels"))
+        config["Panels"] = save_panels(self.root, config.get("Panels"))
         return config
-
-    def _save_panels(self, panels: Any) -> list[Any]:
-        expanded = [_expanded_path(prop) for prop in self.root.walk() if prop.expanded and prop.children]
-        found = list(panels) if isinstance(panels, list) else []
-        for index, panel in enumerate(found):
-            if isinstance(panel, dict) and panel.get("Class") == "rviz_common/Displays":
-                tree = panel.get("Property Tree Widget")
-                tree = {**(tree if isinstance(tree, dict) else {}), "Expanded": expanded or None}
-                found[index] = {**panel, "Property Tree Widget": tree}
-                return found
-        tree = {"Expanded": expanded or None, "Splitter Ratio": 0.5}
-        return [{"Class": "rviz_common/Displays", "Name": "Displays", "Property Tree Widget": tree}, *found]
-
-
-def _expanded_path(prop: Property) -> str:
-    """The path of RViz's list of expanded lines: every name with its number among brothers of the same name."""
-    parts = []
-    each: Property | None = prop
-    while each is not None and each.parent is not None:
-        name = each.word if isinstance(each, StatusList) else each.name
-        brothers = [other for other in each.parent.children if other.name == each.name]
-        number = next((index for index, other in enumerate(brothers, 1) if other is each), 1)
-        parts.append(f"{name}{number}")
-        each = each.parent
-    return "/" + "/".join(reversed(parts))

@@ -25,41 +25,46 @@ class StatusList(Status):
         super().__init__(f"{word}: {WORDS[OK]}", "", OK)
         self.word = word
         self.value = None
+        self._lines: dict[str, Status] = {}
 
     def put(self, level: int, name: str, text: str) -> bool:
         """Set the line called `name`; True if that changed anything."""
-        for line in self.children:
-            if line.name == name:
-                assert isinstance(line, Status)
-                if (line.level, line.value) == (level, text):
-                    return False
-                line.level, line.value = level, text
-                break
+        line = self._lines.get(name)
+        if line is None:
+            line = self._lines[name] = Status(name, text, level)
+            self.add(line)
+        elif (line.level, line.value) == (level, text):
+            return False
         else:
-            self.add(Status(name, text, level))
-        self._judge()
+            line.level, line.value = level, text
+        if level > self.level:
+            self._set_level(level)
+        elif level < self.level:
+            self._judge()
         return True
 
     def drop(self, name: str) -> bool:
         """Take a line away; True if it was there."""
-        for line in self.children:
-            if line.name == name:
-                self.remove(line)
-                self._judge()
-                return True
-        return False
+        line = self._lines.pop(name, None)
+        if line is None:
+            return False
+        self.remove(line)
+        self._judge()
+        return True
 
     def clear(self) -> None:
         self.children = []
+        self._lines = {}
         self._judge()
 
     def line(self, name: str) -> tuple[str, str] | None:
         """The word and the text of a line: ('Ok', 'Transform OK'); None if there is none."""
-        for line in self.children:
-            if line.name == name and isinstance(line, Status):
-                return WORDS[line.level], str(line.value)
-        return None
+        line = self._lines.get(name)
+        return None if line is None else (WORDS[line.level], str(line.value))
 
     def _judge(self) -> None:
-        self.level = max((line.level for line in self.children if isinstance(line, Status)), default=OK)
+        self._set_level(max((line.level for line in self._lines.values()), default=OK))
+
+    def _set_level(self, level: int) -> None:
+        self.level = level
         self.name = f"{self.word}: {WORDS[self.level]}"

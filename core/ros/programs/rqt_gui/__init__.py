@@ -1,0 +1,1 @@
+"""rqt: a menu of the windows that tools of ROS have here."""

@@ -1,0 +1,39 @@
+"""Looks for a copyright notice at the beginning of every source file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+
+_LOOKED_AT = 40
+"""Lines from the beginning in which a notice is looked for."""
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Check the given files and folders (none: the current one); returns 1 if one has no notice."""
+    missing = [path for path in sorted(python_files(sys.argv[1:] if argv is None else argv)) if not _has_notice(path)]
+    for path in missing:
+        print(f"{path}: could not find copyright notice", file=sys.stderr)
+    if not missing:
+        print("No problems found")
+    return 1 if missing else 0
+
+
+def python_files(paths: list[str]) -> Iterator[str]:
+    """Yield the Python files at and below some paths; hidden folders and those with AMENT_IGNORE are left out."""
+    for path in paths or ["."]:
+        if os.path.isfile(path):
+            yield path
+        for folder, folders, files in os.walk(path):
+            if "AMENT_IGNORE" in files or "COLCON_IGNORE" in files:
+                folders[:] = []
+                continue
+            folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
+            yield from (os.path.join(folder, name) for name in files if name.endswith(".py"))
+
+
+def _has_notice(path: str) -> bool:
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = file.read().splitlines()
+    return not lines or any("copyright" in line.lower() for line in lines[:_LOOKED_AT])

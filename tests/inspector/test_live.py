@@ -1,0 +1,221 @@
+"""Every finding where it really happens: nodes on a graph, the inspector's own node among them, and its window."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from geometry_msgs.msg import Twist
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Float64MultiArray, String
+
+for folder in ("stepped", "tui"):
+    sys.path.insert(0, str(Path(__file__).parents[1] / folder))
+
+from fakes import FakeDesk
+from screens import opened, screen_text, step
+from stepped_machine import SteppedMachine
+
+from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
+from day6_tui.core.session.program import Program
+from day6_tui.core.session.session import Session
+from day6_tui.urdf import shipped_model
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+WHEELS = ["left_wheel_joint", "right_wheel_joint"]
+
+
+class Lab(SteppedMachine):
+    """A machine on which a test makes nodes, and the inspector looking on."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.inspector = Inspector(self.make("_day6_inspector_1"))
+        self.node.destroy_node()
+
+    def make(self, name: str) -> Any:
+        """A node that spins."""
+        session = Session(self.scheduler, self.graph, [name])
+        node = session.create_node(name)
+        self._programs.append(Program(session, lambda session: session.spin(node)))
+        return node
+
+    def says(self, topic: type, name: str, node: str, qos: Any = 10) -> Any:
+        return self.make(node).create_publisher(topic, name, qos)
+
+    def hears(self, topic: type, name: str, node: str, qos: Any = 10) -> Any:
+        return self.make(node).create_subscription(topic, name, lambda message: None, qos)
+
+    def robot(self) -> None:
+        self.start("robot_state_publisher", "robot_state_publisher", str(shipped_model()))
+
+    def turn(self, publisher: Any, names: list[str], times: int = 10, every: float = 0.02) -> None:
+        """Publish joint states as wheel_spinner does."""
+        for turn in range(times):
+            publisher.publish(JointState(name=names, position=[0.02 * turn] * len(names)))
+            self.advance(every)
+
+    def findings(self) -> dict[str, str]:
+        """What the inspector says now: id without its prefix -> text; of several alike the last."""
+        self.advance(0.1)
+        self.inspector.refresh()
+        return {finding.id.removeprefix("inspector."): finding.text for finding in self.inspector.findings}
+
+
+@pytest.fixture
+def lab() -> Iterator[Lab]:
+    lab = Lab()
+    yield lab
+    lab.end()
+
+
+def test_an_empty_graph_is_well(lab: Lab) -> None:
+    assert lab.findings() == {}
+
+
+def test_talker_and_listener_are_well(lab: Lab) -> None:
+    lab.says(String, "chatter", "talker")
+    lab.hears(String, "chatter", "listener")
+    assert lab.findings() == {}
+
+
+def test_a_topic_name_with_a_slip_is_named_with_the_other(lab: Lab) -> None:
+    lab.says(Twist, "/turtle1/cmd_vle", "driver")
+    lab.hears(Twist, "/turtle1/cmd_vel", "turtlesim")
+    found = lab.findings()
+    assert set(found) == {"near"} and "/turtle1/cmd_vle" in found["near"] and "/turtle1/cmd_vel" in found["near"]
+
+
+def test_one_sided_topics_are_named_with_their_node(lab: Lab) -> None:
+    lab.says(String, "/news", "talker")
+    lab.hears(Twist, "/cmd_vel", "base")
+    assert lab.findings() == {
+        "unsaid": "/cmd_vel: /base listens, nobody publishes",
+        "unheard": "/news: /talker publishes, nobody listens",
+    }
+
+
+def test_a_wrong_message_type_on_joint_states_is_an_error(lab: Lab) -> None:
+    """Section 6.3 of the article: Float64MultiArray on /joint_states."""
+    lab.robot()
+    lab.says(Float64MultiArray, "/joint_states", "wheel_spinner")
+    found = lab.findings()
+    assert "/wheel_spinner sends std_msgs/msg/Float64MultiArray" in found["types"]
+    assert "/robot_state_publisher wants sensor_msgs/msg/JointState" in found["types"]
+    assert lab.inspector.findings[0].level == "error"
+
+
+@pytest.mark.parametrize(
+    ("offer", "request_", "policy"),
+    [
+        (QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT), QoSProfile(depth=1), "reliability"),
+        (QoSProfile(depth=1), QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL), "durability"),
+    ],
+    ids=["best effort", "volatile"],
+)
+def test_qos_that_do_not_suit_are_an_error(lab: Lab, offer: Any, request_: Any, policy: str) -> None:
+    lab.says(String, "/scan", "lidar", offer)
+    lab.hears(String, "/scan", "mapper", request_)
+    assert lab.findings() == {
+        "qos": f"/scan: the QoS of /lidar does not suit /mapper ({policy}); nothing arrives",
+    }
+
+
+def test_sliders_and_wheel_spinner_fight(lab: Lab) -> None:
+    """Section 5.4 of the article."""
+    lab.robot()
+    lab.says(JointState, "joint_states", "joint_state_publisher")
+    lab.turn(lab.says(JointState, "joint_states", "wheel_spinner"), WHEELS)
+    found = lab.findings()
+    assert set(found) == {"fight"} and "/joint_state_publisher, /wheel_spinner" in found["fight"]
+
+
+def test_two_nodes_of_one_name_are_noticed(lab: Lab) -> None:
+    lab.make("talker")
+    lab.make("talker")
+    assert "twins" in lab.findings()
+
+
+def test_wheel_left_joint_is_not_left_wheel_joint(lab: Lab) -> None:
+    """Section 6.3 of the article, its most frequent slip."""
+    lab.robot()
+    lab.turn(lab.says(JointState, "joint_states", "wheel_spinner"), ["wheel_left_joint", "right_wheel_joint"])
+    found = lab.findings()
+    assert "wheel_left_joint" in found["unknown_joint_near"] and "left_wheel_joint?" in found["unknown_joint_near"]
+    assert "left_wheel_joint" in found["silent_joint"]
+    assert lab.inspector.findings[0].level == "error"
+
+
+def test_a_joint_of_quite_another_robot_is_named_alone(lab: Lab) -> None:
+    lab.robot()
+    lab.turn(lab.says(JointState, "joint_states", "arm"), [*WHEELS, "gripper"])
+    found = lab.findings()
+    assert set(found) == {"unknown_joint"} and "gripper" in found["unknown_joint"]
+
+
+def test_one_message_a_second_is_too_slow_for_the_eye(lab: Lab) -> None:
+    """Section 6.3 of the article, its last cause."""
+    lab.robot()
+    publisher = lab.says(JointState, "joint_states", "wheel_spinner")
+    lab.turn(publisher, WHEELS, times=5, every=1.0)
+    assert lab.findings() == {"slow": "/joint_states comes 1 times a second; the eye needs about 20"}
+    lab.turn(publisher, WHEELS, times=30)
+    assert lab.findings() == {}
+
+
+def test_what_was_put_right_is_no_longer_said(lab: Lab) -> None:
+    talker = lab.make("talker")
+    publisher = talker.create_publisher(String, "news", 10)
+    assert "unheard" in lab.findings()
+    talker.destroy_publisher(publisher)
+    assert lab.findings() == {}
+
+
+@pytest.mark.parametrize("size", [(40, 10), (80, 24), (120, 40)])
+@pytest.mark.parametrize("language", ["zh", "en"])
+def test_the_window_says_it_in_the_users_language_at_every_size(lab: Lab, size: tuple[int, int], language: str) -> None:
+    lab.robot()
+    lab.turn(lab.says(JointState, "joint_states", "wheel_spinner"), ["wheel_left_joint", "right_wheel_joint"])
+    lab.says(String, "/news", "talker")
+    lab.findings()
+
+    async def look() -> str:
+        desk = FakeDesk()
+        window = desk.display.open("inspector", "Inspector", lab.inspector)
+        async with opened(desk, *size, scene="empty", lang=language) as (app, pilot):
+            await step(app, pilot)
+            app.desktop.focus_pane(app.desktop.panes[window.number])
+            await step(app, pilot)
+            first = screen_text(app)
+            for _ in range(12):
+                await pilot.press("down")
+                await step(app, pilot)
+            return first + screen_text(app)
+
+    text = asyncio.run(look())
+    assert "wheel_left_joint" in text and "/news" in text
+    assert ("关节" if language == "zh" else "joint") in text
+
+
+def test_f6_opens_the_inspector_and_f6_closes_it() -> None:
+    async def press() -> None:
+        desk = FakeDesk()
+        opened_tools: list[str] = []
+        async with opened(desk, 80, 24, scene="empty", lang="en") as (app, pilot):
+            app.machine.run_tool = lambda package, executable: opened_tools.append(executable)
+            await pilot.press("f6")
+            assert opened_tools == ["inspector"]
+            lab = Lab()
+            window = desk.display.open("inspector", "Inspector", lab.inspector)
+            await step(app, pilot)
+            assert "nothing is wrong" in screen_text(app)
+            await pilot.press("f6")
+            await step(app, pilot)
+            assert window.closed and opened_tools == ["inspector"]
+            lab.end()
+
+    asyncio.run(press())

@@ -1,0 +1,90 @@
+"""`colcon test` runs the tests of a package, `colcon test-result` tells what came of them."""
+
+from __future__ import annotations
+
+import re
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from workshop import Workshop
+
+pytestmark = pytest.mark.skipif(find_spec("pytest") is None, reason="pytest is what runs this")
+
+GOOD = "def test_one():\n    assert 1 + 1 == 2\n"
+BAD = "def test_two():\n    assert 1 + 1 == 3\n"
+
+
+def timeless(text: str) -> str:
+    return re.sub(r"\[\d+\.\d+s", "[<T>", text)
+
+
+@pytest.fixture
+def package(workshop: Workshop) -> Path:
+    folder = workshop.create("hello")
+    for file in (folder / "test").iterdir():
+        file.unlink()
+    (folder / "test" / "test_sum.py").write_text(GOOD, encoding="utf-8")
+    return folder
+
+
+def test_passing_tests_finish_and_are_counted(workshop: Workshop, package: Path) -> None:
+    done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
+    assert timeless(done.out) == (
+        "Starting >>> hello\nFinished <<< hello [<T>]\n\nSummary: 1 package finished [<T>]\n"
+        "build/hello/pytest.xml: 1 test, 0 errors, 0 failures, 0 skipped\n\n"
+        "Summary: 1 test, 0 errors, 0 failures, 0 skipped\n"
+    )
+    assert (done.status, done.err) == (0, "")
+
+
+def test_a_failing_test_is_no_failed_build_but_is_told(workshop: Workshop, package: Path) -> None:
+    (package / "test" / "test_bad.py").write_text(BAD, encoding="utf-8")
+    done = workshop.run("colcon build > /dev/null\ncolcon test\necho status $?\ncolcon test-result --verbose")
+    assert timeless(done.out).startswith(
+        "Starting >>> hello\nFinished <<< hello [<T>]\t[ with test failures ]\n\nSummary: 1 package finished [<T>]\n"
+        "  1 package had test failures: hello\nstatus 0\n"
+        "build/hello/pytest.xml: 2 tests, 0 errors, 1 failure, 0 skipped\n- hello.test.test_bad test_two\n"
+        "  <<< failure message\n"
+    )
+    assert done.out.endswith("\nSummary: 2 tests, 0 errors, 1 failure, 0 skipped\n")
+    assert done.status == 1
+
+
+def test_results_can_be_asked_for_as_a_status(workshop: Workshop, package: Path) -> None:
+    (package / "test" / "test_bad.py").write_text(BAD, encoding="utf-8")
+    assert workshop.run("colcon build > /dev/null\ncolcon test --return-code-on-test-failure").status == 1
+
+
+def test_without_results_there_is_nothing_to_tell(workshop: Workshop) -> None:
+    done = workshop.run("colcon test-result")
+    assert done.status == 2
+    assert done.err.endswith("error: argument --test-result-base: Path 'build' does not exist\n")
+
+
+def test_the_tests_of_a_new_package_find_its_slips(workshop: Workshop) -> None:
+    folder = workshop.create("hello", "--node-name hi")
+    done = workshop.run(
+        "colcon build > /dev/null\ncolcon test --event-handlers console_stderr-\ncolcon test-result --all"
+    )
+    assert "3 tests, 0 errors, 0 failures, 1 skipped" in done.out, done
+    (folder / "hello" / "hi.py").write_text(
+        "import math \n\n\ndef main():\n    '''says hello'''\n    print('Hi')\n", encoding="utf-8"
+    )
+    done = workshop.run("colcon test > /dev/null\ncolcon test-result --verbose")
+    assert (
+        "3 tests, 0 errors, 1 failure, 1 skipped" in done.out or "3 tests, 0 errors, 2 failures, 1 skipped" in done.out
+    )
+    report = (workshop.workspace / "build/hello/pytest.xml").read_text(encoding="utf-8")
+    assert "hello/hi.py:1:1: F401 " in report and "W291 trailing whitespace" in report
+
+
+def test_docstrings_and_notices_are_looked_at(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from ament_copyright.main import main as notices
+    from ament_pep257.main import main as docstrings
+
+    file = tmp_path / "node.py"
+    file.write_text('"""Turns wheels."""\n', encoding="utf-8")
+    assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (0, 1)
+    file.write_text("# Copyright 2026 A. Student\n'''turns wheels'''\n", encoding="utf-8")
+    assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (1, 0)
