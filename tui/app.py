@@ -67,7 +67,11 @@ def make_look(options: Any, environ: Any = None) -> Look:
     if not glyphs.unicode:
         language = "en"  # Chinese cannot be written there at all
     sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
-    look = Look(glyphs, colours(sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))), Texts(language))
+    look = Look(
+        glyphs,
+        colours(sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
+        Texts(language, plain=not glyphs.unicode),
+    )
     look.reduced_motion = bool(getattr(options, "reduced_motion", False))
     return look
 
@@ -98,6 +102,7 @@ class Day6App(AppActions, App[None]):
         self.terminals = TerminalPane(self.look)
         self.terminals.other_pieces = lambda: self.desktop.other_tabs(self.terminals)
         self.terminals.on_key_before = self.key_before
+        self.terminals.key_back = self.key_to_terminal
         self.welcome = WelcomePane(self.look, self.chosen)
         self.welcome.on_typed = self.typed_at_welcome
         self.welcome.on_pasted = self.pasted_at_welcome

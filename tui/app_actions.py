@@ -72,16 +72,26 @@ class AppActions:
 
     def _cycle(self, step: int) -> None:
         """Through all terminals and then all windows."""
-        stops: list[tuple[Any, int]] = [(self.terminals, index) for index in range(len(self.terminals.views))]
-        stops += [(pane, 0) for number in self.desktop.numbers if (pane := self.desktop.pane(number)) is not None]
-        if not stops:
-            return
-        pane = self.desktop.focused_pane()
-        here = (pane, self.terminals.active if pane is self.terminals else 0)
-        target, index = stops[(stops.index(here) + step) % len(stops)] if here in stops else stops[0]
-        if target is self.terminals:
+        target, index = self._stop(step)
+        if target is self.terminals and self.terminals.views:
             self.terminals.activate(index)
         self.desktop.focus_pane(target)
+
+    def _stop(self, step: int) -> tuple[Pane, int]:
+        """Where that leads: a pane, and which of the terminals if it is theirs."""
+        stops: list[tuple[Pane, int]] = [(self.terminals, index) for index in range(len(self.terminals.views))]
+        stops += [(pane, 0) for number in self.desktop.numbers if (pane := self.desktop.pane(number)) is not None]
+        pane = self.desktop.focused_pane()
+        here = (pane, self.terminals.active if pane is self.terminals else 0)
+        if here in stops:
+            return stops[(stops.index(here) + step) % len(stops)]
+        return stops[0] if stops else here
+
+    def key_to_terminal(self) -> str:
+        """The key that leads from here to the terminal that is shown."""
+        shown = (self.terminals, self.terminals.active)
+        keys = {1: actions.BY_ID["next"].label, -1: actions.BY_ID["previous"].label}
+        return next((key for step, key in keys.items() if self._stop(step) == shown), actions.BY_ID["windows"].label)
 
     def do_windows(self) -> None:
         from day6_tui.tui.menu import Entry, Menu
@@ -200,6 +210,7 @@ class AppActions:
         names = CANVASES
         name = names[(names.index(self.look.glyphs.name) + 1) % len(names)]
         self.look.glyphs = GLYPH_SETS[name]
+        self.look.texts.plain = not self.look.glyphs.unicode
         self._redraw()
         self.say(name)
 

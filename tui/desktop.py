@@ -146,7 +146,7 @@ class Desktop(Container):
                 self.panes[window.number] = pane
                 self.active = window.number
                 self.mount(pane)
-                if pane.takes_focus:
+                if pane.takes_focus or self._covers_the_focus():
                     self.call_after_refresh(self.focus_pane, pane)
         if self.active not in self.panes:
             self.active = next(reversed(self.panes), WELCOME)
@@ -156,6 +156,11 @@ class Desktop(Container):
         if focused_gone:
             self.focus_pane(self.terminals)
         self.rearrange()
+
+    def _covers_the_focus(self) -> bool:
+        """Whether the window that was opened last lies over the one that has the keyboard, which then nobody would see."""
+        focused = self.focused_pane()
+        return isinstance(focused, WindowPane) and focused.number not in self.plan(*self.size).windows
 
     def break_window(self, pane: Pane, error: Exception) -> None:
         """Show the reason in the place of a window that failed while it was drawn."""

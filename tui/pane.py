@@ -299,13 +299,20 @@ def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
 
 
 def _in_ascii(strip: Strip) -> Strip:
-    """What a terminal without UTF-8 can show: every other character is a question mark, wide ones two."""
+    """What a terminal without UTF-8 can show: signs that have a plain likeness in it, else a question mark, wide ones two."""
     if all(segment.text.isascii() for segment in strip):
         return strip
     return Strip(
         [
-            Segment("".join(char if char.isascii() else "?" * cell_len(char) for char in segment.text), segment.style)
+            Segment("".join(char if char.isascii() else _plain(char) for char in segment.text), segment.style)
             for segment in strip
         ],
         strip.cell_length,
     )
+
+
+def _plain(char: str) -> str:
+    return _LIKENESSES.get(char) or "?" * cell_len(char)
+
+
+_LIKENESSES = dict(zip("↑↓←→…·×°–—“”‘’▸•−", "^v<>~.xo--\"\"''>*-", strict=True))

@@ -34,6 +34,8 @@ class TerminalPane(Pane):
         self.active = 0
         self.other_pieces: Callable[[], list[Piece]] = list
         """Names of hidden windows for the right of the upper edge."""
+        self.key_back: Callable[[], str] = lambda: "F3"
+        """The key that brings the keyboard here."""
         self.on_key_before: Callable[[events.Key], bool] = lambda event: False
         self._early_keys: list[events.Key] = []
         """Asked first about every key; True if it was used."""
@@ -180,7 +182,7 @@ class TerminalPane(Pane):
         if view is None:
             return []
         if y == self.inner_height - 1 and self._wants_hint():
-            text = f" {self.look.texts('terminal.hint', key='F3')} "
+            text = f" {self.look.texts('terminal.hint', key=self.key_back())} "
             return [Segment(fit(text, width, self.look.glyphs.ellipsis), self.look.colours.hint)]
         return view.segments(y, self.look.colours, focused=self.has_focus)
 

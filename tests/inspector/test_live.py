@@ -13,8 +13,8 @@ from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, String
 
-for folder in ("stepped", "tui"):
-    sys.path.insert(0, str(Path(__file__).parents[1] / folder))
+sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from fakes import FakeDesk
 from screens import opened, screen_text, step

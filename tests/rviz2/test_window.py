@@ -179,7 +179,7 @@ def test_keys_of_the_view(machine: RVizMachine) -> None:
             for name in ("XYOrbit", "TopDownOrtho", "FPS", "Orbit"):
                 await at.press("v")
                 assert rviz.view.type == name and f" {name} " in at.screen()
-            await at.press("q")
+            await at.press("p")
             assert rviz.quality.value == "Medium" and "Medium" in at.screen()
 
     run(walk())

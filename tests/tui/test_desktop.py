@@ -365,3 +365,29 @@ async def test_quitting_leaves_no_frame_behind(desk) -> None:
         await pilot.press("ctrl+q")
         await pilot.pause()
     assert app.frames._loop is None and app.return_code == 0
+
+
+async def test_a_window_that_covers_the_one_with_the_keyboard_takes_it(desk) -> None:
+    """Else no frame is bright and nobody sees where the keys go."""
+    first = desk.display.open("turtlesim", "First", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        app.desktop.focus_pane(app.desktop.panes[first.number])
+        second = desk.display.open("turtlesim", "Second", FakeSimulation())
+        await step(app, pilot)
+        assert app.screen.focused is app.desktop.panes[second.number]
+        app.desktop.focus_pane(app.terminals)
+        desk.display.open("turtlesim", "Third", FakeSimulation())
+        await step(app, pilot)
+        assert app.screen.focused is app.terminals
+
+
+async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        await pilot.press("f2", "f2")
+        for index, key in ((0, "F3"), (1, "F4"), (2, "Shift+F3")):
+            app.terminals.activate(index)
+            desk.terminals[index].busy = True
+            app.desktop.focus_pane(app.desktop.panes[window.number])
+            await step(app, pilot)
+            assert f"click or {key} " in screen_text(app)

@@ -117,3 +117,16 @@ async def test_resizing_while_the_turtle_moves_keeps_the_picture_whole() -> None
             await step(app, pilot)
             assert len(screen_lines(app)) == size[1]
         assert "x 9.54" in screen_text(app)
+
+
+async def test_without_utf8_arrows_are_words_and_nothing_is_a_question_mark(desk) -> None:
+    async with opened(desk, 80, 24, environ=ASCII) as (app, pilot):
+        assert "Up Down Enter or the number choose" in screen_text(app)
+        await pilot.press("f4")
+        await step(app, pilot)
+        assert "Up Down choose" in screen_text(app)
+        await pilot.press("escape", "f1")
+        for _ in range(6):
+            await step(app, pilot)
+            assert "? " not in screen_text(app).replace("? Press", "")
+            await pilot.press("pagedown")

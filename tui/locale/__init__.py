@@ -23,16 +23,22 @@ def catalogue(language: str) -> Mapping[str, str]:
     return _catalogues[language]
 
 
-class Texts:
-    """The texts of the present language: `texts("key", name=…)`."""
+_ARROWS = str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Right"})
 
-    def __init__(self, language: str) -> None:
+
+class Texts:
+    """The texts of the present language: `texts("key", name=…)`. `plain`: with words for arrows, which not every font has."""
+
+    def __init__(self, language: str, *, plain: bool = False) -> None:
         self.language = language
+        self.plain = plain
         catalogue(language)
 
     def __call__(self, key: str, /, **values: object) -> str:
         """The text for `key` with its {fields} filled in. Raises KeyError for an unknown key."""
         text = catalogue(self.language)[key]
+        if self.plain:
+            text = text.translate(_ARROWS)
         return text.format(**values) if values else text
 
     def switch(self) -> None:

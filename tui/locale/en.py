@@ -205,7 +205,7 @@ TEXTS = {
     "editor.name": "a name is needed",
     "editor.exists": "{name} exists: Enter again overwrites it",
     "editor.modified": "Save modified buffer?",
-    "editor.modified.keys": "Y  yes      N  no, throw the changes away      Esc  go on writing",
+    "editor.modified.keys": "Y  save    N  throw the changes away    Esc  go on writing",
     "editor.cut": "cut lines, put them back",
     "editor.indent": "a step in or out; several lines when they are chosen",
     "editor.undo": "undo, redo",
@@ -430,7 +430,7 @@ TEXTS = {
         "Tab\tpanel or view\nEnter\tchange a value, open a branch\nSpace\tcheck box\n^N or a\tadd a display\n"
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\tpanel away or back\n"
         "arrows\tturn the view, with Shift push it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
-        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\nq\tquality: less detail is faster\nr\treset\n"
+        "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\np\tquality: less detail is faster\nr\treset\n"
         "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pushes, the wheel zooms."
     ),

@@ -424,7 +424,7 @@ TEXTS = {
         "Tab\t面板或视图\nEnter\t修改数值，展开一项\n空格\t打勾\n^N 或 a\t添加显示项\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
-        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\nq\t画质：细节少一些就快一些\nr\t重置\n"
+        "v\tOrbit、XYOrbit、TopDownOrtho、FPS\np\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ng\t保存图片\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),

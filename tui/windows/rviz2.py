@@ -83,7 +83,7 @@ class RVizPane(PicturePane):
             "4": self.from_above,
             "z": self.zero,
             "v": self.next_view,
-            "q": self.next_quality,
+            "p": self.next_quality,
             "r": lambda: self.request(self.rviz.reset),
             "ctrl+n": lambda: dialogs.add(self),
             "a": lambda: dialogs.add(self),

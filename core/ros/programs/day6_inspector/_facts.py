@@ -118,7 +118,14 @@ def _end(info: Any) -> End:
 def _policy(offer: QoSProfile, request: QoSProfile) -> str:
     """Name the policies that do not suit, as DDS compares them."""
     text = qos_check_compatible(offer, request)[1]
-    for name in ("reliab", "durab", "deadline", "liveliness"):
-        if name in text.lower():
-            return {"reliab": "reliability", "durab": "durability"}.get(name, name)
-    return "QoS"
+    return next((policy for word, policy in _POLICIES.items() if word in text.lower()), "QoS")
+
+
+_POLICIES = {
+    "reliab": "reliability",
+    "volatile": "durability",
+    "transient": "durability",
+    "deadline": "deadline",
+    "liveliness": "liveliness",
+}
+"""Words of rmw's reasons -> the policy they are about."""

@@ -172,7 +172,9 @@ class Timer(Entity):
         self._last = now
         self._next = due + self._period
         if self._next <= now:
-            self._next = now if self._period == 0 else self._next + (1 + (now - self._next) // self._period) * self._period
+            self._next = (
+                now if self._period == 0 else self._next + (1 + (now - self._next) // self._period) * self._period
+            )
 
     def _info(self, due: int, now: int) -> TimerInfo:
         """Describe a call that was due at `due` and is made at `now`, by the timer's clock."""
