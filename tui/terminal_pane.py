@@ -206,8 +206,12 @@ class TerminalPane(Pane):
         if view is None:
             self._early_keys.append(event)
             return
-        if event.key in ("shift+pageup", "shift+pagedown"):
-            self._scroll(self.inner_height - 1 if event.key == "shift+pageup" else 1 - self.inner_height)
+        # Shift+PageUp is a terminal's own key, which many keep for themselves; alone it means nothing to a shell or a cooked
+        # program, so it looks back there, too.
+        if event.key in ("shift+pageup", "shift+pagedown") or (
+            event.key in ("pageup", "pagedown") and not view.reading_keys
+        ):
+            self._scroll(self.inner_height - 1 if event.key.endswith("pageup") else 1 - self.inner_height)
             return
         if event.key == "shift+insert":
             self.paste(self.app.clipboard)

@@ -121,6 +121,10 @@ class OutputStream:
     async def drain(self) -> None:
         """Wait until the reader has caught up. Raises BrokenPipeError when it is gone."""
 
+    def keyboard(self) -> InputStream | None:
+        """On a terminal: the keys of the job in front there, as /dev/tty gives them; None elsewhere."""
+        return None
+
     def wait_for_room(self) -> None:
         """For a thread that copies into this stream: block it, for a bounded time, while too much is waiting here."""
 

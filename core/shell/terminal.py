@@ -303,6 +303,10 @@ class TtyOutput(OutputStream):
         self.terminal.write(text.replace("\n", "\r\n"))
         return len(text)
 
+    def keyboard(self) -> InputStream | None:
+        front = self.terminal.discipline.front
+        return front if front.parent is not None else None  # the shell's own keys are nobody else's
+
     async def drain(self) -> None:
         from day6_tui.core.session.scheduler import let_others_run
 

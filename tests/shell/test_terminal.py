@@ -351,3 +351,12 @@ def test_a_line_being_typed_survives_what_a_background_job_prints(seat: Any) -> 
         "[1]+  Done                    (sleep 1; echo from behind)",
         PROMPT,
     ]
+
+
+def test_less_behind_a_pipe_takes_its_keys_from_the_terminal(seat: Any) -> None:
+    screen = seat.line("seq 1 100 | less")
+    assert screen.splitlines()[:2] == ["1", "2"] and seat.terminal.busy
+    assert seat.type("G").splitlines()[-2:] == ["100", "(END)"]
+    seat.type("q")
+    assert seat.look().splitlines()[-2:] == [f"{PROMPT} seq 1 100 | less", PROMPT]
+    assert seat.line("echo on")[-2:] != "" and not seat.terminal.busy

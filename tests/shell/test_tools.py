@@ -66,7 +66,7 @@ def test_a_tool_prints_what_the_real_one_prints(machine: Any, tmp_path: Path, co
     assert bool(ours.err) == bool(real.stderr)
 
 
-def test_less_behind_a_pipe_passes_the_text_on(machine: Any) -> None:
+def test_less_without_a_terminal_passes_the_text_on(machine: Any) -> None:
     assert machine.run("echo one > f; less f; cat f | less").out == "one\none\n"
 
 

@@ -221,3 +221,16 @@ async def test_terminals_are_as_large_as_their_pane(desk) -> None:
         await pilot.resize_terminal(80, 24)
         await step(app, pilot)
         assert desk.terminals[0].screen.columns == 78
+
+
+async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_reads_keys(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
+        await step(app, pilot)
+        await pilot.press("pageup")
+        await step(app, pilot)
+        assert "line 49" not in screen_text(app) and desk.terminals[0].sent == ""
+        desk.terminals[0].busy = True
+        await pilot.press("pageup")
+        assert desk.terminals[0].sent == "\x1b[5~"

@@ -58,10 +58,10 @@ async def man(session: Session) -> int:
 
 
 async def show_pages(session: Session, text: str, name: str) -> None:
-    """Let the user leaf through a text in a terminal; elsewhere, and behind a pipe, print it."""
-    keys = session.stdin
-    terminal = keys.terminal_of(session.stdout)
-    if terminal is None:
+    """Let the user leaf through a text in a terminal, also one that came through a pipe; elsewhere print it."""
+    keys = session.stdin if session.stdin.isatty() else session.stdout.keyboard()
+    terminal = None if keys is None else keys.terminal_of(session.stdout)
+    if keys is None or terminal is None:
         session.stdout.write(text if text.endswith("\n") or not text else text + "\n")
         return
     pager = _Pager(session, terminal, text.expandtabs().split("\n"), name)
