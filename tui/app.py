@@ -191,7 +191,9 @@ class Day6App(AppActions, App[None]):
         machine = self.machine
         if machine.desk is not None:
             if (windows := machine.changed_windows()) is not None:
-                self.desktop.show_windows(windows)
+                key = actions.BY_ID["windows"].label
+                for unseen in self.desktop.show_windows(windows):
+                    self.say(self.look.texts("window.hidden", title=unseen.window.title, key=key))
             self._bury_ended_terminals()
             shown = self.desktop.shown()
             for pane in (self.terminals, *self.desktop.panes.values()):

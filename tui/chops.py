@@ -9,7 +9,12 @@ compares it cell by cell with the original.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.tui.cells import cell_len
+
+if TYPE_CHECKING:
+    from textual.strip import Strip
 
 CHECKED_VERSION = "8.2."
 
@@ -26,10 +31,31 @@ def render_segments(self: Any, console: Any) -> str:
                 continue
             left, right = max(x, x1), min(end, x2)
             if left != x or right != end:
-                strip = strip.crop(left - x, right - x)
+                first, last = whole_characters(strip, left - x, right - x)
+                left, strip = x + first, strip.crop(first, last)
             append(f"\x1b[{y + 1};{left + 1}H")
             append(strip.render(console))
     return "".join(sequences)
+
+
+def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
+    """Widen a span of cells so that it cuts no character of two cells: half of one erases it.
+
+    What lies over a pane is cut where the pane changes, and the two know nothing of each other's characters.
+    """
+    column = 0
+    for text, _, _ in strip:
+        if text.isascii():
+            column += len(text)
+            continue
+        for char in text:
+            after = column + cell_len(char)
+            if column < first < after:
+                first = column
+            if column < last < after:
+                last = after
+            column = after
+    return first, last
 
 
 def textual_version() -> str:

@@ -132,8 +132,9 @@ class Desktop(Container):
 
     # -- windows come and go -------------------------------------------------------------------------------------------
 
-    def show_windows(self, windows: list[Window]) -> None:
-        """Make the panes agree with the display's list."""
+    def show_windows(self, windows: list[Window]) -> list[WindowPane]:
+        """Make the panes agree with the display's list. Returns the new ones for which there is no place beside the terminal."""
+        unseen: list[WindowPane] = []
         open_numbers = {window.number for window in windows}
         focused_gone = False
         for number in [number for number in self.panes if number not in open_numbers]:
@@ -148,6 +149,8 @@ class Desktop(Container):
                 self.mount(pane)
                 if pane.takes_focus or self._covers_the_focus():
                     self.call_after_refresh(self.focus_pane, pane)
+                elif pane.number not in self.plan(*self.size).windows:
+                    unseen.append(pane)
         if self.active not in self.panes:
             self.active = next(reversed(self.panes), WELCOME)
             if self.enlarged == "window":
@@ -156,6 +159,7 @@ class Desktop(Container):
         if focused_gone:
             self.focus_pane(self.terminals)
         self.rearrange()
+        return unseen
 
     def _covers_the_focus(self) -> bool:
         """Whether the window that was opened last lies over the one that has the keyboard, which then nobody would see."""

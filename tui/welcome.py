@@ -70,7 +70,8 @@ class WelcomePane(Pane):
         self.guide = False
         self.chosen = 0
         self._on_choice = on_choice
-        self.on_typed = self.on_pasted = lambda typed: None
+        self.on_typed = lambda event: None
+        self.on_pasted = lambda text: None
         self._leaving = False
         """Whether typing has begun that goes to a terminal: the keyboard follows a moment later than quick fingers."""
         self._built: list[list[Segment]] = []
@@ -257,7 +258,7 @@ class WelcomePane(Pane):
         self._leaving = True
         self.on_pasted(event.text)
 
-    def on_blur(self) -> None:
+    def on_blur(self, event: events.Blur) -> None:
         self._leaving = False
 
 

@@ -9,13 +9,13 @@ from day6_tui.core.graph.endpoints import (
     Endpoint,
     EndpointKind,
     MessageInfo,
-    Node,
     Publisher,
     RequestId,
     Service,
     Subscription,
 )
 from day6_tui.core.graph.graph import Graph, GraphEvent, graph_for_domain
+from day6_tui.core.graph.node import Node
 from day6_tui.core.graph.qos import QoS
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""Nodes and their endpoints: publishers, subscriptions, service servers and clients.
+"""The endpoints of nodes: publishers, subscriptions, service servers and clients.
 
 An endpoint with `origin` set stands for one in another process; the link (core/link) makes and removes those. Delivery
 needs no lock: the tuples of matched endpoints are replaced as a whole by the graph, and queues are `deque`s.
@@ -15,11 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, LeaseWatch, Watch
 from day6_tui.core.graph.events import EventKind as EventKind
 from day6_tui.core.graph.events import EventStatus as EventStatus
-from day6_tui.core.graph.names import full_name
 from day6_tui.core.graph.qos import Durability, Liveliness, QoS, is_finite
 
 if TYPE_CHECKING:
-    from day6_tui.core.graph.graph import Graph
+    from day6_tui.core.graph.node import Node
 
 Copier = Callable[[Any], Any]
 
@@ -381,59 +380,3 @@ class Client(Endpoint):
             return self.queue.popleft()
         except IndexError:
             return None
-
-
-class Node:
-    """A node: a name, a namespace and its endpoints. Names given to the `create_*` methods are full ones."""
-
-    def __init__(self, graph: Graph, name: str, namespace: str, enclave: str, origin: object | None) -> None:
-        self.graph = graph
-        self.name = name
-        self.namespace = namespace
-        self.enclave = enclave
-        self.origin = origin
-        self.entity_id = graph.next_entity_id()
-        self.endpoints: tuple[Endpoint, ...] = ()
-        self.destroyed = False
-
-    @property
-    def full_name(self) -> str:
-        """Namespace and name: `/turtlesim`, `/team/talker`."""
-        return full_name(self.namespace, self.name)
-
-    def create_publisher(
-        self, topic: str, type_name: str, type_hash: str, qos: QoS, copy: Copier, *, gid: bytes | None = None
-    ) -> Publisher:
-        """Add a publisher of `topic`; `copy` must return an independent copy of a message."""
-        return self.graph.add_endpoint(Publisher(self, topic, type_name, type_hash, qos, gid, copy))
-
-    def create_subscription(
-        self,
-        topic: str,
-        type_name: str,
-        type_hash: str,
-        qos: QoS,
-        *,
-        gid: bytes | None = None,
-        on_ready: Callable[[Subscription], None] | None = None,
-    ) -> Subscription:
-        """Add a subscription of `topic`; what transient-local publishers kept is in its queue on return."""
-        subscription = Subscription(self, topic, type_name, type_hash, qos, gid)
-        subscription.on_ready = on_ready
-        return self.graph.add_endpoint(subscription)
-
-    def create_service(
-        self, name: str, type_name: str, type_hash: str, qos: QoS, copy_response: Copier, *, gid: bytes | None = None
-    ) -> Service:
-        """Add a server of the service `name`."""
-        return self.graph.add_endpoint(Service(self, name, type_name, type_hash, qos, gid, copy_response))
-
-    def create_client(
-        self, name: str, type_name: str, type_hash: str, qos: QoS, copy_request: Copier, *, gid: bytes | None = None
-    ) -> Client:
-        """Add a client of the service `name`."""
-        return self.graph.add_endpoint(Client(self, name, type_name, type_hash, qos, gid, copy_request))
-
-    def destroy(self) -> None:
-        """Take the node and all its endpoints out of the graph; a second call does nothing."""
-        self.graph.remove_node(self)

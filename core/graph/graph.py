@@ -11,17 +11,9 @@ from enum import Enum
 from itertools import count
 from typing import Any, NamedTuple, Protocol, TypeVar
 
-from day6_tui.core.graph.endpoints import (
-    Client,
-    Endpoint,
-    EndpointKind,
-    EventKind,
-    Node,
-    Publisher,
-    RequestId,
-    Service,
-)
+from day6_tui.core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, RequestId, Service
 from day6_tui.core.graph.matching import Told, connect, disconnect
+from day6_tui.core.graph.node import Node
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 

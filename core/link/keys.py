@@ -12,7 +12,8 @@ from __future__ import annotations
 import os
 from typing import NamedTuple
 
-from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Node
+from day6_tui.core.graph.endpoints import Endpoint, EndpointKind
+from day6_tui.core.graph.node import Node
 from day6_tui.core.graph.qos import QoS
 from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
 

@@ -8,8 +8,9 @@ from collections import defaultdict, deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from day6_tui.core.graph.endpoints import Client, Endpoint, Node, Publisher, RequestId, Service, Subscription
+from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Service, Subscription
 from day6_tui.core.graph.graph import Graph, GraphEvent
+from day6_tui.core.graph.node import Node
 from day6_tui.core.link.config import command_config, gate_config, inner_config, outer_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gid import gid_of

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Node, Publisher, Subscription
+from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Publisher, Subscription
 from day6_tui.core.graph.graph import Graph
+from day6_tui.core.graph.node import Node
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import Announcement, parse_token
 

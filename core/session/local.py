@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-import _thread
-import codecs
 import contextlib
 import os
 import signal
 import subprocess
 import sys
 import threading
-from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING
 
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
-from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.program import Program
+from day6_tui.core.session.real_streams import RealInput, RealOutput
 from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
 from day6_tui.core.session.session import KilledBySignal, Main, Session
-from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
@@ -30,207 +26,6 @@ if TYPE_CHECKING:
 
 GRACE = 2.0
 """Seconds that a child has to end after SIGTERM."""
-
-
-class RealOutput(OutputStream):
-    """Our own standard output or error. A reader that went away breaks it like a pipe."""
-
-    def __init__(self, file: TextIO) -> None:
-        self._file = file
-        self._muted = False
-        self._backlog: Backlog | None = None
-        self._held = False
-        self.encoding = file.encoding or "utf-8"
-        with contextlib.suppress(AttributeError, ValueError):
-            file.reconfigure(errors="replace", line_buffering=True)  # type: ignore[attr-defined]
-
-    @property
-    def columns(self) -> int:
-        try:
-            return os.get_terminal_size(self._file.fileno()).columns
-        except (OSError, ValueError):
-            return 80
-
-    def write(self, text: str) -> int:
-        if self._muted:
-            return len(text)
-        if self._backlog is not None:
-            self._backlog.write(self if self._held else None, text)
-            if self._held:
-                return len(text)
-        try:
-            return self._file.write(text)
-        except BrokenPipeError:
-            self._muted = True
-            # Python flushes the file once more at exit; that must not fail a second time.
-            with contextlib.suppress(OSError, ValueError):
-                os.dup2(os.open(os.devnull, os.O_WRONLY), self._file.fileno())
-            raise
-
-    def flush(self) -> None:
-        if not self._muted:
-            self._file.flush()
-
-    def copy_to(self, backlog: Backlog) -> None:
-        """Let `backlog` know everything that is written, if this is a terminal (a file need not be watched)."""
-        if self.isatty():
-            self._backlog = backlog
-
-    def hold(self, held: bool) -> None:
-        """Write nothing for the present: the backlog has it."""
-        if self._backlog is not None:
-            self.flush_quietly()
-            self._held = held
-
-    def mute(self) -> None:
-        """Write nothing any more."""
-        self.flush_quietly()
-        self._muted = True
-
-    def flush_quietly(self) -> None:
-        with contextlib.suppress(BrokenPipeError):
-            self.flush()
-
-    def isatty(self) -> bool:
-        return self._file.isatty()
-
-    def fileno(self) -> int | None:
-        try:
-            self.flush()
-            return self._file.fileno()
-        except (OSError, ValueError):
-            return None  # a test's capture
-
-
-class RealInput(InputStream):
-    """Our own standard input; read by a thread that starts with the first read."""
-
-    def __init__(self) -> None:
-        self._waiting: deque[str] = deque()
-        """Decoded text not yet returned; '' marks the end."""
-        self._rest = ""
-        self._arrived = Signal()
-        self._thread: threading.Thread | None = None
-        self._saved: list[object] | None = None
-        self._raw_signals = True
-
-    def isatty(self) -> bool:
-        return sys.stdin is not None and sys.stdin.isatty()
-
-    def fileno(self) -> int | None:
-        try:
-            return sys.stdin.fileno()
-        except (AttributeError, OSError, ValueError):
-            return None
-
-    async def read_key(self) -> str:
-        while True:
-            keys = split_keys(self._rest)
-            if keys:
-                self._rest = self._rest[len(keys[0]) :]
-                return keys[0]
-            if not await self._more():
-                return END_OF_INPUT
-
-    async def read_line(self) -> str:
-        while True:
-            line, newline, rest = self._rest.partition("\n")
-            if newline:
-                self._rest = rest
-                return line + newline
-            if not await self._more():
-                line, self._rest = self._rest, ""
-                return line
-
-    async def _more(self) -> bool:
-        """Wait for more text; False at the end of the input."""
-        if self._thread is None:
-            self._thread = threading.Thread(target=self._read, name="day6-stdin", daemon=True)
-            self._thread.start()
-        while not self._waiting:
-            self._arrived.clear()
-            if not self._waiting:
-                await wait_for(self._arrived)
-        if not self._waiting[0]:
-            return False
-        self._rest += self._waiting.popleft()
-        return True
-
-    def _read(self) -> None:
-        if sys.platform == "win32" and self.isatty():
-            self._read_windows()
-            return
-        decoder = codecs.getincrementaldecoder("utf-8")("replace")
-        fd = sys.stdin.fileno()
-        while True:
-            try:
-                data = os.read(fd, 4096)
-            except OSError:
-                data = b""
-            text = decoder.decode(data, final=not data)
-            if text or not data:
-                self._waiting.append(text)
-                self._arrived.set()
-            if not data:
-                return
-
-    def _read_windows(self) -> None:
-        if sys.platform != "win32":
-            raise NotImplementedError("only there")
-        import msvcrt
-
-        arrows = {"H": "\x1b[A", "P": "\x1b[B", "M": "\x1b[C", "K": "\x1b[D"}
-        while True:
-            char = msvcrt.getwch()
-            if char in ("\x00", "\xe0"):
-                char = arrows.get(msvcrt.getwch(), "")
-            if char == "\x03" and self._raw_signals:
-                _thread.interrupt_main()  # while this reads, Ctrl-C is a key there
-            elif char:
-                self._waiting.append(char)
-                self._arrived.set()
-
-    @contextlib.contextmanager
-    def raw(self, *, signals: bool = True) -> Iterator[None]:
-        if sys.platform == "win32" or not self.isatty():
-            yield
-            return
-        import termios
-
-        fd = sys.stdin.fileno()
-        before = termios.tcgetattr(fd)
-        self._saved = before
-        self._raw_signals = signals
-        self._set_raw()
-        continued = signal.getsignal(signal.SIGCONT)
-        with contextlib.suppress(ValueError):  # only the main thread may
-            signal.signal(signal.SIGCONT, lambda number, frame: self._set_raw())
-        try:
-            yield
-        finally:
-            self.restore()
-            with contextlib.suppress(ValueError):
-                signal.signal(signal.SIGCONT, continued)
-
-    def _set_raw(self) -> None:
-        if sys.platform == "win32":
-            raise NotImplementedError("no termios there")
-        import termios
-
-        fd = sys.stdin.fileno()
-        mode = termios.tcgetattr(fd)
-        mode[3] &= ~(termios.ICANON | termios.ECHO)
-        if not self._raw_signals:
-            mode[3] &= ~termios.ISIG
-        termios.tcsetattr(fd, termios.TCSADRAIN, mode)
-
-    def restore(self) -> None:
-        """Give the terminal back as it was found. May be called at any time."""
-        if sys.platform != "win32" and self._saved is not None:
-            import termios
-
-            termios.tcsetattr(sys.stdin.fileno(), termios.TCSADRAIN, self._saved)  # type: ignore[arg-type]
-            self._saved = None
 
 
 class Foreground:
@@ -308,6 +103,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
         stderr=stderr,
         display=display,
     )
+    session.background = display is None
     session.python = _python_in_place
     program = Program(session, main)
     restore = _handle_signals(scheduler, program)

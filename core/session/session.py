@@ -76,6 +76,8 @@ class Session:
         self.stdout: OutputStream = OutputStream() if stdout is None else stdout
         self.stderr: OutputStream = OutputStream() if stderr is None else stderr
         self.display: Display | None = None if display is None else ProgramDisplay(display, self.interrupt)
+        self.background = False
+        """Whether nobody waits for it: it was launched, or started with `&`, or without a terminal."""
         self.shell: Any = None
         """The shell (`core/shell/interpreter.Shell`) that started the program, None in `local`; for built-in commands."""
         self.shell_end: Exception | None = None

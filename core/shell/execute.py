@@ -7,12 +7,12 @@ import signal
 import sys
 from pathlib import Path
 
-from day6_tui.core.session.local import RealInput, RealOutput
 from day6_tui.core.session.program import Program
+from day6_tui.core.session.real_streams import RealInput, RealOutput
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import InputStream
+from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.redirection import Streams
 
 TIMED_OUT = 124

@@ -18,6 +18,7 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import Captured, InputStream, Pipe
 from day6_tui.core.shell import syntax
+from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.expansion import expand, expand_text
 from day6_tui.core.shell.jobs import Job, JobTable
 from day6_tui.core.shell.lexer import SyntaxProblem
@@ -28,33 +29,6 @@ if TYPE_CHECKING:
 
 MAX_DEPTH = 100
 """How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""
-
-
-class ExitShell(Exception):
-    """`exit`: ends this shell (not the programs around it) with `status`."""
-
-    def __init__(self, status: int) -> None:
-        super().__init__(status)
-        self.status = status
-
-
-class LoopControl(Exception):
-    """`break` and `continue`, `levels` loops up; `return` out of a sourced file has its own class."""
-
-    def __init__(self, levels: int, again: bool) -> None:
-        super().__init__(levels)
-        self.levels = levels
-        self.again = again
-
-
-class ReturnFromSource(Exception):
-    def __init__(self, status: int) -> None:
-        super().__init__(status)
-        self.status = status
-
-
-class Interrupted(Exception):
-    """A foreground command was ended by Ctrl-C: the rest of the line is not run."""
 
 
 class Shell:
@@ -79,6 +53,8 @@ class Shell:
         self.history: list[str] = []
         self.depth = 0
         self.subshell = False
+        self.background = False
+        """Whether it runs a job that was started with `&`."""
         self._substitution_status = 0
         """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
         self._front: list[Job] = []
@@ -157,6 +133,7 @@ class Shell:
         twin.history = self.history
         twin.depth = self.depth + 1
         twin.subshell = True
+        twin.background = self.background
         return twin
 
     # -- running -------------------------------------------------------------------------------------------------------
@@ -222,13 +199,14 @@ class Shell:
     async def _background(self, node: syntax.AndOr, streams: Streams) -> None:
         stdin = streams.stdin.fork() if self.interactive else InputStream()
         streams = replace(streams, stdin=stdin)
+        inner = self.clone()
+        inner.background = True
         if len(node.items) == 1 and not node.items[0][1].negated:
-            programs = self._start_stages(node.items[0][1], streams)
+            programs = inner._start_stages(node.items[0][1], streams)
         else:
-            inner = self.clone()
             foreground = replace(node, background=False)
             main = subshell_main(inner, lambda: inner.run_tree(syntax.Sequence([foreground]), streams))
-            programs = [self._start([node.source], main, streams)]
+            programs = [inner._start([node.source], main, streams)]
         job = Job(programs, node.source, stdin)
         self.jobs.add(job)
         self.last_background = programs[-1].pid
@@ -425,9 +403,11 @@ class Shell:
     ) -> Program:
         environment = self.environment if env is None else env
         try:
-            return self.desk.start_program(argv, main, streams, env=environment, cwd=self.cwd, shell=shell)
+            program = self.desk.start_program(argv, main, streams, env=environment, cwd=self.cwd, shell=shell)
         except BlockingIOError as error:
             raise SyntaxProblem(f"fork: {error.strerror}") from None
+        program.session.background = self.background
+        return program
 
     async def _foreground(self, job: Job, streams: Streams) -> None:
         """Give the job the terminal until it ends or is stopped, and take its status."""

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell import syntax
 from day6_tui.core.shell.completion import Completer
+from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.editor import EndOfLines, LineEditor
 from day6_tui.core.shell.history import History
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell
+from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.lexer import Incomplete, SyntaxProblem
 
 if TYPE_CHECKING:

@@ -18,6 +18,7 @@ from day6_tui.core.shell.discipline import Discipline
 from day6_tui.core.shell.redirection import Streams
 
 if TYPE_CHECKING:
+    from day6_tui.core.session.streams import InputStream
     from day6_tui.core.shell.desk import Desk
     from day6_tui.core.shell.rows import Scrollback
     from day6_tui.core.shell.screen import Screen

@@ -82,7 +82,7 @@ def test_section_5_the_wheels_turn(place: Place) -> None:
     assert "Type: sensor_msgs/msg/JointState\nPublisher count: 1\nSubscription count: 1\n" in done.stdout, (
         done.stdout + done.stderr
     )
-    for node in ("/robot_state_publisher", "/wheel_spinner"):
+    for node in ("/robot_state_publisher", "/rviz2", "/wheel_spinner"):
         assert f"{node}\n" in done.stdout, done.stdout + done.stderr
     turned = re.findall(r"RPY \(radian\) \[(-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\]", done.stdout)
     assert len(turned) == 2 and turned[0] != turned[1], done.stdout + done.stderr

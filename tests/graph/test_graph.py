@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from day6_tui.core.graph import EndpointKind, Graph, GraphEvent, QoS
-from day6_tui.core.graph.endpoints import EventKind, Node, Publisher, Subscription
+from day6_tui.core.graph.endpoints import EventKind, Publisher, Subscription
 from day6_tui.core.graph.graph import Change, graph_for_domain
+from day6_tui.core.graph.node import Node
 from day6_tui.core.graph.qos import (
     Durability,
     History,

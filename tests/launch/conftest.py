@@ -19,7 +19,9 @@ from day6_tui.core.session.streams import Captured, TextInput
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.redirection import Streams
 
-sys.path.insert(0, str(Path(__file__).parent))  # the tests import `launch_cases`, which is also a script's (`record.py`)
+sys.path.insert(
+    0, str(Path(__file__).parent)
+)  # the tests import `launch_cases`, which is also a script's (`record.py`)
 
 PATIENCE = 30.0
 """Wall seconds a test waits for real processes at most."""

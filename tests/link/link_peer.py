@@ -11,7 +11,8 @@ import sys
 from typing import Any
 
 from day6_tui.core.graph import EndpointKind, Graph, QoS
-from day6_tui.core.graph.endpoints import Client, Endpoint, EventKind, Node, Publisher, Service, Subscription
+from day6_tui.core.graph.endpoints import Client, Endpoint, EventKind, Publisher, Service, Subscription
+from day6_tui.core.graph.node import Node
 from day6_tui.core.graph.qos import Durability, History, Reliability
 from day6_tui.core.interfaces import copy_message, get_message, get_service, type_hash
 from day6_tui.core.link.qos_text import qos_to_text

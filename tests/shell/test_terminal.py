@@ -358,5 +358,5 @@ def test_less_behind_a_pipe_takes_its_keys_from_the_terminal(seat: Any) -> None:
     assert screen.splitlines()[:2] == ["1", "2"] and seat.terminal.busy
     assert seat.type("G").splitlines()[-2:] == ["100", "(END)"]
     seat.type("q")
-    assert seat.look().splitlines()[-2:] == [f"{PROMPT} seq 1 100 | less", PROMPT]
-    assert seat.line("echo on")[-2:] != "" and not seat.terminal.busy
+    assert "(END)" not in seat.look() and not seat.terminal.busy
+    assert seat.line("echo on").splitlines()[-2:] == ["on", PROMPT]

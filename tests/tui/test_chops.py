@@ -63,11 +63,11 @@ def test_exactly_the_dirty_cells_are_sent(seed: int) -> None:
     for y in range(HEIGHT):
         for x in range(WIDTH):
             inside = any(line == y and first <= x < end for line, first, end in spans)
-            # Half a wide character at the edge of a span is sent as a blank.
-            cut = any(line == y and x in (first, end - 1) for line, first, end in spans)
+            # A wide character at the edge of a span is sent as a whole.
+            edge = any(line == y and x in (first - 1, end) for line, first, end in spans)
             expected = full[y][x] if inside else blank[y][x]
             if sent[y][x] != expected:
-                assert cut and inside and full[y][x].data in ("海", ""), (seed, y, x)
+                assert edge and sent[y][x] == full[y][x] and full[y][x].data in ("海", ""), (seed, y, x)
 
 
 def test_a_small_change_far_from_the_left_edge_costs_few_bytes() -> None:
@@ -88,3 +88,11 @@ def test_it_is_in_place_for_the_textual_that_is_installed() -> None:
 def test_another_version_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(chops, "textual_version", lambda: "8.3.0")
     assert chops.install() is False
+
+
+@pytest.mark.parametrize("span", [(1, 2), (2, 5), (3, 6), (0, 3)])
+def test_a_chinese_character_at_the_edge_of_a_dirty_span_is_not_lost(span: tuple[int, int]) -> None:
+    line = Strip([Segment("a海龟走b "), Segment("来" * 10)], 28)
+    whole = "".join(cell.data for cell in _screen(f"\x1b[1;1H{line.text}")[0])
+    sent = chops.render_segments(ChopsUpdate([{0: line}], [(0, *span)], [[28]]), _console())
+    assert "".join(cell.data for cell in _screen(f"\x1b[1;1H{line.text}{sent}")[0]) == whole

@@ -391,3 +391,18 @@ async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) 
             app.desktop.focus_pane(app.desktop.panes[window.number])
             await step(app, pilot)
             assert f"click or {key} " in screen_text(app)
+
+
+async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> None:
+    async with opened(desk, 40, 10, lang="en", scene="empty") as (app, pilot):
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        await step(app, pilot)
+        assert "TurtleSim is open: F4 shows it" in screen_lines(app)[-1]
+        await pilot.press("f4", "down", "enter")
+        await step(app, pilot)
+        assert screen_lines(app)[1].startswith("┏ TurtleSim ")
+    desk = type(desk)()
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        await step(app, pilot)
+        assert "is open" not in screen_lines(app)[-1]

@@ -9,8 +9,9 @@ from typing import NamedTuple
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, InputStream
+from day6_tui.core.shell.control_flow import ExitShell, Interrupted
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, Shell
+from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.redirection import Streams
 
 PATIENCE = 60.0

@@ -81,6 +81,7 @@ TEXTS = {
     "help.single.language": "changes the language: 中文",
     "help.single.suspend": "stops the program and goes back to the shell; fg goes on",
     # terminal
+    "window.hidden": "{title} is open: {key} shows it",
     "terminal.hint": "Arrow keys work only in here: click or {key}",
     "terminal.scrolled": "{count} lines further down · any key goes there",
     "terminal.copied": "Copied",

@@ -81,6 +81,7 @@ TEXTS = {
     "help.single.language": "切换语言：English",
     "help.single.suspend": "暂停程序并回到命令行，用 fg 继续",
     # terminal
+    "window.hidden": "{title} 打开了：按 {key} 去看",
     "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
     "terminal.copied": "已复制",

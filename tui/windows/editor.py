@@ -223,7 +223,7 @@ class EditorPane(WindowPane):
             self.editor.keep(self.editor.saved)
             self.window.close_by_user()
 
-        answers = {"y": partial(self.write_as, leave=True), "n": discard}
+        answers: dict[str, Callable[[], object]] = {"y": partial(self.write_as, leave=True), "n": discard}
         texts = self.look.texts
         self.lay_over(Question(self.look, texts("editor.modified"), texts("editor.modified.keys"), answers))
 

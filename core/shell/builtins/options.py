@@ -12,14 +12,19 @@ class UsageError(Exception):
 
 
 def parse(
-    argv: list[str], flags: str = "", values: str = "", long: Mapping[str, str] | None = None
+    argv: list[str], flags: str = "", values: str = "", long: Mapping[str, str] | None = None, joined: str = ""
 ) -> tuple[dict[str, str], list[str]]:
     """Return (options, operands) of a command line; `argv[0]` is the command's name.
 
     `flags` are letters without, `values` letters with a value; `long` maps '--name' to one of those letters. A flag given n times
-    has the value of n letters, so that `'r' in options` and `len(options['v'])` both work. Raises UsageError.
+    has the value of n letters, so that `'r' in options` and `len(options['v'])` both work. Of a value given more than once the
+    last one counts, but those of the letters in `joined` are kept, one a line. Raises UsageError.
     """
     options: dict[str, str] = {}
+
+    def take(letter: str, value: str) -> None:
+        options[letter] = f"{options[letter]}\n{value}" if letter in joined and letter in options else value
+
     operands: list[str] = []
     waiting = list(argv[1:])
     try_help = f"Try '{argv[0]} --help' for more information."
@@ -36,7 +41,7 @@ def parse(
             if letter in values:
                 if not equals and not waiting:
                     raise UsageError(f"option '{name}' requires an argument\n{try_help}")
-                options[letter] = value if equals else waiting.pop(0)
+                take(letter, value if equals else waiting.pop(0))
             else:
                 options[letter] = options.get(letter, "") + letter
         elif argument.startswith("-") and len(argument) > 1:
@@ -49,7 +54,7 @@ def parse(
                 if letter in values:
                     if not rest and not waiting:
                         raise UsageError(f"option requires an argument -- '{letter}'\n{try_help}")
-                    options[letter] = rest or waiting.pop(0)
+                    take(letter, rest or waiting.pop(0))
                     break
                 if letter not in flags:
                     raise UsageError(f"invalid option -- '{letter}'\n{try_help}")

@@ -38,7 +38,7 @@ _GREP_LONG = {
 
 async def grep(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "ivncEFGPwxoqlrRhHaUs", "meABCK", {**_GREP_LONG})
+        options, names = parse(session.argv, "ivncEFGPwxoqlrRhHaUs", "meABCK", _GREP_LONG, joined="e")
     except UsageError as error:
         if "--color" in str(error) or "--colour" in str(error):
             session.argv = [word for word in session.argv if word not in ("--color", "--colour")]
@@ -74,11 +74,18 @@ async def grep(session: Session) -> int:
 
 
 def _grep_expression(pattern: str, options: dict[str, str]) -> re.Pattern[str]:
+    """One expression for a list of patterns, one a line: a line of text is found if any of them is in it."""
+    pieces = pattern.split("\n")
     if "F" in options:
-        pattern = "|".join(re.escape(piece) for piece in pattern.split("\n"))
+        pieces = [re.escape(piece) for piece in pieces]
     elif "E" not in options and "P" not in options:
         # Basic expressions: \| \( \{ \+ \? are the operators, the plain characters mean themselves.
-        pattern = re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], pattern)
+        pieces = [
+            re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], piece) for piece in pieces
+        ]
+    for piece in pieces:
+        re.compile(piece)  # a mistake is that of one pattern
+    pattern = pieces[0] if len(pieces) == 1 else "|".join(f"(?:{piece})" for piece in pieces)
     pattern = re.sub(r"\[\[:(\w+):\]\]", lambda m: _CLASSES.get(m[1], m[0]), pattern)
     if "w" in options:
         pattern = rf"\b(?:{pattern})\b"

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.interpreter import ExitShell, Interrupted, LoopControl, ReturnFromSource, Shell
+from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.redirection import Streams
 
 

@@ -1,6 +1,7 @@
 """car_view: shows the robot of /robot_description from above, turning as /tf says; as text where there is no screen.
 
-The parameter `tf_prefix` is what robot_state_publisher's `frame_prefix` puts before every frame.
+The parameter `tf_prefix` is what robot_state_publisher's `frame_prefix` puts before every frame. What it does without a screen is
+the rule of `programs/_without_screen.py`.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import textwrap
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.day6_bot._model import CarModel
 from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.threads import in_thread
@@ -29,16 +31,17 @@ SPEED_SECONDS = 0.5
 
 
 async def main(session: Session) -> int:
-    """Follow the robot until interrupted; without a display print it once, status 1 if there is none."""
+    """Follow the robot until interrupted; without a display print it once (status 1 if there is none), or stay."""
     node = session.create_node("car_view")
     model = CarModel(node)
     arrived = Signal()
     model.on_description = arrived.set
     session.spawn(_read_descriptions(session, model, arrived))
-    if session.display is None:
+    if session.display is None and not stays(session, node):
         session.spawn(session.spin(node))
         return await _print(session, model)
-    session.display.open("car", "car_view", model)
+    if session.display is not None:
+        session.display.open("car", "car_view", model)
     session.spawn(_refresh(session, model))
     await session.spin(node)
     return 0

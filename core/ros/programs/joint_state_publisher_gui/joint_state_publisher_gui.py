@@ -1,7 +1,7 @@
 """`ros2 run joint_state_publisher_gui joint_state_publisher_gui [FILE]`: a slider for every joint that can move.
 
 Its node is called joint_state_publisher, as in the original. Without a screen it publishes on, with all joints at zero,
-and says so.
+and says so (see `programs/_without_screen.py`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""`ros2 run rqt_console rqt_console`: a node that listens to /rosout and shows it in a window."""
+"""`ros2 run rqt_console rqt_console`: a node that listens to /rosout and shows it in a window.
+
+Without a screen it prints what comes (see `programs/_without_screen.py`).
+"""
 
 from __future__ import annotations
 

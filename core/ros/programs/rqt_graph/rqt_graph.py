@@ -1,8 +1,12 @@
-"""`rqt_graph`: a node that looks at the graph and shows it in a window, or as text where there is no screen."""
+"""`rqt_graph`: a node that looks at the graph and shows it in a window, or as text where there is no screen.
+
+What it does without a screen is the rule of `programs/_without_screen.py`.
+"""
 
 from __future__ import annotations
 
 from day6_tui.core.graph import GraphEvent
+from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw
 from day6_tui.core.ros.programs.rqt_graph._fit import fitted
 from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
@@ -17,11 +21,14 @@ SETTLE_SECONDS = 0.5
 
 
 async def main(session: Session) -> int | None:
-    """Open the window and follow the graph until interrupted; without a display print the graph once."""
+    """Open the window and follow the graph until interrupted; without a display print the graph once, or stay."""
     graph = session.graph
     assert graph is not None
     node = session.create_node(f"rqt_gui_py_node_{session.pid}")
     model = RqtGraph(node, graph, session.cwd)
+    if session.display is None and stays(session, node):
+        await session.spin(node)
+        return 0
     if session.display is None:
         await session.sleep(SETTLE_SECONDS)
         model.refresh()

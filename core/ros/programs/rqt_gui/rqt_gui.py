@@ -1,4 +1,7 @@
-"""`rqt` and `ros2 run rqt_gui rqt_gui`: choose a window; `rqt --standalone rqt_plot` opens one at once."""
+"""`rqt` and `ros2 run rqt_gui rqt_gui`: choose a window; `rqt --standalone rqt_plot` opens one at once.
+
+Without a screen it lists what there is, or goes on as the plugin that was named (see `programs/_without_screen.py`).
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""`ros2 run rqt_plot rqt_plot [FIELD…]`: a node that listens to topics and draws numbers of their messages over time."""
+"""`ros2 run rqt_plot rqt_plot [FIELD…]`: a node that listens to topics and draws numbers of their messages over time.
+
+Without a screen it prints the newest values (see `programs/_without_screen.py`).
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,12 @@
-"""`ros2 run rqt_topic rqt_topic`: a node that lists all topics and listens to those that are ticked."""
+"""`ros2 run rqt_topic rqt_topic`: a node that lists all topics and listens to those that are ticked.
+
+What it does without a screen is the rule of `programs/_without_screen.py`.
+"""
 
 from __future__ import annotations
 
 from day6_tui.core.graph import GraphEvent
+from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_topic._model import TopicMonitor
 from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.session import Session
@@ -15,11 +19,14 @@ SETTLE_SECONDS = 0.5
 
 
 async def main(session: Session) -> int | None:
-    """Open the window and follow the graph until interrupted; without a display print the topics once."""
+    """Open the window and follow the graph until interrupted; without a display print the topics once, or stay."""
     graph = session.graph
     assert graph is not None
     node = session.create_node(f"rqt_gui_py_node_{session.pid}")
     model = TopicMonitor(node)
+    if session.display is None and stays(session, node):
+        await session.spin(node)
+        return 0
     if session.display is None:
         await session.sleep(SETTLE_SECONDS)
         model.refresh()

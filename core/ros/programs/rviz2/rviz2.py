@@ -1,6 +1,7 @@
-"""rviz2: RViz as a node with a window; without a screen it says what it would show and ends.
+"""rviz2: RViz as a node with a window.
 
-The command line is that of rviz_common/visualizer_app.cpp.
+What it does without a screen is the rule of `programs/_without_screen.py`; as a node it logs warnings and errors of its
+displays. The command line is that of rviz_common/visualizer_app.cpp.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_config
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
-from day6_tui.core.ros.programs.rviz2.model.status import WORDS, Status
+from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WORDS, Status
 from day6_tui.core.ros.programs.rviz2.reading import Reader
 from day6_tui.core.ros.programs.tf2_ros._listening import listen
 from day6_tui.core.session.scheduler import Signal
@@ -134,7 +136,13 @@ async def main(session: Session) -> int:
     _configure(session, rviz, options)
     session.spawn(session.spin(node, listener))
     if session.display is None:
-        return await _tell(session, rviz, changed)
+        if not stays(session, node):
+            return await _tell(session, rviz, changed)
+        try:
+            await _log(session, rviz, changed)
+        except KeyboardInterrupt:
+            log_interrupt(session)
+        return 0
     # The picture needs numpy, whose import would make the desktop stutter.
     await in_thread(_load_numpy)
     rviz.tick()
@@ -209,14 +217,45 @@ async def _run(session: Session, rviz: RViz, changed: Signal) -> None:
 
 async def _tell(session: Session, rviz: RViz, changed: Signal) -> int:
     """Without a screen: print the panel after a while."""
+    await _settle(session, rviz, changed)
+    for line in told(rviz):
+        session.print(line)
+    return 0
+
+
+async def _log(session: Session, rviz: RViz, changed: Signal) -> None:
+    """Without a screen, as a node: say once what each display warns of."""
+    await _settle(session, rviz, changed)
+    logger = rviz.node.get_logger()
+    known: set[str] = set()
+    while True:
+        now = troubles(rviz)
+        for text, level in now.items():
+            if text not in known:
+                (logger.error if level == ERROR else logger.warning)(text)
+        known = set(now)
+        await session.sleep(LOOK_SECONDS)
+        changed.clear()
+        rviz.tick()
+
+
+async def _settle(session: Session, rviz: RViz, changed: Signal) -> None:
     end = session.clock.steady_ns() + int(SETTLE_SECONDS * 1e9)
     while session.clock.steady_ns() < end:
         await session.wait(changed, 0.1)
         changed.clear()
         rviz.tick()
-    for line in told(rviz):
-        session.print(line)
-    return 0
+
+
+def troubles(rviz: RViz) -> dict[str, int]:
+    """What is not well, as texts, with how bad it is."""
+    found = {}
+    shown = [display for display in rviz.displays if display.enabled]
+    for name, tree in [("Global Status", rviz.statuses), *((display.name, display.statuses) for display in shown)]:
+        for line in tree.children:
+            if isinstance(line, Status) and line.level != OK:
+                found[f"{name}: {line.name}: {line.value}"] = line.level
+    return found
 
 
 def told(rviz: RViz) -> list[str]:

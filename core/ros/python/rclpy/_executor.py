@@ -13,6 +13,15 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from rclpy._entity import NOTHING, Entity, Scope
+from rclpy._executor_timeouts import (
+    NEVER_TRUE,
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
+    nanoseconds,
+)
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._time_source import LONGEST_WAIT_S
 from rclpy._timer_heap import TimerHeap
@@ -33,58 +42,7 @@ _INVALID = (
 _INVALID_TIMER = f"failed to create timer: {_INVALID}guard_condition.c:65"
 _INVALID_WAIT_SET = f"failed to initialize wait set: {_INVALID}wait.c:105"
 _INVALID_GUARD = f"failed to create guard_condition: {_INVALID}guard_condition.c:65"
-NEVER_TRUE: Callable[[], bool] = bool
-FOREVER = -1
 _LONGEST_WAIT_NS = None if LONGEST_WAIT_S is None else int(LONGEST_WAIT_S * S_TO_NS)
-
-
-class TimeoutException(Exception):
-    """Nothing became ready in time."""
-
-    __module__ = "rclpy.executors"
-
-
-class ShutdownException(Exception):
-    """The executor was shut down."""
-
-    __module__ = "rclpy.executors"
-
-
-class ExternalShutdownException(Exception):
-    """The context was shut down from outside, for instance by a signal."""
-
-    __module__ = "rclpy.executors"
-
-
-class ConditionReachedException(Exception):
-    """What was waited for has come true."""
-
-    __module__ = "rclpy.executors"
-
-
-class TimeoutObject:
-    """A timeout that can be changed while it is waited for."""
-
-    def __init__(self, timeout: float) -> None:
-        self._timeout = timeout
-
-    @property
-    def timeout(self) -> float:
-        """Seconds."""
-        return self._timeout
-
-    @timeout.setter
-    def timeout(self, timeout: float) -> None:
-        self._timeout = timeout
-
-
-def nanoseconds(timeout_sec: float | TimeoutObject | None) -> int:
-    """Return a timeout in nanoseconds, -1 for ever."""
-    if timeout_sec is None:
-        return FOREVER
-    if isinstance(timeout_sec, TimeoutObject):
-        timeout_sec = timeout_sec.timeout
-    return FOREVER if timeout_sec < 0 else int(float(timeout_sec) * S_TO_NS)
 
 
 class Executor:

@@ -10,13 +10,13 @@ from typing import Any
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import Entity
-from rclpy._executor import FOREVER, NEVER_TRUE, nanoseconds
-from rclpy._executor import ConditionReachedException as ConditionReachedException
 from rclpy._executor import Executor as Executor
-from rclpy._executor import ExternalShutdownException as ExternalShutdownException
-from rclpy._executor import ShutdownException as ShutdownException
-from rclpy._executor import TimeoutException as TimeoutException
-from rclpy._executor import TimeoutObject as TimeoutObject
+from rclpy._executor_timeouts import FOREVER, NEVER_TRUE, nanoseconds
+from rclpy._executor_timeouts import ConditionReachedException as ConditionReachedException
+from rclpy._executor_timeouts import ExternalShutdownException as ExternalShutdownException
+from rclpy._executor_timeouts import ShutdownException as ShutdownException
+from rclpy._executor_timeouts import TimeoutException as TimeoutException
+from rclpy._executor_timeouts import TimeoutObject as TimeoutObject
 from rclpy._incidental import also
 from rclpy.client import Client
 from rclpy.context import Context

@@ -175,6 +175,7 @@ class Host:
         program: Program = desk.start_program(
             argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell
         )
+        program.session.background = True
         return program
 
     def _main_of(self, kind: str, argv: list[str]) -> tuple[Main, list[str]]:

@@ -5,24 +5,26 @@ from __future__ import annotations
 import threading
 import traceback
 from collections.abc import Callable
-from enum import Enum
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Generic
 
 from rclpy._entity import NOTHING
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import GoalEvent as GoalEvent
 from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.action._protocol import (
-    ABORTED,
-    ACCEPTED,
-    CANCELED,
-    CANCELING,
-    SUCCEEDED,
     UNKNOWN,
     ActionEndpoints,
-    next_state,
 )
+from rclpy.action._server_goal import CancelResponse as CancelResponse
+from rclpy.action._server_goal import FeedbackT as FeedbackT
+from rclpy.action._server_goal import GoalResponse as GoalResponse
+from rclpy.action._server_goal import GoalT as GoalT
+from rclpy.action._server_goal import ResultT as ResultT
+from rclpy.action._server_goal import ServerGoalHandle as ServerGoalHandle
+from rclpy.action._server_goal import default_cancel_callback as default_cancel_callback
+from rclpy.action._server_goal import default_goal_callback as default_goal_callback
+from rclpy.action._server_goal import default_handle_accepted_callback as default_handle_accepted_callback
 from rclpy.constants import S_TO_NS
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -41,14 +43,10 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.service_introspection import ServiceIntrospectionState
 
-GoalT = TypeVar("GoalT")
-ResultT = TypeVar("ResultT")
-FeedbackT = TypeVar("FeedbackT")
 
 # action_msgs/srv/CancelGoal
 _ERROR_UNKNOWN_GOAL_ID = 2
 _ERROR_GOAL_TERMINATED = 3
-_TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
 
@@ -66,121 +64,6 @@ def __getattr__(name: str) -> Any:
 
         return getattr(import_module(_MESSAGES[name]), name)
     return _also(name)
-
-
-class GoalResponse(Enum):
-    """What a goal callback answers."""
-
-    REJECT = 1
-    ACCEPT = 2
-
-
-class CancelResponse(Enum):
-    """What a cancel callback answers."""
-
-    REJECT = 1
-    ACCEPT = 2
-
-
-class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
-    """A goal as its server sees it."""
-
-    def __init__(self, action_server: ActionServer[Any, Any, Any], goal_info: Any, goal_request: GoalT) -> None:
-        self._action_server = action_server
-        self._goal_info = goal_info
-        self._goal_request = goal_request
-        self._state = ACCEPTED
-        self._destroyed = False
-        self._ended_ns: int | None = None
-        self._lock = threading.Lock()
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
-
-    def __ne__(self, other: object) -> bool:
-        return not self.__eq__(other)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    @property
-    def request(self) -> GoalT:
-        """The goal."""
-        return self._goal_request
-
-    @property
-    def goal_id(self) -> UUID:
-        """The goal's UUID."""
-        goal_id: UUID = self._goal_info.goal_id
-        return goal_id
-
-    @property
-    def is_active(self) -> bool:
-        """Whether the goal is accepted, executing or canceling."""
-        return not self._destroyed and self._state not in _TERMINAL
-
-    @property
-    def is_cancel_requested(self) -> bool:
-        """Whether a request to cancel was accepted."""
-        return self.status == CANCELING
-
-    @property
-    def status(self) -> int:
-        """The state of the goal (action_msgs/msg/GoalStatus)."""
-        return UNKNOWN if self._destroyed else self._state
-
-    def _update_state(self, event: GoalEvent) -> None:
-        with self._lock:
-            if self._destroyed:
-                return
-            self._state = next_state(self._state, event)
-            ended = self._state in _TERMINAL
-        self._action_server._publish_status()
-        if ended:
-            self._action_server._goal_ended(self)
-
-    def execute(self, execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None = None) -> None:
-        """Begin to execute the goal with this function, by default the server's."""
-        if not self.is_cancel_requested:
-            self._update_state(GoalEvent.EXECUTE)
-        self._action_server.notify_execute(self, execute_callback)
-
-    def publish_feedback(self, feedback: FeedbackT) -> None:
-        """Send feedback; TypeError for what is no feedback of the action."""
-        if not isinstance(feedback, self._action_server.action_type.Feedback):
-            raise TypeError
-        if not self._destroyed:
-            self._action_server._publish_feedback(self.goal_id, feedback)
-
-    def succeed(self) -> None:
-        """Say that the goal was reached. RCLError in a state where that cannot be."""
-        self._update_state(GoalEvent.SUCCEED)
-
-    def abort(self) -> None:
-        """Say that the goal was given up. RCLError in a state where that cannot be."""
-        self._update_state(GoalEvent.ABORT)
-
-    def canceled(self) -> None:
-        """Say that the goal was cancelled as asked. RCLError if nobody asked."""
-        self._update_state(GoalEvent.CANCELED)
-
-    def destroy(self) -> None:
-        """Make the handle unusable."""
-        self._destroyed = True
-
-
-def default_handle_accepted_callback(goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
-    """Execute the goal at once."""
-    goal_handle.execute()
-
-
-def default_goal_callback(goal_request: Any) -> Literal[GoalResponse.ACCEPT]:
-    """Accept every goal."""
-    return GoalResponse.ACCEPT
-
-
-def default_cancel_callback(cancel_request: Any) -> Literal[CancelResponse.REJECT]:
-    """Refuse every request to cancel."""
-    return CancelResponse.REJECT
 
 
 class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):

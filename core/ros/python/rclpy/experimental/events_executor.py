@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy._entity import Entity
-from rclpy._executor import TimeoutObject
+from rclpy._executor_timeouts import TimeoutObject
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.executors import Executor, SingleThreadedExecutor
