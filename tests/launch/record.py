@@ -2,8 +2,8 @@
 
 PYTHON has a real rclpy. SITE is a folder with the Python packages of the real launch, launch_ros, launch_xml, launch_yaml,
 ros2cli, ros2launch with their metadata and what they need; below its `share` are launch's grammar and its marker in the ament
-index. Each FOLDER is a case: its files, and `case.json` for what `launch_cases.Case` has beside them. It is added to recorded.jsonl
-under the folder's name, replacing an older one. Without folders everything is recorded anew.
+index. Each FOLDER is a case: its files, and `case.json` for what `launch_cases.Case` has beside them. It is added to
+recorded.jsonl under the folder's name, replacing an older one. Without folders everything is recorded anew.
 """
 
 from __future__ import annotations
