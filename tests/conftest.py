@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import shutil
 import sys
 import tempfile
 import types
@@ -17,10 +18,19 @@ if importlib.util.find_spec("day6_tui") is None:
     sys.modules["day6_tui"] = namespace
 
 # Nothing a test starts may meet the desktop this developer has open: its own link folder, and no link unless asked.
-os.environ["DAY6_RUNTIME_DIR"] = tempfile.mkdtemp(prefix="day6-tests-")
+OWN_FOLDERS = [tempfile.mkdtemp(prefix="day6-tests-"), tempfile.mkdtemp(prefix="day6-logs-")]
+os.environ["DAY6_RUNTIME_DIR"] = OWN_FOLDERS[0]
 os.environ["DAY6_LINK"] = "off"
 os.environ.pop("ROS_DOMAIN_ID", None)
+# What a test logs does not belong below this developer's ~/.ros.
+os.environ["ROS_LOG_DIR"] = OWN_FOLDERS[1]
 
 from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
+
+
+def pytest_unconfigure() -> None:
+    """Take the folders of this run away."""
+    for folder in OWN_FOLDERS:
+        shutil.rmtree(folder, ignore_errors=True)

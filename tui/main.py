@@ -16,16 +16,18 @@ if TYPE_CHECKING:
 _DESCRIPTION = "ROS 2 for people who have no ROS 2. Without a command, opens the desktop."
 _COMMANDS = """\
 commands:
+  shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
   python FILE [ARG ...]       run a Python file unmodified as a ROS program
   ros2 ...                    the ros2 command, on the graph of this machine
-  rqt_graph, rqt_topic ...    a program with a window; takes this terminal
+  colcon ...                  build a workspace
+  rviz2                       the robot in 3-D; a window takes this terminal
+  rqt, rqt_graph, rqt_console, rqt_plot, rqt_topic
+                              the windows of rqt
   check_urdf FILE             check a robot description
   urdf_to_graphviz FILE       draw a robot description
   xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
-  colcon ...                  build a workspace
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
-  shell                       a real sub-shell in which ros2, colcon and python3 are these
   env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE
 
 day6-tui COMMAND --help says more."""
@@ -82,7 +84,7 @@ def _endpoint(text: str) -> str:
 def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
-    command = (_TABLE.get(words[0]) or _window_command(words[0])) if words else None
+    command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:
         return command(words[1:])
     if words and not words[0].startswith("-"):
@@ -143,20 +145,18 @@ def _show_window(foreground: Foreground) -> None:
     show(foreground)
 
 
-def _window_command(name: str) -> Callable[[list[str]], int] | None:
-    """rqt_graph, rviz2 …: a command that is the program with a window of the package of the same name."""
-    if not name.startswith(("rqt_", "rviz")):
-        return None
-    from day6_tui.core.ros.programs import executables
+def _named_program(name: str) -> Callable[[list[str]], int] | None:
+    """rqt_graph, rviz2, check_urdf …: what is a command of its own in ROS too."""
+    from day6_tui.core.ros.programs import COMMANDS
 
-    return partial(_window, name) if name in executables(name) else None
+    return partial(_program, name) if name in COMMANDS else None
 
 
-def _window(name: str, words: list[str]) -> int:
-    from day6_tui.core.ros.programs import load
+def _program(name: str, words: list[str]) -> int:
+    from day6_tui.core.ros.programs import COMMANDS, load
     from day6_tui.core.session.local import has_terminal, run_local
 
-    return run_local(load(name, name), [name, *words], show=_show_window if has_terminal() else None)
+    return run_local(load(*COMMANDS[name]), [name, *words], show=_show_window if has_terminal() else None)
 
 
 def _colcon(words: list[str]) -> int:
@@ -172,24 +172,31 @@ def _export(words: list[str]) -> int:
     return export(words)
 
 
-def _urdf_tool(name: str, words: list[str]) -> int:
-    from day6_tui.core.ros.programs import load
-    from day6_tui.core.session.local import run_local
-
-    return run_local(load("urdfdom", name), [name, *words], one_shot=True)
-
-
-def _xacro(words: list[str]) -> int:
-    from day6_tui.core.ros.programs import load
-    from day6_tui.core.session.local import run_local
-
-    return run_local(load("xacro", "xacro"), ["xacro", *words], one_shot=True)
-
-
 def _shell(words: list[str]) -> int:
     from day6_tui.core.shell.subshell import main as subshell
 
     return subshell(words)
+
+
+def _complete(words: list[str]) -> int:
+    from day6_tui.core.shell.real_completion import main as complete
+
+    return complete(words, _own_words)
+
+
+def _own_words(words: list[str]) -> list[str]:
+    """What can be the last of the words behind `day6-tui`: a command or an option; nothing where a file is wanted."""
+    from day6_tui.core.ros.programs import COMMANDS
+
+    options = build_parser()._option_string_actions
+    option = options.get(words[-2]) if len(words) > 1 else None
+    if option is not None and option.choices is not None:
+        return [str(choice) for choice in option.choices]
+    if words[0] in _TABLE or words[0] in COMMANDS or (option is not None and option.nargs != 0):
+        return []
+    if words[-1].startswith("-"):
+        return list(options)
+    return [*(_TABLE.keys() - {"complete"}), *COMMANDS] if len(words) == 1 else []
 
 
 def _env(words: list[str]) -> int:
@@ -204,11 +211,9 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "ros2": _ros2,
     "colcon": _colcon,
     "export": _export,
-    "check_urdf": partial(_urdf_tool, "check_urdf"),
-    "urdf_to_graphviz": partial(_urdf_tool, "urdf_to_graphviz"),
-    "xacro": _xacro,
     "shell": _shell,
     "env": _env,
+    "complete": _complete,
 }
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ class TerminalPane(Pane):
         """Asked first about every key; True if it was used."""
         self._size_told: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
-        self._shown_hint = False
+        self._shown_hint = ""
         self._drag: tuple[int, int] | None = None
 
     # -- the list of terminals -----------------------------------------------------------------------------------------
@@ -163,7 +163,7 @@ class TerminalPane(Pane):
             if spans:
                 self.touch_spans(spans)
             more = view.has_more
-        hint = self._wants_hint()
+        hint = self._hint()
         if hint != self._shown_hint:
             self._shown_hint = hint
             self.touch_lines([self.inner_height - 1])
@@ -173,17 +173,22 @@ class TerminalPane(Pane):
             self.touch_frame()
         return more
 
-    def _wants_hint(self) -> bool:
+    def _hint(self) -> str:
+        """What its last line says in place of output: how to go on when keys do not do what one expects."""
         view = self.view
-        return view is not None and not self.has_focus and view.reading_keys
+        if view is not None and view.terminal.is_stubborn:
+            return self.look.texts("terminal.stubborn")
+        if view is not None and not self.has_focus and view.reading_keys:
+            return self.look.texts("terminal.hint", key=self.key_back())
+        return ""
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         view = self.view
         if view is None:
             return []
-        if y == self.inner_height - 1 and self._wants_hint():
-            text = f" {self.look.texts('terminal.hint', key=self.key_back())} "
-            return [Segment(fit(text, width, self.look.glyphs.ellipsis), self.look.colours.hint)]
+        hint = self._hint() if y == self.inner_height - 1 else ""
+        if hint:
+            return [Segment(fit(f" {hint} ", width, self.look.glyphs.ellipsis), self.look.colours.hint)]
         return view.segments(y, self.look.colours, focused=self.has_focus)
 
     def place_cursor(self) -> None:

@@ -211,10 +211,6 @@ class TerminalView:
             x -= 1
         return Span(line, x, min(self.columns, x + 2))
 
-    def cursor_span(self) -> list[Span]:
-        """The cells of the cursor (they look different when the focus moves)."""
-        return [self._around(self._cursor)] if self._cursor is not None else []
-
     def _read(self, line: int, columns: int) -> list[Any]:
         return self._absolute_row(self.history - self.scroll + line, columns)
 

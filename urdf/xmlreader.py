@@ -170,8 +170,6 @@ class _Reader:
             return position
         (self._open[-1].children if self._open else self._top).append(element)
         if not closed:
-            if position >= len(text):
-                raise self._mismatch(element)
             self._open.append(element)
             if len(self._open) >= MAX_DEPTH - 1:  # the document itself counts as one
                 raise self._error("XML_ELEMENT_DEPTH_EXCEEDED", position, "Element nesting is too deep.")

@@ -28,10 +28,6 @@ class Flaw(NamedTuple):
     message: str
     position: int
 
-    def explain(self, kind: str, name: str) -> str:
-        """Return rclpy's three-line text; `kind` is "topic name", "service name", "node name" or "namespace"."""
-        return f"Invalid {kind}: {self.message}:\n  '{name}'\n   {' ' * self.position}^"
-
 
 class UnknownSubstitution(ValueError):
     """A `{word}` in a name that is none of node, ns, namespace."""
@@ -44,7 +40,7 @@ def _token_starting_with_digit(name: str) -> int | None:
     return None
 
 
-def _flaw_of_absolute_name(subject: str, name: str, repeated_first: bool = False) -> Flaw | None:
+def _flaw_of_absolute_name(subject: str, name: str) -> Flaw | None:
     """Check what full topic names and namespaces have in common (after emptiness, lead and trail)."""
     for index, character in enumerate(name):
         if character not in _ALNUM_ and character != "/":

@@ -8,13 +8,14 @@ from collections import defaultdict, deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Service, Subscription
+from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Service
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
+from day6_tui.core.link.announcing import Announcements
 from day6_tui.core.link.config import command_config, gate_config, inner_config, outer_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, node_token, sign, signs
+from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, sign, signs
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
@@ -74,8 +75,7 @@ class Link:
         self._gate: zenoh.Session | Bridge | None = None
         self._topics: Topics | None = None
         self._services: Services | None = None
-        self._lock = threading.RLock()
-        self._declared: dict[Node | Endpoint, list[Any]] = {}
+        self._announcements: Announcements | None = None
         self._listeners: list[Any] = []
         self._end_listening: Any = None
         self._inbox: deque[_Entry] = deque()
@@ -144,8 +144,9 @@ class Link:
                 closing()
             except zenoh.ZError as error:
                 self._report("not closed in an orderly way", error)
-        with self._lock:
-            self._declared.clear()
+        announcements, self._announcements = self._announcements, None
+        if announcements is not None:
+            announcements.clear()
         self._listeners.clear()
         for carrier in (self._topics, self._services):
             if carrier is not None:
@@ -273,6 +274,7 @@ class Link:
         domain_id = self.graph.domain_id
         self._topics = Topics(session, self.zid, self._remote, self._report, never_wait=self._never_wait)
         self._services = Services(session, self.zid, self._report)
+        self._announcements = Announcements(session, self.zid, self._topics, self._services)
         self._session = session
         liveliness = session.liveliness()
         for key in (signs(domain_id), all_tokens(domain_id)):
@@ -308,40 +310,14 @@ class Link:
         """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order."""
         import zenoh
 
-        if subject.origin is not None:
+        announcements = self._announcements
+        if subject.origin is not None or announcements is None:
             return
         try:
-            with self._lock:
-                if subject.destroyed:
-                    self._withdraw(subject)
-                elif subject not in self._declared:
-                    self._declare(subject)
+            announcements.follow(subject)
         except zenoh.ZError as error:
             if not self._closed:
                 self._report("not announced", error)
-
-    def _declare(self, subject: Node | Endpoint) -> None:
-        assert self._session is not None and self._topics is not None and self._services is not None
-        entries: list[Any] = []
-        # First what receives, then the token: who sees the token may send at once.
-        if isinstance(subject, Subscription):
-            entries.append(self._topics.subscribe(subject))
-        elif isinstance(subject, Service):
-            entries.append(self._services.serve(subject))
-        elif isinstance(subject, Publisher) and subject.cache:
-            self._topics.open(subject)
-        token = node_token(subject, self.zid) if isinstance(subject, Node) else endpoint_token(subject, self.zid)
-        entries.append(self._session.liveliness().declare_token(token))
-        self._declared[subject] = entries
-
-    def _withdraw(self, subject: Node | Endpoint) -> None:
-        for entry in reversed(self._declared.pop(subject, [])):
-            entry.undeclare()
-        assert self._topics is not None and self._services is not None
-        if isinstance(subject, Publisher):
-            self._topics.withdraw(subject)
-        elif isinstance(subject, (Service, Client)):
-            self._services.withdraw(subject)
 
     # from the others to the local graph
 

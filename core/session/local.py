@@ -17,8 +17,9 @@ from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
-from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
+from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import KilledBySignal, Main, Session
+from day6_tui.core.session.task import Signal, wait_for
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
@@ -173,8 +174,8 @@ async def _python_in_place(session: Session, args: list[str]) -> int:
 
     It stays in our process group, so it is ours to end: also by its guardian, when we are killed ourselves.
     """
-    from day6_tui.core.shell.guardian import guard_process, release_process
-    from day6_tui.core.shell.signals import from_system, to_system
+    from day6_tui.core.session.guardian import guard_process, release_process
+    from day6_tui.core.session.signals import from_system, to_system
 
     done = Signal()
     popen = subprocess.Popen([sys.executable, *args], env=session.env, cwd=session.cwd)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import logging
 
-from day6_tui.core.session.scheduler import Signal, Task, TaskCancelled, wait_for
 from day6_tui.core.session.session import KilledBySignal, Main, Session
+from day6_tui.core.session.task import Signal, Task, TaskCancelled, wait_for
 
 _log = logging.getLogger(__name__)
 

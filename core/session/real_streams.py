@@ -15,8 +15,8 @@ from typing import TextIO
 
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.keys import split_keys
-from day6_tui.core.session.scheduler import Signal, wait_for
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream
+from day6_tui.core.session.task import Signal, wait_for
 
 
 class RealOutput(OutputStream):

@@ -1,10 +1,10 @@
 """Runs all cooperative programs on one thread, at exact times of the world clock.
 
-A task is a coroutine that waits on two things only: a `Signal`, and a time of the world clock. The scheduler takes the
-earliest deadline the wall has reached, sets the clock to exactly that deadline, runs everything that is due and ready until
-nothing is, and goes on to the next. With nothing to do it blocks in its inbox, without polling. Other threads touch it only
-through `call_soon_threadsafe` and `Signal.set`. There is no asyncio in this: it would cost every program process its
-import, and its clock cannot be set.
+Tasks (`core.session.task`) wait for signals and for times of the world clock. The scheduler takes the earliest deadline the
+wall has reached, sets the clock to exactly that deadline, runs everything that is due and ready until nothing is, and goes on
+to the next. With nothing to do it blocks in its inbox, without polling. Other threads touch it only through
+`call_soon_threadsafe` and `Signal.set`. There is no asyncio in this: it would cost every program process its import, and its
+clock cannot be set.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ import os
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Coroutine, Generator
+from collections.abc import Callable, Coroutine
 from queue import Empty, SimpleQueue
 from typing import Any
 
 from day6_tui.core.session.clock import WorldClock, nanoseconds
+from day6_tui.core.session.task import YIELD, Task, Wait
 
 MAX_LAG_NS = nanoseconds(0.25)
 """A world that is further behind the wall than this gives the lag up instead of rushing after it."""
@@ -36,95 +37,6 @@ BUSY_ANNOUNCEMENT = 0.03
 """Wall seconds after which a scheduler that never comes to rest says that something happened."""
 
 _log = logging.getLogger(__name__)
-
-
-class Signal:
-    """A flag that tasks wait for and any thread may set; it stays set until `clear`."""
-
-    __slots__ = ("_set", "_waiters")
-
-    def __init__(self) -> None:
-        self._set = False
-        self._waiters: dict[Task, int] = {}
-
-    def set(self) -> None:
-        # The order matters: a waiter enters the table before it looks at the flag, so one of the two sees the other.
-        self._set = True
-        if self._waiters:
-            waiters, self._waiters = self._waiters, {}
-            for task, ticket in list(waiters.items()):
-                task.scheduler._wake(task, ticket)
-
-    def clear(self) -> None:
-        self._set = False
-
-    def is_set(self) -> bool:
-        return self._set
-
-
-class _Wait:
-    """What a task yields to the scheduler: wake me by this signal or at this steady world time, whichever is first."""
-
-    __slots__ = ("deadline_ns", "signal")
-
-    def __init__(self, signal: Signal | None, deadline_ns: int | None) -> None:
-        self.signal = signal
-        self.deadline_ns = deadline_ns
-
-    def __await__(self) -> Generator[_Wait, bool, bool]:
-        return (yield self)
-
-
-_YIELD = _Wait(None, 0)
-
-
-class TaskCancelled(BaseException):
-    """Thrown into a task that is ended from outside; a BaseException, so that no `except Exception` of a program keeps it."""
-
-
-class Task:
-    """A running coroutine. `done` is set when it has ended; then either `result` or `exception` tells how."""
-
-    def __init__(self, scheduler: Scheduler, coroutine: Coroutine[Any, Any, Any], name: str) -> None:
-        self.scheduler = scheduler
-        self.name = name
-        self.done = Signal()
-        self.result: Any = None
-        self.exception: BaseException | None = None
-        self.on_done: Callable[[Task], None] | None = None
-        """Called once, on the scheduler's thread, when the task has ended."""
-        self._coroutine = coroutine
-        self._ticket = 0
-        """Number of the present wait: a wake-up that carries an older number comes too late and is ignored."""
-        self._pending: deque[BaseException] = deque()
-        self._begun = False
-        self._waiting = True
-        self._held = False
-        self._held_wake: bool | None = None
-
-    @property
-    def finished(self) -> bool:
-        return self.done.is_set()
-
-    def throw(self, error: BaseException) -> None:
-        """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
-        self.scheduler._call(lambda: self.scheduler._throw(self, error))
-
-    def cancel(self) -> None:
-        """End the task from outside; its `finally` blocks run."""
-        self.throw(TaskCancelled())
-
-    def hold(self) -> None:
-        """Stop stepping the task (as SIGSTOP does) until `release`."""
-        self.scheduler._call(lambda: self.scheduler._hold(self))
-
-    def release(self) -> None:
-        self.scheduler._call(lambda: self.scheduler._release(self))
-
-    async def join(self) -> None:
-        """Wait until the task has ended, however it ended."""
-        while not self.done.is_set():
-            await _Wait(self.done, None)
 
 
 class Scheduler:
@@ -247,6 +159,7 @@ class Scheduler:
             timeout = longest if timeout is None else min(timeout, longest)
         self.clock.release(deadline)
         if self._worked:
+            self._worked = False
             self.announce_activity()
         try:
             item = self._inbox.get(timeout=timeout)
@@ -283,8 +196,7 @@ class Scheduler:
             _log.exception("a call into the scheduler failed")
 
     def announce_activity(self) -> None:
-        """Something happened that a view may want to show."""
-        self._worked = False
+        """Something happened that a view may want to show (any thread). What runs after this is announced once more."""
         self._announced = time.monotonic()
         notify = self.on_activity
         if notify is not None:
@@ -336,10 +248,10 @@ class Scheduler:
         if task._pending:
             self._ready.append((task, ticket, False))
             return
-        if wait is _YIELD or wait is None:
+        if wait is YIELD or wait is None:
             self._ready.append((task, ticket, True))
             return
-        if not isinstance(wait, _Wait):
+        if not isinstance(wait, Wait):
             # A future of rclpy: awaited directly it yields itself (or something with the same method).
             wait.add_done_callback(lambda _: self._wake(task, ticket))
             return
@@ -410,20 +322,3 @@ class Scheduler:
         if task._held_wake is not None:
             self._ready.append((task, task._ticket, task._held_wake))
             task._held_wake = None
-
-
-async def wait_for(signal: Signal, deadline_ns: int | None = None) -> bool:
-    """Wait for `signal` until the steady world time `deadline_ns`; True if it is set, False if the time came first."""
-    if signal.is_set():
-        return True
-    return await _Wait(signal, deadline_ns)
-
-
-async def sleep_until(deadline_ns: int) -> None:
-    """Wait until the steady world time `deadline_ns`; the clock then reads exactly that (unless it was past already)."""
-    await _Wait(None, deadline_ns)
-
-
-async def let_others_run() -> None:
-    """Go to the end of the queue of everything that is ready at this moment."""
-    await _YIELD

@@ -13,16 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.display import Display, ProgramDisplay
-from day6_tui.core.session.scheduler import (
-    Scheduler,
-    Signal,
-    Task,
-    TaskCancelled,
-    let_others_run,
-    sleep_until,
-    wait_for,
-)
+from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.session.task import Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
 
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
@@ -112,12 +105,17 @@ class Session:
     def context(self) -> Context:
         """This program's own ROS context: on the machine's graph, by the world clock, logging to this session's stderr."""
         if self._context is None:
+            from day6_tui.core.session.log_output import LogOutput
+            from rclpy._log_file import LogFile
             from rclpy.context import Context
 
             graph = self.graph
             if graph is None:
                 raise RuntimeError("this session has no graph")
-            self._context = Context._for_session(graph, self.clock, self.argv, write=self._log_write)
+            file = LogFile(Path(self.argv[0]).name if self.argv else "program", self.pid, self.env)
+            self.defer(file.close)
+            write = LogOutput(self).write
+            self._context = Context._for_session(graph, self.clock, self.argv, self.env, write, file)
             self._context.on_shutdown(lambda: self._ros_wake.set())
         return self._context
 
@@ -237,14 +235,6 @@ class Session:
     def print_error(self, *values: object, sep: str = " ", end: str = "\n") -> None:
         """`print(…, file=sys.stderr)`."""
         self.stderr.write(sep.join(map(str, values)) + end)
-
-    def _log_write(self, text: str) -> None:
-        # A log line must not end its node: a terminal that was closed swallows it, as rcl's console output does.
-        try:
-            self.stderr.write(text)
-            self.stderr.flush()
-        except BrokenPipeError:
-            return
 
     # -- the end -------------------------------------------------------------------------------------------------------
 

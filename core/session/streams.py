@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
-from day6_tui.core.session.scheduler import Signal, wait_for
+from day6_tui.core.session.task import Signal, wait_for
 
 END_OF_INPUT = ""
 

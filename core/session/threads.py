@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from typing import TypeVar
 
-from day6_tui.core.session.scheduler import Signal, wait_for
+from day6_tui.core.session.task import Signal, wait_for
 
 _Result = TypeVar("_Result")
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import importlib
 import os
-from collections.abc import Awaitable, Callable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +19,23 @@ _BEFORE_A_COMMAND = frozenset({"sudo", "command", "which", "type", "man", "env"}
 _NEEDS_BACKSLASH = frozenset(" \t'\"\\$&;|()<>*?[]{}`!#")
 
 
+COMPLETED = ("ros2", "colcon")
+"""The commands that know what can stand behind them."""
+
+
+async def own_words(
+    words: list[str], session: Session, cwd: Path, environment: Mapping[str, str]
+) -> Iterable[str] | None:
+    """Return what one of `COMPLETED` offers as the last of `words`; None where a file is wanted."""
+    if words[0] == "colcon":
+        from day6_tui.core.workspace.completion import complete
+
+        return complete(words, session, cwd, environment)
+    from day6_tui.core.ros import ros2
+
+    return await ros2.complete(words, session) or (None if _wants_file(words) else [])
+
+
 class Completer:
     """What could stand where the cursor is."""
 
@@ -29,7 +45,7 @@ class Completer:
 
     async def complete(self, before: str) -> tuple[list[str], int]:
         """For the line up to the cursor return (sorted texts that could replace its last word, where that word begins)."""
-        words, start, quote = _current_words(before)
+        words, start, quote = current_words(before)
         typed = words[-1]
         if typed.startswith("$") and "/" not in typed:
             names = [f"${name}" for name in self._shell.variables]
@@ -38,30 +54,13 @@ class Completer:
             if "/" not in typed and not typed.startswith("~"):
                 names = [*command_names(), *self._shell.aliases]
                 return sorted({name for name in names if name.startswith(typed) and name not in (".", ":", "[")}), start
-        elif words[0] == "ros2":
-            choices = await self._ros2(words)
-            if choices:
-                return sorted({_quoted(choice, quote) for choice in choices if choice.startswith(typed)}), start
-            if not _wants_file(words):
-                return [], start
-        elif words[0] == "colcon":
-            from day6_tui.core.workspace.completion import complete
-
-            offered = complete(words, self._session, self._shell.cwd, self._shell.environment)
+        elif words[0] in COMPLETED:
+            offered = await own_words(words, self._session, self._shell.cwd, self._shell.environment)
             if offered is not None:
-                return sorted({_quoted(choice, quote) for choice in offered if choice.startswith(typed)}), start
+                return sorted({quoted(choice, quote) for choice in offered if choice.startswith(typed)}), start
         elif words[0] in ("kill", "fg", "bg", "wait") and typed.startswith("%"):
             return sorted(f"%{job.number}" for job in self._shell.jobs.jobs), start
         return self._files(typed, quote, folders_only=words[0] in _ONLY_FOLDERS), start
-
-    async def _ros2(self, words: list[str]) -> list[str]:
-        """What the `ros2` command offers for its own arguments; nothing if it cannot say."""
-        complete: Callable[[list[str], Session], list[str] | Awaitable[list[str]]] | None
-        complete = getattr(importlib.import_module("day6_tui.core.ros.ros2"), "complete", None)
-        if complete is None:
-            return []
-        choices = complete(words, self._session)
-        return choices if isinstance(choices, list) else await choices
 
     def _files(self, typed: str, quote: str, *, folders_only: bool) -> list[str]:
         head, slash, tail = typed.rpartition("/")
@@ -76,7 +75,7 @@ class Completer:
             if not entry.name.startswith(tail) or (entry.name.startswith(".") and not tail.startswith(".")):
                 continue
             if is_folder or not folders_only:
-                choices.append(_quoted(head + slash + entry.name + ("/" if is_folder else ""), quote))
+                choices.append(quoted(head + slash + entry.name + ("/" if is_folder else ""), quote))
         return choices
 
     def _folder(self, head: str) -> Path:
@@ -85,8 +84,8 @@ class Completer:
         return self._shell.cwd / head if head else self._shell.cwd
 
 
-def _current_words(before: str) -> tuple[list[str], int, str]:
-    """(words of the command being typed, the last one maybe empty; where the last begins; the quote it is in, or '')."""
+def current_words(before: str) -> tuple[list[str], int, str]:
+    """Return (words of the command being typed, the last one maybe empty; where the last begins; the quote it is in, or '')."""
     quote = ""
     for closing in ("", "'", '"'):
         try:
@@ -132,10 +131,17 @@ def _plain(token: Token) -> str:
     return token.word.source
 
 
-def _quoted(text: str, quote: str) -> str:
-    if quote:
-        return quote + text + ("" if text.endswith("/") else quote)
-    return "".join("\\" + char if char in _NEEDS_BACKSLASH else char for char in text)
+def quoted(text: str, quote: str) -> str:
+    """Return a word as it must be typed: in the quotes that were begun, message values in double ones, else with backslashes."""
+    if not quote and text.startswith("{"):
+        quote = '"'
+    if not quote:
+        return "".join("\\" + char if char in _NEEDS_BACKSLASH else char for char in text)
+    if quote == "'":
+        inside = text.replace("'", "'\\''")
+    else:
+        inside = "".join("\\" + char if char in '\\"$`' else char for char in text)
+    return quote + inside + ("" if text.endswith("/") else quote)
 
 
 def _wants_file(words: list[str]) -> bool:

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.keys import split_keys
-from day6_tui.core.session.scheduler import Signal, wait_for
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, KeyReceiver, OutputStream
+from day6_tui.core.session.task import Signal, wait_for
 from day6_tui.core.shell.width import char_width
 
 if TYPE_CHECKING:
@@ -37,6 +37,8 @@ class Discipline:
         self._ready = ""
         self._line = ""
         """The unfinished line in cooked mode."""
+        self.interrupts = 0
+        """How often Ctrl-C was pressed at the job that has the keys: one that still runs does not listen to it."""
         self._receivers: set[KeyReceiver] = set()
 
     @property
@@ -52,6 +54,7 @@ class Discipline:
         after = self.front
         if before.is_raw != after.is_raw:
             (self.become_raw if after.is_raw else self.become_cooked)()
+        self.interrupts = 0
         self.arrived.set()
 
     # -- typing --------------------------------------------------------------------------------------------------------
@@ -67,7 +70,9 @@ class Discipline:
 
     def _to_process(self, receiver: KeyReceiver, text: str) -> None:
         before, suspend, rest = text.partition(SUSPEND)
-        if suspend and receiver.wants_signal_keys():
+        signals = (suspend or INTERRUPT in text) and receiver.wants_signal_keys()
+        self.interrupts += before.count(INTERRUPT) if signals else 0
+        if suspend and signals:
             # The kernel ignores Ctrl-Z of a pty whose session has no shell in it: the shell is ours.
             if before:
                 receiver.keys(before)
@@ -86,7 +91,11 @@ class Discipline:
                 self._ready = self._line = ""
                 if not raw:
                     self.terminal.write("^C" if key == INTERRUPT else "^\\")
-                self.terminal.shell.interrupt()
+                if key == INTERRUPT:
+                    self.interrupts += 1
+                    self.terminal.shell.interrupt()
+                else:
+                    self.terminal.shell.quit()
                 return
             if key == SUSPEND:
                 if not raw:

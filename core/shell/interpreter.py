@@ -1,13 +1,12 @@
-"""Runs parsed command lines: pipelines, lists, redirections, variables, background jobs.
+"""Runs parsed command lines: simple commands, pipelines, lists, background jobs. `compound` runs the loops and conditions.
 
-A `Shell` is the state of one shell. Every simple command, built-in or not, runs as a program of its own with a session (so
-Ctrl-C, pipes and `timeout` need no special cases); built-ins that change the shell reach it as `session.shell`. Commands in a
-pipeline, in `( )` and in the background work on a copy.
+Every simple command, built-in or not, runs as a program of its own with a session (so Ctrl-C, pipes and `timeout` need no
+special cases); built-ins that change the shell reach it as `session.shell`. Commands in a pipeline, in `( )` and in the
+background work on a copy.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Awaitable, Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -16,45 +15,32 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.streams import Captured, InputStream, Pipe
 from day6_tui.core.shell import syntax
+from day6_tui.core.shell.compound import run_compound
 from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.expansion import expand, expand_text
 from day6_tui.core.shell.jobs import Job, JobTable
 from day6_tui.core.shell.lexer import SyntaxProblem
 from day6_tui.core.shell.redirection import Streams, redirect
+from day6_tui.core.shell.shell_state import MAX_DEPTH, ShellState
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
 
-MAX_DEPTH = 100
-"""How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""
 
-
-class Shell:
-    """One shell: variables, working directory, jobs. `name` stands before its messages (`bash: …`)."""
+class Shell(ShellState):
+    """One shell on a desk: its state, and the jobs that it has started."""
 
     def __init__(self, desk: Desk, *, env: dict[str, str], cwd: Path, interactive: bool, name: str = "bash") -> None:
+        super().__init__(env=env, cwd=cwd, interactive=interactive, name=name, pid=desk.new_pid())
         self.desk = desk
-        self.variables = env
-        self.exported = set(env)
-        self.cwd = cwd
-        self.interactive = interactive
-        self.name = name
-        self.zero = name
-        """What `$0` is: the name of the script being run."""
-        self.arguments: list[str] = []
-        self.options: set[str] = set()
-        """Of `set`: 'e' ends the shell at the first failing command, 'x' shows each command."""
-        self.status = 0
-        self.pid = desk.new_pid()
-        self.last_background = 0
         self.jobs = JobTable()
-        self.history: list[str] = []
-        self.depth = 0
-        self.subshell = False
-        self.background = False
-        """Whether it runs a job that was started with `&`."""
+        self.outer_jobs: JobTable | None = None
+        """In a subshell the table of the shell around it, which `jobs` shows as long as there are none of its own."""
+        self.condition_depth = 0
+        """Inside how many conditions of `if` and `while` it is: `set -e` does not apply there."""
         self._substitution_status = 0
         """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
         self._front: list[Job] = []
@@ -63,42 +49,9 @@ class Shell:
     # -- what others ask -----------------------------------------------------------------------------------------------
 
     @property
-    def environment(self) -> dict[str, str]:
-        """The exported variables: what a program started here gets."""
-        return {name: value for name, value in self.variables.items() if name in self.exported}
-
-    @property
     def front(self) -> Job | None:
         """The job that has the terminal now."""
         return self._front[-1] if self._front else None
-
-    @property
-    def short_cwd(self) -> str:
-        """The working directory with `~` for the home folder."""
-        home = self.variables.get("HOME", "")
-        cwd = str(self.cwd)
-        if home and (cwd == home or cwd.startswith(home + os.sep)):
-            return "~" + cwd[len(home) :]
-        return cwd
-
-    def parameter(self, name: str) -> str | None:
-        """The value of `$name`, special parameters included; None if it is not set."""
-        special: dict[str, Callable[[], str]] = {
-            "?": lambda: str(self.status),
-            "$": lambda: str(self.pid),
-            "!": lambda: str(self.last_background) if self.last_background else "",
-            "#": lambda: str(len(self.arguments)),
-            "@": lambda: " ".join(self.arguments),
-            "*": lambda: " ".join(self.arguments),
-            "-": lambda: "hiB" if self.interactive else "hB",
-            "0": lambda: self.zero,
-        }
-        if name in special:
-            return special[name]()
-        if name.isdigit():
-            index = int(name)
-            return self.arguments[index - 1] if index <= len(self.arguments) else None
-        return self.variables.get(name)
 
     def interrupt(self) -> bool:
         """Ctrl-C for the innermost foreground job; False if there is none."""
@@ -106,6 +59,14 @@ class Shell:
         if front is None:
             return False
         front.interrupt()
+        return True
+
+    def quit(self) -> bool:
+        """Ctrl-\\ for the foreground job: ends programs that do not listen to Ctrl-C."""
+        front = self.front
+        if front is None:
+            return False
+        front.send(NUMBERS["QUIT"])
         return True
 
     def suspend(self) -> bool:
@@ -116,24 +77,11 @@ class Shell:
         front.stop()
         return True
 
-    @property
-    def too_deep(self) -> str:
-        return f"{self.name}: maximum nesting level exceeded ({MAX_DEPTH})"
-
     def clone(self) -> Shell:
-        """A copy for a subshell: changes to it do not come back, and it has no jobs."""
+        """A copy for a subshell: changes to it do not come back, and it has no jobs of its own."""
         twin = Shell(self.desk, env=dict(self.variables), cwd=self.cwd, interactive=False, name=self.name)
-        twin.exported = set(self.exported)
-        twin.arguments = list(self.arguments)
-        twin.zero = self.zero
-        twin.options = set(self.options)
-        twin.status = self.status
-        twin.pid = self.pid
-        twin.last_background = self.last_background
-        twin.history = self.history
-        twin.depth = self.depth + 1
-        twin.subshell = True
-        twin.background = self.background
+        twin.inherit(self)
+        twin.outer_jobs = self.jobs if self.outer_jobs is None or self.jobs.jobs else self.outer_jobs
         return twin
 
     # -- running -------------------------------------------------------------------------------------------------------
@@ -190,11 +138,8 @@ class Shell:
                 streams.stderr.write(f"{self.name}: {problem}\n")
                 self.status = 1
         last_ran = node.items[-1][1]
-        if "e" in self.options and self.status and not last_ran.negated and not self._condition_depth:
+        if "e" in self.options and self.status and not last_ran.negated and not self.condition_depth:
             raise ExitShell(self.status)
-
-    _condition_depth = 0
-    """Inside the condition of `if` and `while`, where `set -e` does not apply."""
 
     async def _background(self, node: syntax.AndOr, streams: Streams) -> None:
         stdin = streams.stdin.fork() if self.interactive else InputStream()
@@ -222,7 +167,7 @@ class Shell:
         elif isinstance(command, syntax.Simple):
             await self._simple(command, node.source, streams)
         else:
-            await self._compound(command, streams)
+            await run_compound(self, command, streams)
         if node.negated:
             self.status = 0 if self.status else 1
 
@@ -246,7 +191,7 @@ class Shell:
     def _stage_main(self, command: syntax.Command, streams: Streams) -> Main:
         inner = self.clone()
         if not isinstance(command, syntax.Simple):
-            return subshell_main(inner, lambda: inner._compound_status(command, streams))
+            return subshell_main(inner, lambda: run_compound(inner, command, streams))
 
         async def become(session: Session) -> int:
             try:
@@ -315,82 +260,7 @@ class Shell:
         main = find_command(argv[0], self) if argv else _nothing
         return _Prepared(argv, main, redirected, env, opened)
 
-    # -- compound commands ---------------------------------------------------------------------------------------------
-
-    async def _compound_status(self, command: syntax.Command, streams: Streams) -> int:
-        await self._compound(command, streams)
-        return self.status
-
-    async def _compound(self, command: syntax.Command, streams: Streams) -> None:
-        assert not isinstance(command, syntax.Simple)
-        with ExitStack() as opened:
-            try:
-                streams = await redirect(command.redirections, self, streams, opened)
-            except OSError as error:
-                streams.stderr.write(f"{self.name}: {error.filename}: {error.strerror}\n")
-                self.status = 1
-                return
-            if isinstance(command, syntax.Group):
-                await self._group(command, streams)
-            elif isinstance(command, syntax.If):
-                await self._if(command, streams)
-            else:
-                await self._loop(command, streams)
-
-    async def _group(self, command: syntax.Group, streams: Streams) -> None:
-        if not command.subshell:
-            await self.run_tree(command.body, streams)
-            return
-        inner = self.clone()
-        front = replace(streams, stdin=streams.stdin.fork())
-        main = subshell_main(inner, lambda: inner.run_tree(command.body, front))
-        await self._foreground(Job([self._start(["( )"], main, front)], "( )", front.stdin), streams)
-
-    async def _if(self, command: syntax.If, streams: Streams) -> None:
-        for condition, body in command.branches:
-            if await self._holds(condition, streams):
-                await self.run_tree(body, streams)
-                return
-        self.status = 0
-        if command.otherwise is not None:
-            await self.run_tree(command.otherwise, streams)
-
-    async def _holds(self, condition: syntax.Sequence, streams: Streams) -> bool:
-        self._condition_depth += 1
-        try:
-            return await self.run_tree(condition, streams) == 0
-        finally:
-            self._condition_depth -= 1
-
-    async def _loop(self, command: syntax.For | syntax.While, streams: Streams) -> None:
-        from day6_tui.core.session.scheduler import let_others_run
-
-        values: list[str] | None = None
-        if isinstance(command, syntax.For):
-            values = list(self.arguments) if command.words is None else await expand(command.words, self, streams)
-        status = 0
-        while True:
-            if isinstance(command, syntax.For):
-                if not values:
-                    break
-                self.variables[command.name] = values.pop(0)
-            elif await self._holds(command.condition, streams) == command.until:
-                break
-            await let_others_run()
-            try:
-                status = await self.run_tree(command.body, streams)
-            except LoopControl as control:
-                if control.levels > 1:
-                    raise LoopControl(control.levels - 1, control.again) from None
-                status = 0
-                if not control.again:
-                    break
-        self.status = status
-
     # -- programs and jobs ---------------------------------------------------------------------------------------------
-
-    aliases: dict[str, list[str]] = {"ll": ["ls", "-alF"], "la": ["ls", "-A"], "l": ["ls", "-CF"]}
-    """What Ubuntu's .bashrc defines."""
 
     def _start(
         self,
@@ -408,6 +278,13 @@ class Shell:
             raise SyntaxProblem(f"fork: {error.strerror}") from None
         program.session.background = self.background
         return program
+
+    async def run_subshell(
+        self, inner: Shell, run: Callable[[], Awaitable[int]], inner_streams: Streams, streams: Streams
+    ) -> None:
+        """Run `( … )`: `run()` does its work in the copy `inner`, which has the terminal until it ends."""
+        program = self._start(["( )"], subshell_main(inner, run), inner_streams)
+        await self._foreground(Job([program], "( )", inner_streams.stdin), streams)
 
     async def _foreground(self, job: Job, streams: Streams) -> None:
         """Give the job the terminal until it ends or is stopped, and take its status."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Signal, wait_for
+from day6_tui.core.session.signals import TEXTS
 from day6_tui.core.session.streams import InputStream
-from day6_tui.core.shell.signals import TEXTS
+from day6_tui.core.session.task import Signal, wait_for
 
 
 class Job:
@@ -67,7 +67,7 @@ class Job:
         """Deliver a signal to every program of the job, waking a stopped job so that it can act on it."""
         for program in self._alive():
             program.send(number)
-        if number in (1, 2, 9, 15):
+        if number in (1, 2, 3, 9, 15):
             self.resume()
         self.changed.set()
 

@@ -22,9 +22,19 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
     os.nice(int(nice))
+    leave_no_core()
     if int(memory):
         limit_memory(int(memory))
     os.execv(argv[0], argv)
+
+
+def leave_no_core() -> None:
+    """Write no file of megabytes into the student's folder when Ctrl-\\ ends it."""
+    if sys.platform == "win32":
+        raise NotImplementedError("not there")
+    import resource
+
+    resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
 
 
 def limit_memory(size: int) -> None:

@@ -8,10 +8,10 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.shell import syntax
 from day6_tui.core.shell.completion import Completer
 from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.editor import EndOfLines, LineEditor
 from day6_tui.core.shell.history import History
 from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.lexer import Incomplete, SyntaxProblem
+from day6_tui.core.shell.line_editor import EndOfLines, LineEditor
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal

@@ -18,12 +18,12 @@ import time
 from pathlib import Path
 from typing import IO
 
-from day6_tui.core.session.scheduler import Signal, TaskCancelled, wait_for
+from day6_tui.core.session.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.session import KilledBySignal, Session
+from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
-from day6_tui.core.shell.guardian import MARK, end_marked, guard, new_mark, release
+from day6_tui.core.session.task import Signal, TaskCancelled, wait_for
 from day6_tui.core.shell.memory import memory_limit
-from day6_tui.core.shell.signals import NUMBERS, from_system, to_system
 
 LAUNCHER = Path(__file__).with_name("launch_process.py")
 NICE = 10

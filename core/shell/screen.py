@@ -57,7 +57,6 @@ class Screen(pyte.Screen):
         self.scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
         self.scrolled = 0
         """Lines that ever left the screen at the top; a view that is scrolled back uses it to stay where it is."""
-        self.bells = 0
         self.answers: list[str] = []
         """What the terminal has to say to the program (answers to queries), for `Terminal` to deliver."""
         self._cells: dict[Any, dict[str, Char]] = {}
@@ -305,9 +304,6 @@ class Screen(pyte.Screen):
     def reset(self) -> None:
         self._main = None
         super().reset()
-
-    def bell(self, *args: Any) -> None:
-        self.bells += 1
 
     def write_process_input(self, data: str) -> None:
         self.answers.append(data)

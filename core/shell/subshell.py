@@ -9,16 +9,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-COMMANDS = ("ros2", "colcon", "check_urdf", "urdf_to_graphviz", "xacro", "rqt_graph")
-"""Commands of ours that get a small script of their own."""
+_SELF = [sys.executable, "-m", "day6_tui.tui.main"]
+"""The words that run `day6-tui` wherever its own script may be."""
 
 
 def commands() -> list[str]:
-    """Every command that gets a script: those above, and rviz2 and the like as far as they are there."""
-    from day6_tui.core.ros.programs import packages
+    """Every command that gets a script beside day6-tui: ros2, colcon, rviz2 and their like."""
+    from day6_tui.core.ros.programs import COMMANDS
 
-    windows = [name for name in packages() if name.startswith(("rqt_", "rviz"))]
-    return list(dict.fromkeys([*COMMANDS, *windows]))
+    return ["ros2", "colcon", *COMMANDS]
 
 
 def environment(folder: Path) -> dict[str, str]:
@@ -36,12 +35,12 @@ def environment(folder: Path) -> dict[str, str]:
 def write_scripts(folder: Path) -> None:
     """Put a script for each command of ours, and `python3`, into `folder`. Raises OSError."""
     folder.mkdir(parents=True, exist_ok=True)
-    start = f"{shlex.quote(sys.executable)} -m day6_tui.tui.main"
-    for name in commands():
+    for name in ("", *commands()):
         if os.name == "nt":
-            _write_batch(folder / f"{name}.bat", f"-m day6_tui.tui.main {name}")
+            _write_batch(folder / f"{name or 'day6-tui'}.bat", f"-m day6_tui.tui.main {name}")
         else:
-            _write_executable(folder / name, f'#!/bin/sh\nexec {start} {name} "$@"\n')
+            start = shlex.join([*_SELF, name] if name else _SELF)
+            _write_executable(folder / (name or "day6-tui"), f'#!/bin/sh\nexec {start} "$@"\n')
     for name in ("python3", "python"):
         if os.name == "nt":
             _write_batch(folder / f"{name}.bat", "")
@@ -86,11 +85,14 @@ def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
     if shell not in ("bash", "zsh"):
         return []
     own = "~" if shell == "bash" else shlex.quote(env.get("ZDOTDIR", env.get("HOME", "")))
+    from day6_tui.core.shell.real_completion import functions
+
     lines = [
         f"[ -f {own}/.{shell}rc ] && . {own}/.{shell}rc",
         f'export PATH={shlex.quote(str(folder))}:"$PATH"',
         f"export PYTHONPATH={shlex.quote(env['PYTHONPATH'])}",
         "PS1='(day6) '\"$PS1\"",
+        functions(shell, _SELF),
     ]
     file = folder / f".{shell}rc"
     file.write_text("\n".join([*lines, ""]), encoding="utf-8")

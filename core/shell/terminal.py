@@ -125,9 +125,6 @@ class Terminal:
 
         return Scrollback(self.screen.scrollback)
 
-    def clear_history(self) -> None:
-        self.screen.scrollback.clear()
-
     @property
     def application_cursor(self) -> bool:
         """Whether arrow keys are to be sent as ESC O A."""
@@ -165,6 +162,11 @@ class Terminal:
     def reading_keys(self) -> bool:
         """Whether a program in the foreground reads single keys (turtlesim's teleop), or a process all of them."""
         return self.busy and self.discipline.front.is_raw
+
+    @property
+    def is_stubborn(self) -> bool:
+        """Whether what runs in the foreground goes on though Ctrl-C was pressed three times."""
+        return self.busy and self.discipline.interrupts >= 3
 
     @property
     def closed(self) -> bool:
@@ -309,7 +311,7 @@ class TtyOutput(OutputStream):
         return front if front.parent is not None else None  # the shell's own keys are nobody else's
 
     async def drain(self) -> None:
-        from day6_tui.core.session.scheduler import let_others_run
+        from day6_tui.core.session.task import let_others_run
 
         if self.terminal._size > CROWDED:
             await let_others_run()

@@ -51,9 +51,9 @@ class _Described:
             for source in sources:
                 yield source, "/".join(part for part in (folder.replace(os.sep, "/"), Path(source).name) if part)
 
-    def option(self, section: str, *names: str) -> str | None:
-        options = self.data["options"].get(section, {})
-        return next((options[name] for name in names if name in options), None)
+    def option(self, section: str, name: str) -> str | None:
+        value: str | None = self.data["options"].get(section, {}).get(name)
+        return value
 
     @property
     def sources(self) -> list[str]:
@@ -81,6 +81,7 @@ class _PythonBuild:
     def run(self) -> int:
         self.folder.mkdir(parents=True, exist_ok=True)
         self._write_prefix_files()
+        hooks = list(self._hook_of_ros())
         process = self._start()
         try:
             described = _Described(self._first_answer(process))
@@ -98,7 +99,7 @@ class _PythonBuild:
             self._close(process)
         if status:
             return status
-        hooks = list(self._hooks())
+        hooks = [*self._hooks(), *hooks]
         if self.settings.symlink_install:
             self._after_develop(described)
             hooks += self._develop_hooks(described)
@@ -204,7 +205,7 @@ class _PythonBuild:
     # -- what is run ---------------------------------------------------------------------------------------------------
 
     def _install(self, described: _Described) -> dict[str, Any]:
-        scripts = described.option("install", "install_scripts", "install-scripts")
+        scripts = described.option("install", "install_scripts")
         source = os.path.realpath(self.package.path)
         commands = ["egg_info", "--egg-base", os.path.relpath(os.path.realpath(self.folder), source)]
         commands += ["build", "--build-base", str(self.folder / "build")]
@@ -228,7 +229,7 @@ class _PythonBuild:
         for source, _ in described.data_files():
             if (self.package.path / source).exists():
                 link_or_copy(self.package.path / source, self.folder / _relative(source, self.package.path))
-        scripts = _based(described.option("develop", "script_dir", "script-dir"), self.prefix)
+        scripts = _based(described.option("develop", "script_dir"), self.prefix)
         commands = ["egg_info", "install_scripts", "--install-dir", scripts, "--build-dir", str(self.folder / "build")]
         return {"cwd": str(self.folder), "commands": commands}
 
@@ -240,10 +241,6 @@ class _PythonBuild:
             if not linked.exists():
                 raise _failed(self.work, OSError(f"can't copy '{source}': doesn't exist or not a regular file"))
             link_or_copy(linked, self.prefix / destination)
-
-    @property
-    def _egg_info(self) -> Path:
-        return self.folder / f"{self.package.name.replace('-', '_')}.egg-info"
 
     _was_developed = False
 
@@ -302,8 +299,11 @@ class _PythonBuild:
         )
         if has_binaries:
             yield from write_hook(self.prefix, name, "pythonscriptspath", "PATH", "bin")
+
+    def _hook_of_ros(self) -> Iterator[str]:
+        """Write the hook that colcon-ros leaves even where setup.py then fails."""
         if self.package.type.startswith("ros."):
-            yield from write_hook(self.prefix, name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
+            yield from write_hook(self.prefix, self.package.name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
 
     def _develop_hooks(self, described: _Described) -> list[str]:
         root = (described.data.get("package_dir") or {}).get("")

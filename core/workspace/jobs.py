@@ -15,7 +15,7 @@ from enum import Enum
 from pathlib import Path
 from typing import IO
 
-from day6_tui.core.shell.guardian import guard, release
+from day6_tui.core.session.guardian import guard, release
 from day6_tui.core.workspace.events import INTERRUPTED, Event, Events, Result
 
 TICK = 0.1

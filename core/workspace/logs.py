@@ -11,8 +11,6 @@ from typing import IO
 from day6_tui.core.workspace.events import Event
 from day6_tui.core.workspace.packages import IGNORE_MARKER
 
-NO_LOG = Path(os.devnull)
-
 
 class LogFolder:
     """`log/build_2026-11-21_14-32-05`, made when the first file is written to it. `base` may be os.devnull: no logs."""

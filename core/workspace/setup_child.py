@@ -7,6 +7,7 @@ comes out as it is, so a traceback names the student's line.
 
 from __future__ import annotations
 
+import configparser
 import importlib
 import json
 import os
@@ -27,10 +28,7 @@ def main() -> None:
     distribution = core.run_setup("setup.py", [], "config")
     described = {name: _plain(getattr(distribution, name, None)) for name in _FIELDS}
     described["name"] = distribution.get_name()
-    described["options"] = {
-        section: {name: str(value[1]) for name, value in distribution.get_option_dict(section).items()}
-        for section in ("develop", "install")
-    }
+    described["options"] = {section: _options(distribution, section) for section in ("develop", "install")}
     sys.stderr.flush()
     sys.stderr.write(MARK + "\n")
     sys.stderr.flush()
@@ -42,6 +40,7 @@ def main() -> None:
     request = json.loads(line)
     os.chdir(request["cwd"])
     sys.path[0] = os.getcwd()
+    _like_setuptools_68()  # a changed filter also makes Python say its warnings again, as a second process would
     core.run_commands(core.run_setup("setup.py", request["commands"], "commandline"))
 
 
@@ -49,8 +48,22 @@ def _like_setuptools_68() -> None:
     """Keep silent about what the setuptools of Ubuntu 24.04 still took: the file of `ros2 pkg create` is full of it."""
     warnings.filterwarnings("ignore", message=r"(?s).*setup\.py install is deprecated")
     warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
+    warnings.filterwarnings("ignore", message=r"(?s).*License classifiers are deprecated")
     # The build says where things go; what a plain distutils of the system thinks of it is of no use.
     os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")
+
+
+def _options(distribution: Any, section: str) -> dict[str, str]:
+    """Return the options of a command, names with `_`.
+
+    In a virtual environment setuptools drops `install-scripts` and its like when they are written with a dash in setup.cfg;
+    the interpreter of a ROS installation is in none, and files from Foxy are written so.
+    """
+    parser = configparser.ConfigParser(interpolation=None)
+    parser.read("setup.cfg", encoding="utf-8")
+    found = dict(parser.items(section)) if parser.has_section(section) else {}
+    found.update({name: str(value[1]) for name, value in distribution.get_option_dict(section).items()})
+    return {name.replace("-", "_"): value for name, value in found.items()}
 
 
 def _plain(value: Any) -> Any:

@@ -14,7 +14,6 @@ from pathlib import Path
 
 from day6_tui.core.workspace.files import write_text
 
-SHELLS = ("bash", "ps1", "sh", "zsh")
 HOOK_SHELLS = ("ps1", "dsv", "sh")
 _UTIL = Path(__file__).with_name("local_setup_util.py")
 _MADE_BY = "# made by colcon of day6-tui"

@@ -22,7 +22,7 @@ class Keyboard(TextInput):
 
     def __init__(self):
         super().__init__("")
-        from day6_tui.core.session.scheduler import Signal
+        from day6_tui.core.session.task import Signal
 
         self.keys = []
         self.typed = Signal()
@@ -35,7 +35,7 @@ class Keyboard(TextInput):
         self.typed.set()
 
     async def read_key(self):
-        from day6_tui.core.session.scheduler import wait_for
+        from day6_tui.core.session.task import wait_for
 
         while not self.keys:
             self.typed.clear()

@@ -14,12 +14,16 @@ SAID = "There is no screen for the window: the node runs without it\n"
 
 
 def test_in_the_foreground_of_exec_they_print_once_and_end(place: Place) -> None:
-    done = place.execute("rqt_graph; echo one $?\nrqt_topic; echo two $?\nrviz2 -f base_link; echo three $?\n")
+    done = place.execute(
+        "ros2 run day6_bot wheel_spinner & ros2 topic echo /joint_states > /dev/null &\n"
+        "rqt_graph; echo one $?\nrqt_topic; echo two $?\nrviz2 -f base_link; echo three $?\n"
+    )
     assert (done.returncode, done.stderr) == (0, "")
     graph, rest = done.stdout.split("one 0\n")
     topics, rest = rest.split("two 0\n")
     panel, rest = rest.split("three 0\n")
-    assert graph.strip() and "/rosout [rcl_interfaces/msg/Log]\n" in topics and rest == ""
+    assert "( /wheel_spinner )" in graph and " hidden: " in graph
+    assert "/rosout [rcl_interfaces/msg/Log]\n" in topics and rest == ""
     assert panel.startswith("Fixed Frame: base_link\nGlobal Status: ")
 
 
@@ -70,7 +74,8 @@ def test_the_shipped_launch_file_takes_sliders_and_another_robot(place: Place) -
     robot = place.file("cart.urdf", '<robot name="cart"><link name="base_link"/></robot>\n')
     done = place.execute(
         f"ros2 launch day6_bot display.launch.py sliders:=true robot:={robot} > log 2>&1 &\n"
-        "timeout 10 ros2 topic echo --once --full-length /robot_description --field data\nsleep 1\n"
+        "timeout 10 ros2 topic echo --once --full-length --qos-durability transient_local "
+        "/robot_description std_msgs/msg/String --field data\nsleep 1\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait\n"
     )
     assert '<robot name="cart">' in done.stdout, done.stdout + done.stderr

@@ -83,16 +83,6 @@ def test_a_bad_namespace_is_explained(namespace: str, message: str, position: in
     assert names.flaw_of_namespace(namespace) == (message, position)
 
 
-def test_the_explanation_has_rclpys_three_lines() -> None:
-    flaw = names.flaw_of_topic_name("my topic")
-    assert flaw is not None
-    assert flaw.explain("topic name", "my topic").splitlines() == [
-        "Invalid topic name: topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}':",
-        "  'my topic'",
-        "     ^",
-    ]
-
-
 @pytest.mark.parametrize(
     ("name", "namespace", "full"),
     [

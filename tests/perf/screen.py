@@ -17,8 +17,6 @@ from dataclasses import dataclass
 QUIET_SECONDS = 0.12
 """The first frame is complete when nothing more was written for this long."""
 
-TICKS = os.sysconf("SC_CLK_TCK")
-
 
 @dataclass
 class Usage:

@@ -18,9 +18,10 @@ from pathlib import Path
 import pytest
 
 from day6_tui.core.ros.environment import program_environment
+from day6_tui.core.session import signals
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.shell import signals, subshell
+from day6_tui.core.shell import subshell
 from day6_tui.core.shell.desk import Desk
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -12,9 +12,10 @@ from day6_tui.core.ros import ros2
 from day6_tui.core.ros.programs import load
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
-from day6_tui.core.session.scheduler import Scheduler, Signal, wait_for
+from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, InputStream, TextInput
+from day6_tui.core.session.task import Signal, wait_for
 
 
 class Result(NamedTuple):

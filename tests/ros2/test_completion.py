@@ -60,3 +60,46 @@ def test_fields_are_offered_part_by_part(machine):
     assert machine.complete("topic", "echo", "/cmd_vel", "--field", "linear.") == ["linear.x", "linear.y", "linear.z"]
     assert machine.complete("topic", "echo", "/cmd_vel", "--field", "linear.x.") == []
     assert machine.complete("topic", "echo", "/nobody", "--field", "") == []
+
+
+def test_the_arguments_that_a_launch_file_declares_are_offered_with_their_values(machine):
+    line = ("launch", "day6_bot", "display.launch.py")
+    assert machine.complete("launch", "day6_b") == ["day6_bot"]
+    assert machine.complete("launch", "day6_bot", "") == ["display.launch.py"]
+    assert machine.complete(*line, "") == ["robot:=", "rviz_config:=", "sliders:=", "spin:="]
+    assert machine.complete(*line, "spin:=false", "s") == ["sliders:="]
+    assert machine.complete(*line, "spin:=") == ["spin:=false", "spin:=true"]
+    assert machine.complete(*line, "nothing:=") == []
+
+
+def test_arguments_of_launch_files_in_python_xml_and_yaml_are_found_without_running_them(machine):
+    from day6_tui.core.ros.ros2.launch._declared import declared_arguments
+
+    folder = machine.cwd
+    (folder / "a.launch.py").write_text(
+        "raise SystemExit('was run')\n"
+        "launch.actions.DeclareLaunchArgument(name='speed', choices=['slow', 'fast'], default_value='slow')\n"
+        "DeclareLaunchArgument(computed, default_value='x')\nDeclareLaunchArgument('gui', default_value='True')\n"
+    )
+    (folder / "b.launch.xml").write_text(
+        '<launch><arg name="use_sim_time" default="false"/><arg name="mode"><choice value="a"/></arg>'
+        '<include file="c.xml"><arg name="theirs" value="1"/></include>'
+        '<arg name="file" default="$(find-pkg-share x)/f"/></launch>'
+    )
+    (folder / "c.launch.yaml").write_text(
+        "launch:\n- arg:\n    name: gui\n    default: true\n- node: {pkg: p, exec: e}\n"
+    )
+    (folder / "d.launch.py").write_text("def broken(:\n")
+    found = {
+        name: declared_arguments(folder / name)
+        for name in ["a.launch.py", "b.launch.xml", "c.launch.yaml", "d.launch.py"]
+    }
+    assert found == {
+        "a.launch.py": [("speed", ("slow", "fast")), ("gui", ("True", "false"))],
+        "b.launch.xml": [("use_sim_time", ("false", "true")), ("mode", ("a",)), ("file", ())],
+        "c.launch.yaml": [("gui", ("true", "false"))],
+        "d.launch.py": [],
+    }
+    assert machine.complete("launch", "a.l") == ["a.launch.py"]
+    assert machine.complete("launch", "a.launch.py", "sp") == ["speed:="]
+    assert machine.complete("launch", "a.launch.py", "gui:=True", "speed:=f") == ["speed:=fast"]

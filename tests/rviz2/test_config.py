@@ -11,7 +11,7 @@ from rviz_machine import lines
 
 from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, read_config, write_config
 from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
-from day6_tui.core.ros.programs.rviz2.rviz2 import config_text, default_config
+from day6_tui.core.ros.programs.rviz2.rviz2 import default_config
 
 if TYPE_CHECKING:
     from rviz_machine import RVizMachine
@@ -135,7 +135,7 @@ def test_a_file_of_another_rviz_comes_back_whole(machine: RVizMachine, tmp_path:
     assert robot.expanded is False  # the file names it RobotModel, but it is called "my robot"
     assert lines(cloud)["Class"][0] == "Error"
     assert rviz.view.type == "TopDownOrtho" and rviz.view.child("Scale").value == 150.5
-    saved = yaml.safe_load(config_text(rviz))
+    saved = yaml.safe_load(write_config(rviz.save()))
     expected = yaml.safe_load(FOREIGN)
     panels = saved.pop("Panels")
     assert panels[1] == expected["Panels"][1]
@@ -150,9 +150,9 @@ def test_every_display_type_survives_saving_and_loading(machine: RVizMachine) ->
     rviz = machine.open()
     for name in TYPES:
         machine.add(name)
-    text = config_text(rviz)
+    text = write_config(rviz.save())
     machine.do(lambda: rviz.load_text(text))
-    assert config_text(rviz) == text
+    assert write_config(rviz.save()) == text
     assert [display.name for display in rviz.displays] == ["Grid", *TYPES]
     assert not rviz.modified
 
@@ -177,7 +177,7 @@ def test_changes_are_saved(machine: RVizMachine) -> None:
     rviz.edit_text(rviz.displays[0].child("Offset"), "1 2 -0.5")
     machine.settle()
     assert rviz.modified
-    grid = yaml.safe_load(config_text(rviz))["Visualization Manager"]["Displays"][0]
+    grid = yaml.safe_load(write_config(rviz.save()))["Visualization Manager"]["Displays"][0]
     assert (grid["Cell Size"], grid["Color"], grid["Offset"]) == (
         0.10000000149011612,  # single precision, as RViz writes it
         "255; 0; 12",

@@ -8,15 +8,8 @@ import time
 import pytest
 
 from day6_tui.core.session.clock import NANOSECONDS, WorldClock
-from day6_tui.core.session.scheduler import (
-    MAX_LAG_NS,
-    Scheduler,
-    Signal,
-    TaskCancelled,
-    let_others_run,
-    sleep_until,
-    wait_for,
-)
+from day6_tui.core.session.scheduler import MAX_LAG_NS, Scheduler
+from day6_tui.core.session.task import Signal, TaskCancelled, let_others_run, sleep_until, wait_for
 
 MS = 1_000_000
 
@@ -291,3 +284,19 @@ def test_activity_is_announced_after_work_only() -> None:
     assert len(calls) == 1
     scheduler.run(lambda: False, timeout=0.05)
     assert len(calls) == 1
+
+
+def test_what_a_program_does_after_it_wrote_is_announced_too() -> None:
+    """A terminal announces what is written to it at once; the window that the program opens next must be seen as well."""
+    scheduler = Scheduler(WorldClock())
+    opened: list[str] = []
+    seen: list[list[str]] = []
+    scheduler.on_activity = lambda: seen.append(list(opened))
+
+    async def editor() -> None:
+        scheduler.announce_activity()  # as Terminal.write does
+        opened.append("window")
+        await wait_for(Signal())
+
+    scheduler.spawn(editor())
+    assert scheduler.run(lambda: bool(seen) and seen[-1] == ["window"], timeout=5)

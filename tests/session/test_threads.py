@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from day6_tui.core.session.clock import WorldClock
-from day6_tui.core.session.scheduler import Scheduler, Task
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.task import Task
 from day6_tui.core.session.threads import in_thread
 
 

@@ -75,6 +75,12 @@ def test_jobs_timeout_and_kill_work_in_exec(tmp_path: Path) -> None:
     assert result.returncode == 0
 
 
+def test_a_subshell_lists_the_jobs_of_the_shell_around_it(tmp_path: Path) -> None:
+    lines = "sleep 50 & sleep 60 & jobs | wc -l; echo $(jobs | grep -c Running); (sleep 40 & jobs)"
+    expected = ["2", "2", "[1]+  Running                 sleep 40 &"]
+    assert day6("exec", "-c", lines, cwd=tmp_path).stdout.splitlines() == expected
+
+
 def test_sleep_is_paced_by_the_wall(tmp_path: Path) -> None:
     start = time.monotonic()
     day6("exec", "-c", "sleep 0.5", cwd=tmp_path)

@@ -144,6 +144,23 @@ def test_ctrl_c_is_the_kernels_and_the_traceback_pythons(seat: Any) -> None:
 
 
 @posix
+def test_ctrl_backslash_ends_a_program_that_ignores_ctrl_c_and_leaves_no_core_file(seat: Any) -> None:
+    deaf = "import signal, time\nsignal.signal(2, signal.SIG_IGN)\nprint('deaf')\nwhile True: time.sleep(9)\n"
+    write(seat.desk.home, "deaf.py", deaf)
+    seat.line("python3 deaf.py; echo status $?")
+    seat.wait(lambda text: "\ndeaf" in text)
+    for presses in (1, 2, 3):
+        assert not seat.terminal.is_stubborn
+        seat.type("\x03")
+        seat.wait(lambda text, presses=presses: text.count("^C") == presses)
+    assert seat.terminal.is_stubborn
+    seat.type("\x1c")
+    assert seat.wait_prompt().splitlines()[-3:-1] == ["^C^C^C^\\Quit", "status 131"]
+    assert not seat.terminal.is_stubborn
+    assert [path.name for path in seat.desk.home.iterdir() if "core" in path.name] == []
+
+
+@posix
 def test_ctrl_z_stops_it_and_fg_lets_it_go_on(seat: Any) -> None:
     write(seat.desk.home, "a.py", "print('ready')\nprint('got', input())\n")
     seat.line("python3 a.py")

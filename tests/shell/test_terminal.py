@@ -47,6 +47,13 @@ def test_ctrl_c_ends_the_running_command_and_the_rest_of_its_line(seat: Any) -> 
     assert seat.line("echo $?").splitlines()[-2] == "130"
 
 
+def test_ctrl_backslash_ends_a_command_but_not_the_prompt(seat: Any) -> None:
+    seat.type("echo a\x1c")
+    assert seat.type("b\r").splitlines()[-2] == "ab"
+    seat.line("sleep 100; echo status $?")
+    assert seat.type("\x1c").splitlines()[-3:] == ["^\\Quit", "status 131", PROMPT]
+
+
 def test_ctrl_c_at_the_prompt_drops_the_line(seat: Any) -> None:
     screen = seat.type("echo no\x03")
     assert screen.splitlines() == [f"{PROMPT} echo no^C", PROMPT]

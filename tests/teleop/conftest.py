@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.core.session.scheduler import Signal, wait_for
 from day6_tui.core.session.streams import InputStream
+from day6_tui.core.session.task import Signal, wait_for
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
 

@@ -22,6 +22,7 @@ class FakeTerminal:
         self.sent = ""
         self.title = title
         self.busy = False
+        self.is_stubborn = False
         self.closed = False
         self.has_more = False
         self.has_news = False

@@ -179,6 +179,17 @@ async def test_a_teleop_terminal_says_that_it_lacks_the_keyboard(desk) -> None:
         assert "方向键只在这个终端里有用" not in screen_text(app)
 
 
+async def test_a_program_that_ignores_ctrl_c_makes_the_terminal_say_what_helps(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.desktop.focus_pane(app.terminals)
+        desk.terminals[0].is_stubborn = True
+        await step(app, pilot)
+        assert "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%" in screen_text(app)
+        desk.terminals[0].is_stubborn = False
+        await step(app, pilot)
+        assert "ignores" not in screen_text(app)
+
+
 async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.desktop.focus_pane(app.terminals)

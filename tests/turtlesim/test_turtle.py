@@ -1,4 +1,4 @@
-"""One turtle, tick by tick, against the numbers of the real turtlesim (reference/ros2-facts.md)."""
+"""One turtle, tick by tick, against the numbers of the real turtlesim (turtlesim/turtle.cpp)."""
 
 from __future__ import annotations
 

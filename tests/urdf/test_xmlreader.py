@@ -13,7 +13,7 @@ BROKEN = {
     "": "Error=XML_ERROR_EMPTY_DOCUMENT ErrorID=13 (0xd) Line number=0",
     "hello": "Error=XML_ERROR_PARSING_TEXT ErrorID=8 (0x8) Line number=1",
     "<a>\n<b>\n</a>": "Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=2: XMLElement name=b",
-    "<a>\n<b>": "Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=2: XMLElement name=b",
+    "<a>\n<b>": "Error=XML_ERROR_PARSING ErrorID=15 (0xf) Line number=2",
     "<a>\n<b>\n": "Error=XML_ERROR_PARSING ErrorID=15 (0xf) Line number=2",
     "<a>\n<b/>": "Error=XML_ERROR_PARSING ErrorID=15 (0xf) Line number=1",
     "<a>text": "Error=XML_ERROR_PARSING_TEXT ErrorID=8 (0x8) Line number=1",

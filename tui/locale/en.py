@@ -82,11 +82,10 @@ TEXTS = {
     "help.single.suspend": "stops the program and goes back to the shell; fg goes on",
     # terminal
     "window.hidden": "{title} is open: {key} shows it",
+    "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
     "terminal.hint": "Arrow keys work only in here: click or {key}",
     "terminal.scrolled": "{count} lines further down · any key goes there",
     "terminal.copied": "Copied",
-    "terminal.ended": "The shell has ended",
-    "terminal.number": "Terminal {number}",
     # welcome
     "welcome.title": "Welcome",
     "welcome.heading": "ROS 2, right here in your terminal",
@@ -242,11 +241,7 @@ TEXTS = {
     "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
     "rqt.topic": "{name}: published by {arriving}, heard by {leaving}",
     # topics
-    "topics.columns.topic": "topic",
-    "topics.columns.rate": "rate",
-    "topics.columns.bandwidth": "bandwidth",
     "topics.none": "There is no topic yet. Start a node.",
-    "topics.type": "type",
     "topics.publishers": "publishers",
     "topics.subscriptions": "subscriptions",
     "topics.last": "last message",
@@ -383,8 +378,6 @@ TEXTS = {
     "plot.resume": "resume",
     "plot.span": "time",
     "plot.clear": "clear",
-    "plot.glyphs": "finer, coarser",
-    "plot.no_fields": "No topic has numbers at present.",
     # menus
     "menu.palette": "Commands",
     "menu.windows": "Windows and terminals",
@@ -487,8 +480,6 @@ TEXTS = {
     # errors
     "error.home": "The home folder {path} cannot be used: {reason}",
     "error.window": "This window cannot be drawn: {reason}",
-    "error.desk": "The simulated machine could not start: {reason}",
-    "error.small": "too small",
     "error.continue": "Esc closes this message",
     "error.title": "Something went wrong",
 }

@@ -82,11 +82,10 @@ TEXTS = {
     "help.single.suspend": "暂停程序并回到命令行，用 fg 继续",
     # terminal
     "window.hidden": "{title} 打开了：按 {key} 去看",
+    "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
     "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
     "terminal.copied": "已复制",
-    "terminal.ended": "shell 已结束",
-    "terminal.number": "终端 {number}",
     # welcome
     "welcome.title": "欢迎",
     "welcome.heading": "ROS 2，就在你的终端里",
@@ -240,11 +239,7 @@ TEXTS = {
     "rqt.node": "{name}：{arriving} 个箭头进来，{leaving} 个出去",
     "rqt.topic": "{name}：{arriving} 个发布者，{leaving} 个订阅者",
     # topics
-    "topics.columns.topic": "话题",
-    "topics.columns.rate": "频率",
-    "topics.columns.bandwidth": "带宽",
     "topics.none": "还没有话题。先启动一个节点吧。",
-    "topics.type": "类型",
     "topics.publishers": "发布者",
     "topics.subscriptions": "订阅者",
     "topics.last": "最新消息",
@@ -381,8 +376,6 @@ TEXTS = {
     "plot.resume": "继续",
     "plot.span": "时间",
     "plot.clear": "清空",
-    "plot.glyphs": "细一点、粗一点",
-    "plot.no_fields": "现在没有话题带有数字。",
     # menus
     "menu.palette": "命令",
     "menu.windows": "窗口和终端",
@@ -476,8 +469,6 @@ TEXTS = {
     # errors
     "error.home": "主目录 {path} 不能用：{reason}",
     "error.window": "这个窗口画不出来：{reason}",
-    "error.desk": "仿真电脑启动不了：{reason}",
-    "error.small": "太小了",
     "error.continue": "按 Esc 关闭这条消息",
     "error.title": "出错了",
 }

@@ -59,10 +59,6 @@ class Picture:
         y = self.height / 2 - seen[..., 1] / depth * self.down
         return x, y
 
-    def pixels_per_metre(self, depth: float) -> float:
-        """How tall a metre is at a depth."""
-        return self.down if self.parallel else self.down / max(depth, self.near)
-
     # -- rays ----------------------------------------------------------------------------------------------------------
 
     def rays(self, left: int, top: int, right: int, bottom: int) -> tuple[Array, Array]:

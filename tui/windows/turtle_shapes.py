@@ -10,7 +10,7 @@ HEADINGS = 32
 """Directions in which a turtle is drawn: finer steps cannot be told apart at these sizes, and would redraw it needlessly."""
 
 REAL_SIZE = 45.0 / 500.0
-"""A turtle's picture is 45 pixels of the world's 500 (ros2-facts.md)."""
+"""A turtle's picture is 45 pixels of the world's 500 (turtlesim/turtle_frame.cpp)."""
 
 SMALLEST = 7
 """Pixels across a drawn turtle below which head and legs do not show any more."""

@@ -26,7 +26,7 @@ IMAGE = 500
 """Pixels of turtlesim's path image along one side."""
 
 METRES = 499 / 45
-"""Side of the world (ros2-facts.md)."""
+"""Side of the world (turtlesim/turtle_frame.cpp: 499 pixels of 45 to the metre)."""
 
 SIDE_WIDTH = 26
 """Columns the list of turtles takes beside the world."""

@@ -25,8 +25,6 @@ CLOSEST, FARTHEST = 0.002, 0.5
 """Metres for one pixel."""
 
 MOST_STATUS_LINES = 5
-EDGE = 0.12
-"""Share of the picture: a robot that comes nearer to the edge makes the view move on."""
 
 _LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
 _WISHES = {"space": "pause", "n": "step", "right_square_bracket": "faster", "left_square_bracket": "slower"}

@@ -10,8 +10,23 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.environment import activate
+
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Main
+
+COMMANDS = {
+    "rqt": ("rqt_gui", "rqt_gui"),
+    "rqt_graph": ("rqt_graph", "rqt_graph"),
+    "rqt_console": ("rqt_console", "rqt_console"),
+    "rqt_plot": ("rqt_plot", "rqt_plot"),
+    "rqt_topic": ("rqt_topic", "rqt_topic"),
+    "rviz2": ("rviz2", "rviz2"),
+    "check_urdf": ("urdfdom", "check_urdf"),
+    "urdf_to_graphviz": ("urdfdom", "urdf_to_graphviz"),
+    "xacro": ("xacro", "xacro"),
+}
+"""The executables that are commands of their own, as in ROS's `bin` folder: (package, executable) by command."""
 
 _HERE = Path(__file__).resolve().parent
 _MAIN = re.compile(r"^async def main\(", re.MULTILINE)
@@ -34,5 +49,6 @@ def load(package: str, executable: str) -> Main:
     """Return the `main` of an executable. Raises LookupError when there is no such package or executable."""
     if executable not in executables(package):
         raise LookupError(f"{package}/{executable}")
+    activate()
     main: Main = importlib.import_module(f"{__name__}.{package}.{executable}").main
     return main

@@ -97,7 +97,7 @@ async def _run_prefixed(session: Session, prefix: list[str], executable: Executa
 def _told(session: Session, status: int) -> int:
     """Say how a program failed that did; `status` is as in subprocess, the result what a shell sees."""
     if status:
-        from day6_tui.core.shell.signals import TEXTS
+        from day6_tui.core.session.signals import TEXTS
 
         session.print(_PREFIX, TEXTS.get(-status) or f"Process exited with failure {status}")
     return status & 0xFF

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.editing.model import CannotEdit, Editor
 
 

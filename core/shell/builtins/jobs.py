@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.shell.control_flow import Interrupted
 from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.jobs import Job
 from day6_tui.core.shell.redirection import Streams
-from day6_tui.core.shell.signals import NUMBERS
 
 
 def _complain(session: Session, text: object) -> None:
@@ -18,15 +18,16 @@ def _complain(session: Session, text: object) -> None:
 async def jobs(session: Session) -> int:
     shell: Shell = session.shell
     options = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
-    for job in shell.jobs.ordered():
+    table = shell.jobs if shell.jobs.jobs or shell.outer_jobs is None else shell.outer_jobs
+    for job in table.ordered():
         if "p" in options:
             session.print(job.programs[0].pid)
         elif "l" in options:
-            line = shell.jobs.line(job)
+            line = table.line(job)
             mark_end = line.index("]") + 2
             session.print(f"{line[:mark_end]} {job.programs[0].pid} {line[mark_end:].lstrip()}")
         else:
-            session.print(shell.jobs.line(job))
+            session.print(table.line(job))
     shell.jobs.take_finished()
     return 0
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 
+from day6_tui.core.ros import programs
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.interpreter import Shell, subshell_main
@@ -29,9 +30,7 @@ def _program(package: str, executable: str) -> Main:
     """A command that is an executable of one of our packages."""
 
     async def main(session: Session) -> int:
-        from day6_tui.core.ros.programs import load
-
-        return await session.execute(load(package, executable), session.argv)
+        return await session.execute(programs.load(package, executable), session.argv)
 
     return main
 
@@ -79,15 +78,7 @@ COMMANDS: dict[str, Main] = {
     "python": python3,
     "ros2": ros2,
     "colcon": colcon,
-    "rqt": _program("rqt_gui", "rqt_gui"),
-    "rqt_graph": _program("rqt_graph", "rqt_graph"),
-    "rqt_console": _program("rqt_console", "rqt_console"),
-    "rqt_plot": _program("rqt_plot", "rqt_plot"),
-    "rqt_topic": _program("rqt_topic", "rqt_topic"),
-    "rviz2": _program("rviz2", "rviz2"),
-    "check_urdf": _program("urdfdom", "check_urdf"),
-    "urdf_to_graphviz": _program("urdfdom", "urdf_to_graphviz"),
-    "xacro": _program("xacro", "xacro"),
+    **{name: _program(*place) for name, place in programs.COMMANDS.items()},
     "bash": bash,
     "sh": bash,
 }

@@ -224,7 +224,7 @@ async def eval_(session: Session) -> int:
 
 async def _run_here(session: Session, text: str) -> int:
     """Run command lines in the shell itself, on this command's streams."""
-    from day6_tui.core.shell.interpreter import MAX_DEPTH
+    from day6_tui.core.shell.shell_state import MAX_DEPTH
 
     shell: Shell = session.shell
     if shell.depth >= MAX_DEPTH:

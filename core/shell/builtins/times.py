@@ -5,11 +5,11 @@ from __future__ import annotations
 import time
 
 from day6_tui.core.session.clock import NANOSECONDS, nanoseconds
-from day6_tui.core.session.scheduler import wait_for
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.signals import NUMBERS
+from day6_tui.core.session.task import wait_for
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
 from day6_tui.core.shell.redirection import Streams
-from day6_tui.core.shell.signals import NUMBERS
 
 _UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 

@@ -35,10 +35,6 @@ class Frames:
                 changed = True
         return changed
 
-    def knows(self, frame: str) -> bool:
-        """Say whether the frame was named in any transform."""
-        return frame in self._parents or any(parent == frame for parent, _ in self._parents.values())
-
     def lookup(self, target: str, source: str) -> Transform | None:
         """Return the pose of frame `source` in frame `target`, None when nothing connects them."""
         if target == source:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.day6_bot._model import CarModel
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.load import RobotError, load_robot
 from day6_tui.urdf.topview import render_top

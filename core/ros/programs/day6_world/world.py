@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.ros.programs.day6_world._scenery import Scenery, SceneryError, read_scenery, shipped_worlds
 from day6_tui.core.ros.programs.day6_world._simulation import STEP
 from day6_tui.core.ros.programs.day6_world._world_node import WorldNode
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
 

@@ -15,7 +15,7 @@ from day6_tui.core.ros.programs.joint_state_publisher._joints import FreeJoint
 from day6_tui.core.ros.programs.joint_state_publisher._publisher import JointStatePublisher
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    pass
 
 RANGE = 10_000
 """Steps of a slider (joint_state_publisher_gui.py)."""
@@ -162,8 +162,3 @@ def _step_of(joint: FreeJoint, value: float) -> int:
 def _slider(joint: FreeJoint) -> Slider:
     value = joint.position if joint.position is not None else joint.zero
     return Slider(joint.name, joint.minimum, joint.maximum, value, _step_of(joint, value), joint.turns)
-
-
-def as_lines(sliders: Iterable[Slider]) -> list[str]:
-    """The sliders as text, for a machine without a screen."""
-    return [f"{slider.name}: {slider.value:.3f} ({slider.minimum:.3f} to {slider.maximum:.3f})" for slider in sliders]

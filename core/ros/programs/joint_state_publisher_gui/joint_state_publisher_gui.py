@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs.joint_state_publisher.joint_state_publisher import make_publisher
 from day6_tui.core.ros.programs.joint_state_publisher_gui._sliders import SliderModel
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

@@ -5,13 +5,15 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 
 from __future__ import annotations
 
+import textwrap
+
 from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw
 from day6_tui.core.ros.programs.rqt_graph._fit import fitted
 from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
-from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.2
 """At most this often is the graph looked at again while it changes."""
@@ -58,3 +60,9 @@ def _print(session: Session, model: RqtGraph) -> None:
     picture = fitted(model.content.boxes, model.content.edges, session.stdout.columns, 1000)
     for row in draw(picture, glyphs, model.content.trouble).rows():
         session.print("".join(text for text, _ in row).rstrip())
+    hidden = model.content.hidden
+    if hidden:
+        reasons = "; ".join(f"{each.option} hides {', '.join(each.names)}" for each in hidden)
+        told = f"{sum(len(each.names) for each in hidden)} hidden: {reasons}"
+        for line in textwrap.wrap(told, session.stdout.columns, break_long_words=False, break_on_hyphens=False):
+            session.print(line)

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs.rqt_plot._model import Plot
-from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 PRINT_SECONDS = 1.0
 """Without a window: how often the newest values are printed."""

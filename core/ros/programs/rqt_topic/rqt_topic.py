@@ -8,8 +8,8 @@ from __future__ import annotations
 from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_topic._model import TopicMonitor
-from day6_tui.core.session.scheduler import Signal
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 STEP_SECONDS = 0.5
 """How often the numbers change: faster ones cannot be read."""

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, NoReturn
 
 from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_config
+from day6_tui.core.ros.programs.rviz2.model.config import ConfigError
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WORDS, Status
 from day6_tui.core.ros.programs.rviz2.reading import Reader
 from day6_tui.core.ros.programs.tf2_ros._listening import listen
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
 if TYPE_CHECKING:
@@ -274,8 +274,3 @@ def _statuses(statuses: Property, indent: str) -> list[str]:
         if isinstance(line, Status):
             lines.append(f"{indent}  {WORDS[line.level]}: {line.name}: {line.value}")
     return lines
-
-
-def config_text(rviz: RViz) -> str:
-    """What Save writes."""
-    return write_config(rviz.save())

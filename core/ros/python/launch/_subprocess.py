@@ -131,12 +131,12 @@ def end_all(grace: float = 2.0) -> None:
 
 
 def _guard(pid: int) -> None:
-    from day6_tui.core.shell.guardian import guard_process
+    from day6_tui.core.session.guardian import guard_process
 
     guard_process(pid)
 
 
 def _release(pid: int) -> None:
-    from day6_tui.core.shell.guardian import release_process
+    from day6_tui.core.session.guardian import release_process
 
     release_process(pid)

@@ -28,6 +28,9 @@ class RosArguments:
         """node pattern, parameter name, value; a later one replaces an earlier one"""
         self.levels: list[tuple[str, int]] = []
         """logger name ('' for all) and level"""
+        self.log_config_file = ""
+        self.log_file_name = ""
+        """what the name of the log file begins with; '' for the name of the program"""
         self.enclave = "/"
         self.switches: dict[str, bool] = {}
         self.unknown: list[str] = []
@@ -46,6 +49,9 @@ class RosArguments:
             settings.set_level(name, level)
         settings.to_console = self.switches.get("stdout", True)
         settings.to_rosout = self.switches.get("rosout", True)
+        if settings.file is not None:
+            settings.file.enabled = settings.file.enabled and self.switches.get("external-lib", True)
+            settings.file.program = self.log_file_name or settings.file.program
 
     def _add_rule(self, flag: str, text: str) -> None:
         from rclpy._rule_lexer import RuleError, read_remap_rule
@@ -104,8 +110,11 @@ class RosArguments:
             )
         self.enclave = text
 
-    def _ignore(self, flag: str, text: str) -> None:
-        """Accept what concerns log files, which this simulator does not write."""
+    def _name_log_file(self, flag: str, text: str) -> None:
+        self.log_file_name = text
+
+    def _name_config_file(self, flag: str, text: str) -> None:
+        self.log_config_file = text
 
 
 _Setter = Callable[[RosArguments, str, str], None]
@@ -115,8 +124,14 @@ _FLAGS: dict[str, tuple[_Setter, str]] = {
     "--params-file": (RosArguments._add_file, "flag. No file path provided., at /project/src/rcl/arguments.c:419"),
     "--log-level": (RosArguments._add_level, ""),
     "-e": (RosArguments._set_enclave, "flag. No enclave path provided., at /project/src/rcl/arguments.c:550"),
-    "--log-config-file": (RosArguments._ignore, "flag. No file path provided., at /project/src/rcl/arguments.c:515"),
-    "--log-file-name": (RosArguments._ignore, "flag. No file prefix provided., at /project/src/rcl/arguments.c:480"),
+    "--log-config-file": (
+        RosArguments._name_config_file,
+        "flag. No file path provided., at /project/src/rcl/arguments.c:515",
+    ),
+    "--log-file-name": (
+        RosArguments._name_log_file,
+        "flag. No file prefix provided., at /project/src/rcl/arguments.c:480",
+    ),
 }
 for _long, _short in (("--remap", "-r"), ("--param", "-p"), ("--enclave", "-e")):
     _FLAGS[_long] = _FLAGS[_short]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _Handle = TypeVar("_Handle", bound="EndpointHandle")
 
 INVALID_NODE = "rcl node's context is invalid, at /project/src/rcl/node.c:401"
-_INVALID_PUBLISHER = "publisher's context is invalid, at /project/src/rcl/publisher.c:427"
+INVALID_PUBLISHER = "publisher's context is invalid, at /project/src/rcl/publisher.c:427"
 
 
 def rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
@@ -185,7 +185,7 @@ class EndpointHandle(Destroyable):
         if self._destroyed:
             raise InvalidHandle(DESTROYED)
         if not self._node.context._valid:
-            raise RCLError(f"{what}: {_INVALID_PUBLISHER}")
+            raise RCLError(f"{what}: {INVALID_PUBLISHER}")
 
     def get_topic_name(self) -> str:
         """Return the full name of the topic."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._time_source import MACHINE_TIME, TimeSource
 
 if TYPE_CHECKING:
+    from rclpy._log_file import LogFile
     from rclpy._rosout import RosoutPublisher
 
 NAMES = {0: "UNSET", 10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
@@ -28,6 +29,7 @@ class LoggingSettings:
     def __init__(self, time_source: TimeSource = MACHINE_TIME, env: Mapping[str, str] | None = None) -> None:
         self.time = time_source
         self.write: Callable[[str], Any] | None = None
+        self.file: LogFile | None = None
         self.to_console = True
         self.to_rosout = True
         self.levels: dict[str, int] = {}
@@ -79,24 +81,39 @@ class LoggingSettings:
     def emit(self, severity: int, name: str, message: str, function: str, file: str, line: int) -> None:
         """Write one message to the console and hand it to /rosout; the level has been looked at."""
         stamp = self.time.now_ns()
-        if self.to_console:
-            self._print(severity, name, message, function, file, line, stamp)
+        if self.to_console or self.file is not None:
+            text = self._line(severity, name, message, function, file, line, stamp)
+            if self.file is not None:
+                self.file.write(text)
+            if self.to_console:
+                self._print(severity, text)
         if self.to_rosout:
             publisher = self.publishers.get(name)
             if publisher is not None:
-                publisher.log(stamp, severity, name, message, file, function, line)
+                flaw = publisher.log(stamp, severity, name, message, file, function, line)
+                if flaw is not None:
+                    self._write_to_stderr(f"Failed to publish log message to rosout: {flaw}\n")
 
-    def _print(self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> None:
+    def _write_to_stderr(self, text: str) -> None:
+        write = self.write
+        if write is None:
+            if sys.stderr is None:
+                return
+            write = sys.stderr.write
+        write(text)
+
+    def _line(self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> str:
         form = self._format
         if form is None:
             form = self._format = self._env.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT
         if form is DEFAULT_FORMAT:
             seconds, rest = divmod(stamp, 1_000_000_000)
-            text = f"[{NAMES[severity]}] [{seconds}.{rest:09}] [{name}]: {message}"
-        else:
-            from rclpy._console_format import expand
+            return f"[{NAMES[severity]}] [{seconds}.{rest:09}] [{name}]: {message}"
+        from rclpy._console_format import expand
 
-            text = expand(form, severity, name, message, function, file, line, stamp)
+        return expand(form, severity, name, message, function, file, line, stamp)
+
+    def _print(self, severity: int, text: str) -> None:
         write, stream = self.write, None
         if write is None:
             stream = sys.stdout if self._env.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from day6_tui.core.graph import Node, Publisher, QoS, Subscription
 from day6_tui.core.graph.qos import Durability
+from rclpy._handles import INVALID_PUBLISHER
 
 TYPE_NAME = "rcl_interfaces/msg/Log"
 
@@ -44,16 +45,22 @@ def to_message(record: LogRecord) -> Any:
 
 
 class RosoutPublisher(Publisher):
-    """The publisher of one node's log messages."""
+    """The publisher of one node's log messages; `is_valid` says whether the node's context is."""
 
-    def __init__(self, node: Node, type_hash: str, qos: QoS) -> None:
+    def __init__(self, node: Node, type_hash: str, qos: QoS, is_valid: Callable[[], bool]) -> None:
         copy: Callable[[Any], Any] = to_message
         super().__init__(node, "/rosout", TYPE_NAME, type_hash, qos, node.graph.new_gid(), copy)
+        self._is_valid = is_valid
 
-    def log(self, stamp: int, severity: int, name: str, message: str, file: str, function: str, line: int) -> None:
-        """Send one message."""
+    def log(
+        self, stamp: int, severity: int, name: str, message: str, file: str, function: str, line: int
+    ) -> str | None:
+        """Send one message. Returns why that cannot be done, None if it was."""
+        if not self._is_valid():
+            return INVALID_PUBLISHER
         if not self.destroyed:
             self.publish(LogRecord(stamp, severity, name, message, file, function, line))
+        return None
 
     def publish(self, message: Any) -> None:
         """Deliver a record; other processes get a message."""

@@ -41,3 +41,32 @@ def wait_interruptibly(event: threading.Event, seconds: float | None) -> bool:
             return True
         left -= LONGEST_WAIT_S
     return event.is_set()
+
+
+class Gate:
+    """What one thread waits at and others open, for waits that rcl does inside: Ctrl-C shows no line of `threading`.
+
+    Opening lets one `wait` through, however often it was opened before.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._lock.acquire()
+
+    def open(self) -> None:
+        """Let the waiting thread go on, or the next that comes; from any thread."""
+        try:
+            self._lock.release()
+        except RuntimeError:
+            # It is open.
+            return
+
+    def wait(self, seconds: float | None) -> bool:
+        """Wait until the gate is opened, at most for that long (None: for ever); says whether it was."""
+        left = threading.TIMEOUT_MAX if seconds is None else min(seconds, threading.TIMEOUT_MAX)
+        longest = left if LONGEST_WAIT_S is None else LONGEST_WAIT_S
+        while left > 0:
+            if self._lock.acquire(timeout=min(left, longest)):
+                return True
+            left -= longest
+        return self._lock.acquire(blocking=False)

@@ -9,8 +9,8 @@ from itertools import count
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rclpy._executor_rounds import ExecutorRounds
     from rclpy.event_handler import EventHandler
-    from rclpy.executors import Executor
     from rclpy.timer import Timer
 
 
@@ -19,7 +19,7 @@ class TimerHeap:
 
     __slots__ = ("_executor", "_numbers", "entries")
 
-    def __init__(self, executor: Executor) -> None:
+    def __init__(self, executor: ExecutorRounds) -> None:
         self._executor = executor
         self._numbers = count()
         self.entries: list[tuple[int, int, Timer | EventHandler]] = []

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy._entity import NOTHING
 from rclpy._rclpy_pybind11 import Destroyable, RCLError
-from rclpy._time_source import wait_interruptibly
+from rclpy._time_source import Gate
 from rclpy.constants import S_TO_NS
 from rclpy.timer import Timer
 
@@ -54,8 +53,8 @@ class WaitSet(Destroyable):
             number_of_events,
         )
         self._limits: dict[str, int] | None = dict(zip(_KINDS, numbers, strict=True))
-        self._changed = threading.Event()
-        self._announce: Callable[..., None] = lambda *_: self._changed.set()
+        self._changed = Gate()
+        self._announce: Callable[..., None] = lambda *_: self._changed.open()
         self._members: dict[str, list[Any]] = {kind: [] for kind in _KINDS}
         self._ready: dict[str, list[bool]] | None = None
         self._scope: Scope | None = None
@@ -131,7 +130,6 @@ class WaitSet(Destroyable):
         if timeout_nsec >= 0:
             end = steady + timeout_nsec
         while True:
-            self._changed.clear()
             self._ready = {kind: [_is_ready(kind, each) for each in self._members[kind]] for kind in _KINDS}
             for guard in self._members["guard_condition"]:
                 guard._entity()._executor_triggered = False
@@ -142,7 +140,7 @@ class WaitSet(Destroyable):
             waits += [each.time_until_next_call() for each in self._members["timer"]]
             waits += [each._due_in() for each in self._members["event"]]
             left = [max(0, wait) for wait in waits if wait is not None]
-            wait_interruptibly(self._changed, min(left) / S_TO_NS if left else None)
+            self._changed.wait(min(left) / S_TO_NS if left else None)
 
     def is_ready(self, kind: str, index: int) -> bool:
         """Say whether an entity is ready; `kind` is subscription, guard_condition, timer, client, service or event."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 import weakref
 from collections.abc import Callable
 from types import TracebackType
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import ClockChange as ClockChange
 from rclpy._rclpy_pybind11 import Destroyable
-from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
+from rclpy._time_source import MACHINE_TIME, Gate, TimeSource
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
@@ -194,24 +193,23 @@ class Clock:
             raise NotInitializedException
         if until.clock_type is not self._clock_type:
             raise ValueError("until's clock type does not match this clock's type")
-        woken = threading.Event()
+        woken = Gate()
         source_changed = False
 
         def on_jump(jump: TimeJump) -> None:
             nonlocal source_changed
             if jump.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
                 source_changed = True
-            woken.set()
+            woken.open()
 
-        stop_watching = context._watch_end(woken.set)
+        stop_watching = context._watch_end(woken.open)
         threshold = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=None, on_clock_change=True)
         with self.create_jump_callback(threshold, post_callback=on_jump):
             while context.ok() and not source_changed:
                 left = until.nanoseconds - self._now_ns()
                 if left <= 0:
                     break
-                wait_interruptibly(woken, None if self._is_simulated() else left / S_TO_NS)
-                woken.clear()
+                woken.wait(None if self._is_simulated() else left / S_TO_NS)
         stop_watching()
         return context.ok() and not source_changed and self._now_ns() >= until.nanoseconds
 

@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph import Graph, graph_for_domain
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
-from rclpy._time_source import MACHINE_TIME, TimeSource, wait_interruptibly
+from rclpy._time_source import MACHINE_TIME, Gate, TimeSource
 
 if TYPE_CHECKING:
     from rclpy._arguments import RosArguments
+    from rclpy._log_file import LogFile
     from rclpy.executors import Executor
     from rclpy.node import Node
 
@@ -86,12 +87,13 @@ class Context:
         args: list[str] | None = None,
         env: Mapping[str, str] | None = None,
         write: Callable[[str], Any] | None = None,
+        log_file: LogFile | None = None,
     ) -> Context:
         """Return an initialised context on `graph` whose clocks read `time_source`; it has no link and touches no signal.
 
         `args` are its global arguments (default: none), `env` the environment its logging looks at (default: this
-        process's), `write` takes its log lines, those about wrong arguments too (default: stderr). Its log levels and its
-        logging output are its own.
+        process's), `write` takes its log lines, those about wrong arguments too (default: stderr), and so does `log_file`
+        (default: none). Its log levels and its logging output are its own.
         """
         context = cls()
         context._graph = graph
@@ -99,6 +101,7 @@ class Context:
         context._uses_link = False
         context._logging = LoggingSettings(time_source, env)
         context._log_write = write
+        context._logging.file = log_file
         context.init(args if args is not None else [], domain_id=graph.domain_id)
         return context
 
@@ -147,6 +150,8 @@ class Context:
             self._handle = _ContextHandle(self)
             self._valid = True
             if initialize_logging:
+                if self._logging is PROCESS:
+                    _open_log_file(self._arguments)
                 self._arguments.apply_levels(self._logging)
             _living.add(self)
 
@@ -189,18 +194,17 @@ class Context:
         """Block until a condition on the graph is true, the context is invalid or time is up; says whether it is true."""
         if condition():
             return True
-        changed = threading.Event()
+        changed = Gate()
         assert self._graph is not None
-        end_of_changes = self._graph.add_listener(lambda _event: changed.set())
-        end_of_watch = self._watch_end(changed.set)
+        end_of_changes = self._graph.add_listener(lambda _event: changed.open())
+        end_of_watch = self._watch_end(changed.open)
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         try:
             while self._valid and not condition():
                 left = None if end is None else end - time.monotonic()
                 if left is not None and left <= 0:
                     return False
-                wait_interruptibly(changed, left)
-                changed.clear()
+                changed.wait(left)
         finally:
             end_of_changes()
             end_of_watch()
@@ -314,6 +318,34 @@ def _domain_from_environment() -> int:
             "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
         )
     return int(text)
+
+
+def _open_log_file(arguments: RosArguments) -> None:
+    """Give this process its log file, once.
+
+    RCLError for a configuration file, and if the folder cannot be made that the user has named; else there is no file.
+    """
+    from rclpy._log_file import of_process
+
+    if PROCESS.file is not None or not arguments.switches.get("external-lib", True):
+        return
+    if arguments.log_config_file:
+        raise RCLError(
+            "failed to initialize logging: spdlog logging backend doesn't currently support external configuration, "
+            "at /project/src/rcl_logging_spdlog.cpp:116"
+        )
+    file = of_process()
+    file.program = arguments.log_file_name or file.program
+    try:
+        file.open()
+    except OSError as error:
+        if file.is_wanted:
+            raise RCLError(
+                f"failed to initialize logging: Failed to create log directory '{file.folder}': {error.errno}, "
+                "at /project/src/rcl_logging_spdlog.cpp:153"
+            ) from None
+        file.enabled = False
+    PROCESS.file = file
 
 
 def _leave(graph: Graph) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from rclpy._log_file import logging_directory
 from rclpy._logging_settings import PROCESS
 from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.rcutils_logger import RcutilsLogger
@@ -58,8 +59,5 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return the folder where real ROS puts log files (ROS_LOG_DIR, else log in ROS_HOME, else ~/.ros/log)."""
-    folder = os.environ.get("ROS_LOG_DIR")
-    if folder:
-        return Path(folder).expanduser()
-    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
+    """Return the folder of log files (ROS_LOG_DIR, else log in ROS_HOME, else ~/.ros/log)."""
+    return logging_directory(os.environ)

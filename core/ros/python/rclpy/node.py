@@ -160,7 +160,7 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
         from rclpy._rosout import RosoutPublisher
 
         graph_node = self.__node.node
-        publisher = RosoutPublisher(graph_node, HASHES[LOG], qos.get_c_qos_profile())
+        publisher = RosoutPublisher(graph_node, HASHES[LOG], qos.get_c_qos_profile(), self._context.ok)
         graph_node.graph.add_endpoint(publisher)
         settings: LoggingSettings = self._context._logging
         name = self._logger.name

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import threading
 from typing import TYPE_CHECKING, Any
 
 from rclpy._incidental import also
-from rclpy._time_source import wait_interruptibly
+from rclpy._time_source import Gate
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -30,14 +29,14 @@ def wait_for_message(
     context = node.context
     if context.handle is None:
         raise RuntimeError("Cannot create Waitset without a context.handle")
-    arrived = threading.Event()
+    arrived = Gate()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile)
     endpoint = subscription.handle._endpoint
-    endpoint.on_ready = lambda _: arrived.set()
-    stopped = context._watch_end(arrived.set)
+    endpoint.on_ready = lambda _: arrived.open()
+    stopped = context._watch_end(arrived.open)
     try:
         if not endpoint.queue:
-            wait_interruptibly(arrived, None if time_to_wait < 0 else time_to_wait)
+            arrived.wait(None if time_to_wait < 0 else time_to_wait)
         sample = endpoint.take()
         return (False, None) if sample is None else (True, sample[0])
     finally:

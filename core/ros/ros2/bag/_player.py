@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.bag._keyboard import keyboard, listen
 from day6_tui.core.ros.ros2.bag._options import error, qos_overrides
-from day6_tui.core.session.scheduler import Signal, wait_for
+from day6_tui.core.session.task import Signal, wait_for
 
 if TYPE_CHECKING:
     from rosbag2_py._options import PlayOptions

@@ -7,6 +7,7 @@ from collections.abc import Awaitable, Callable, Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
+    from day6_tui.core.graph import Graph
     from day6_tui.core.session.session import Session
 
 
@@ -16,6 +17,8 @@ class Typed(NamedTuple):
     session: Session
     values: dict[str, str]
     prefix: str
+    words: list[str]
+    """All arguments before the cursor, in their order."""
 
 
 Words = Iterable[str]
@@ -43,6 +46,7 @@ class _Walk:
 
     def __init__(self, parser: argparse.ArgumentParser) -> None:
         self.values: dict[str, str] = {}
+        self.words: list[str] = []
         self._enter(parser)
 
     def _enter(self, parser: argparse.ArgumentParser) -> None:
@@ -51,6 +55,7 @@ class _Walk:
         self._pending: argparse.Action | None = None
 
     def take(self, word: str) -> None:
+        self.words.append(word)
         if self._pending is not None:
             self.values[self._pending.dest] = word
             self._pending = None
@@ -92,47 +97,47 @@ class _Walk:
 
             return [str(choice) for choice in action.choices if str(choice) not in HIDDEN]
         completer: Completer | None = getattr(action, "completer", None)
-        return completer(Typed(session, self.values, prefix)) if completer is not None else []
+        return completer(Typed(session, self.values, prefix, self.words)) if completer is not None else []
 
 
-def topic_names(typed: Typed) -> Iterable[str]:
+async def topic_names(typed: Typed) -> Iterable[str]:
     """Complete the name of a topic; hidden ones once an underscore was typed."""
-    return _names(typed, "MP", "MS")
+    return await _names(typed, "MP", "MS")
 
 
-def service_names(typed: Typed) -> Iterable[str]:
+async def service_names(typed: Typed) -> Iterable[str]:
     """Complete the name of a service; hidden ones once an underscore was typed."""
-    return _names(typed, "SS")
+    return await _names(typed, "SS")
 
 
-def action_names(typed: Typed) -> Iterable[str]:
+async def action_names(typed: Typed) -> Iterable[str]:
     """Complete the name of an action."""
     mark = "/_action/"
-    return sorted({name.partition(mark)[0] for name, _ in _all_names(typed, "SS", "MP") if mark in name})
+    return sorted({name.partition(mark)[0] for name, _ in await _all_names(typed, "SS", "MP") if mark in name})
 
 
-def node_names(typed: Typed) -> Iterable[str]:
+async def node_names(typed: Typed) -> Iterable[str]:
     """Complete the full name of a node; hidden ones once an underscore was typed."""
-    graph = typed.session.graph
+    graph = await _graph(typed)
     found = [f"{node.namespace.rstrip('/')}/{node.name}" for node in graph.nodes] if graph is not None else []
     return [name for name in found if _shown(name, typed.prefix)]
 
 
-def topic_types(typed: Typed) -> Iterable[str]:
+async def topic_types(typed: Typed) -> Iterable[str]:
     """Complete a message type: the topic's own if the topic named before exists, else any."""
-    own = dict(_all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""))
+    own = dict(await _all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""))
     return own or message_types(typed)
 
 
-def service_types_of_service(typed: Typed) -> Iterable[str]:
+async def service_types_of_service(typed: Typed) -> Iterable[str]:
     """Complete a service type: the service's own if the one named before exists, else any."""
-    own = dict(_all_names(typed, "SS")).get(typed.values.get("service_name", ""))
+    own = dict(await _all_names(typed, "SS")).get(typed.values.get("service_name", ""))
     return own or service_types(typed)
 
 
-def action_types_of_action(typed: Typed) -> Iterable[str]:
+async def action_types_of_action(typed: Typed) -> Iterable[str]:
     """Complete an action type: the action's own if the one named before exists, else any."""
-    own = dict(_all_names(typed, "SS")).get(f"{typed.values.get('action_name', '')}/_action/send_goal")
+    own = dict(await _all_names(typed, "SS")).get(f"{typed.values.get('action_name', '')}/_action/send_goal")
     return [each.removesuffix("_SendGoal") for each in own] if own else action_types(typed)
 
 
@@ -184,12 +189,12 @@ async def parameter_names(typed: Typed) -> Iterable[str]:
     return await listed_parameters(typed.session, typed.values.get("node_name", ""))
 
 
-def topic_fields(typed: Typed) -> Iterable[str]:
+async def topic_fields(typed: Typed) -> Iterable[str]:
     """Complete a field of the topic's messages, part by part: `pose`, then `pose.position` …"""
     from rosidl_runtime_py.utilities import get_message
 
     own = [typed.values["message_type"]] if "message_type" in typed.values else None
-    types = own or dict(_all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""), [])
+    types = own or dict(await _all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""), [])
     path = typed.prefix.split(".")[:-1]
     try:
         kind = get_message(types[0])
@@ -241,15 +246,23 @@ def _types(typed: Typed, *kinds: str) -> list[str]:
     ]
 
 
-def _names(typed: Typed, *kinds: str) -> list[str]:
-    return [name for name, _ in _all_names(typed, *kinds) if _shown(name, typed.prefix)]
+async def _names(typed: Typed, *kinds: str) -> list[str]:
+    return [name for name, _ in await _all_names(typed, *kinds) if _shown(name, typed.prefix)]
 
 
-def _all_names(typed: Typed, *kinds: str) -> list[tuple[str, list[str]]]:
+async def _all_names(typed: Typed, *kinds: str) -> list[tuple[str, list[str]]]:
     from day6_tui.core.graph.endpoints import EndpointKind
 
-    graph = typed.session.graph
+    graph = await _graph(typed)
     return graph.names_and_types(*map(EndpointKind, kinds)) if graph is not None else []
+
+
+async def _graph(typed: Typed) -> Graph | None:
+    """The graph, once it knows what other processes have."""
+    from day6_tui.core.ros.ros2.cli.node import settle
+
+    await settle(typed.session)
+    return typed.session.graph
 
 
 def _shown(name: str, prefix: str) -> bool:

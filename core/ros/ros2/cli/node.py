@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
 from day6_tui.core.ros.ros2.cli import daemon
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

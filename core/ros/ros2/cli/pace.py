@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING
 
-from day6_tui.core.session.scheduler import sleep_until
+from day6_tui.core.session.task import sleep_until
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

@@ -78,10 +78,13 @@ def add_arguments(parser: ArgumentParser) -> None:
         packages_and_files,
     )
     completed(parser.add_argument("launch_file_name", nargs="?", help="Name of the launch file"), launch_file_names)
-    rest = parser.add_argument(
-        "launch_arguments",
-        nargs="*",
-        help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+    rest = completed(
+        parser.add_argument(
+            "launch_arguments",
+            nargs="*",
+            help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+        ),
+        launch_arguments,
     )
     rest.required = True  # Pythons before 3.13 name it among the missing ones
 
@@ -170,10 +173,9 @@ def parsed_arguments(words: list[str]) -> dict[str, str]:
 
 def packages_and_files(typed: Typed) -> Iterable[str]:
     """Complete the name of a package, or the path of a launch file."""
-    home = typed.session.env.get("HOME", "")
     folder = os.path.dirname(typed.prefix)
     begun = folder.rstrip("/") + "/" if folder else ""
-    where = typed.session.cwd / (home + folder[1:] if folder.startswith("~") else folder)
+    where = _path(typed, begun)
     try:
         entries = sorted(where.iterdir())
     except OSError:
@@ -186,16 +188,46 @@ def packages_and_files(typed: Typed) -> Iterable[str]:
 
 
 def launch_file_names(typed: Typed) -> Iterable[str]:
-    """Complete the names of launch files of the package that was typed before."""
+    """Complete the names of launch files of the package that was typed before; after a file, its arguments."""
+    if _typed_file(typed).is_file():
+        return launch_arguments(typed)
+    share = _typed_share(typed)
+    return [path.name for path in Path(share).rglob("*") if _is_launch_file(path)] if share else []
+
+
+def launch_arguments(typed: Typed) -> Iterable[str]:
+    """Complete `name:=`, then the value, of the arguments that the launch file declares."""
+    from day6_tui.core.ros.ros2.launch._declared import find_file, offered
+
+    file: Path | None = _typed_file(typed)
+    if file is None or not file.is_file():
+        share = _typed_share(typed)
+        file = find_file(share, typed.values.get("launch_file_name", "")) if share else None
+    return offered(file, typed.prefix, typed.words) if file is not None else []
+
+
+def _typed_file(typed: Typed) -> Path:
+    """What the first word would be as a file."""
+    return _path(typed, typed.values.get("package_name", ""))
+
+
+def _path(typed: Typed, text: str) -> Path:
+    """A path as it is typed; `~` is the home of the session."""
+    home = typed.session.env.get("HOME", "")
+    return typed.session.cwd / (home + text[1:] if text.startswith("~/") else text)
+
+
+def _typed_share(typed: Typed) -> str:
     from ament_index_python.packages import get_package_share_directory
 
     try:
-        share = get_package_share_directory(
-            typed.values.get("package_name", ""), print_warning=False, environment=typed.session.env
+        return str(
+            get_package_share_directory(
+                typed.values.get("package_name", ""), print_warning=False, environment=typed.session.env
+            )
         )
     except (KeyError, ValueError):
-        return []
-    return [path.name for path in Path(share).rglob("*") if _is_launch_file(path)]
+        return ""
 
 
 def _is_launch_file(path: Path) -> bool:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.cli import completion
 from day6_tui.core.ros.ros2.cli.node import absolute, direct_node, graph_node, node_names
-from day6_tui.core.ros.ros2.cli.options import add_hidden_option, add_strategy_options, completed
+from day6_tui.core.ros.ros2.cli.options import add_strategy_options, completed
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -32,11 +32,6 @@ def add_node_argument(parser: ArgumentParser, *, optional: bool = False) -> None
         parser.add_argument("node_name", nargs="?" if optional else None, help="Name of the ROS node"),
         completion.node_names,
     )
-
-
-def add_node_options(parser: ArgumentParser) -> None:
-    """Add what stands between NODE_NAME and the other arguments in the usage."""
-    add_hidden_option(parser, "nodes")
 
 
 def add_timeout_option(parser: ArgumentParser) -> None:

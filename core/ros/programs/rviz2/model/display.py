@@ -91,10 +91,6 @@ class Display(Property):
             self._was_enabled = False
             self.on_disable()
 
-    def enable(self, on: bool) -> None:
-        """What the check box does."""
-        self.set(on)
-
     # -- statuses ------------------------------------------------------------------------------------------------------
 
     def put_status(self, level: int, name: str, text: str) -> None:

@@ -30,7 +30,7 @@ from day6_tui.core.ros.programs.rviz2.model.properties import (
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WARN, StatusList
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS, Orbit, View, copied, type_property
-from day6_tui.core.session.scheduler import Signal
+from day6_tui.core.session.task import Signal
 from rclpy.clock import ClockChange, JumpThreshold, TimeJump
 from rclpy.duration import Duration
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import os
 import signal
 import traceback
@@ -11,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch import _host
+from launch._escalation import escalation
+from launch._output_lines import OutputLines
 from launch._programs import Ours, what_runs
 from launch._subprocess import LocalProcess
 from launch.action import Action
@@ -41,8 +42,6 @@ if TYPE_CHECKING:
     from launch._loop import Future, Timer
     from launch.descriptions.executable import Executable
     from launch.launch_context import LaunchContext
-
-_TOO_SLOW = "process[{}] failed to terminate '{}' seconds after receiving '{}', escalating to '{}'"
 
 
 class ExecuteLocal(Action):
@@ -94,7 +93,7 @@ class ExecuteLocal(Action):
         self.__respawn_max_retries = respawn_max_retries
         self.__respawns = 0
         self.__cached_output = cached_output
-        self.__streams = {number: _Lines(cached_output) for number in (1, 2)}
+        self.__streams = {number: OutputLines(cached_output) for number in (1, 2)}
         self.__details: dict[str, Any] | None = None
         self.__process: Any = None
         self.__started = False
@@ -375,31 +374,16 @@ class ExecuteLocal(Action):
         if not send_sigint and self.__process.hosted:
             # The Ctrl-C that ends this launch reached its processes, but not what others run for it.
             self.__process.send_signal(signal.SIGINT)
-        self.__timers = self.__escalation(context)
+        assert self.__details is not None
+        self.__timers = escalation(
+            self,
+            self.__details["name"],
+            perform_substitutions(context, self.__sigterm_timeout),
+            perform_substitutions(context, self.__sigkill_timeout),
+            self.__logger.error,
+        )
         interrupt = EmitEvent(event=SignalProcess(signal_number=signal.SIGINT, process_matcher=matches_action(self)))
         return [*self.__timers, interrupt] if send_sigint else [*self.__timers]
-
-    def __escalation(self, context: LaunchContext) -> list[TimerAction]:
-        first = perform_substitutions(context, self.__sigterm_timeout)
-        both = str(float(first) + float(perform_substitutions(context, self.__sigkill_timeout)))
-        assert self.__details is not None
-        name = self.__details["name"]
-        timers = []
-        for period, before, number in ((first, "SIGINT", signal.SIGTERM), (both, "SIGTERM", "SIGKILL")):
-            next_name = number if isinstance(number, str) else number.name
-            text = _TOO_SLOW.format(name, period, before, next_name)
-            order = SignalProcess(signal_number=number, process_matcher=matches_action(self))
-            timers.append(
-                TimerAction(
-                    period=float(period),
-                    actions=[OpaqueFunction(function=self.__say_error, args=[text]), EmitEvent(event=order)],
-                    cancel_on_shutdown=False,
-                )
-            )
-        return timers
-
-    def __say_error(self, context: LaunchContext, text: str) -> None:
-        self.__logger.error(text)
 
     def __on_signal_process(self, context: LaunchContext) -> None:
         event: SignalProcess = context.locals.event
@@ -426,31 +410,6 @@ class ExecuteLocal(Action):
                 self.__process.send_signal(number if not isinstance(number, str) else getattr(signal, number))
         except ProcessLookupError:
             self.__logger.debug(f"signal '{text}' not sent to '{name}' because it has closed already")
-
-
-class _Lines:
-    """Whole lines out of pieces of output."""
-
-    def __init__(self, keep: bool) -> None:
-        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
-        self._partial = ""
-        self._kept: list[str] | None = [] if keep else None
-
-    @property
-    def text(self) -> str:
-        return "".join(self._kept or ())
-
-    def feed(self, data: bytes) -> list[str]:
-        text = self._decoder.decode(data)
-        if self._kept is not None:
-            self._kept.append(text)
-        *lines, self._partial = (self._partial + text).split("\n")
-        return [line[:-1] if os.name == "nt" and line.endswith("\r") else line for line in lines]
-
-    def rest(self) -> str:
-        """What came after the last newline; it is handed out once."""
-        rest, self._partial = self._partial, ""
-        return rest
 
 
 def _line(cmd: Sequence[str]) -> str:

@@ -13,21 +13,11 @@ from launch_ros.substitutions import FindPackageShare
 
 from day6_tui.urdf import shipped_model
 
-ARGUMENTS = (
-    ("robot", str(shipped_model()), "the URDF or xacro file of the robot"),
-    (
-        "rviz_config",
-        PathJoinSubstitution([FindPackageShare("day6_bot"), "rviz", "day6_bot.rviz"]),
-        "what RViz shows, and how",
-    ),
-    ("spin", "true", "turn the wheels by wheel_spinner"),
-    ("sliders", "false", "sliders for the joints, in place of wheel_spinner"),
-)
-
 
 def nodes(context):
-    value = {name: LaunchConfiguration(name).perform(context) for name, _, _ in ARGUMENTS}
-    robot = os.path.expanduser(value["robot"])
+    robot = os.path.expanduser(LaunchConfiguration("robot").perform(context))
+    sliders = LaunchConfiguration("sliders").perform(context)
+    spin = LaunchConfiguration("spin").perform(context)
     if robot.endswith(".xacro"):
         description = Command(["xacro ", f"'{robot}'"]).perform(context)
     else:
@@ -39,17 +29,27 @@ def nodes(context):
             executable="robot_state_publisher",
             parameters=[{"robot_description": description}],
         ),
-        Node(package="rviz2", executable="rviz2", name="rviz2", arguments=["-d", value["rviz_config"]]),
+        Node(package="rviz2", executable="rviz2", name="rviz2", arguments=["-d", LaunchConfiguration("rviz_config")]),
     ]
-    if value["sliders"].lower() == "true":
+    if sliders.lower() == "true":
         shown.append(Node(package="joint_state_publisher_gui", executable="joint_state_publisher_gui"))
-    elif value["spin"].lower() == "true":
+    elif spin.lower() == "true":
         shown.append(Node(package="day6_bot", executable="wheel_spinner"))
     return shown
 
 
 def generate_launch_description():
-    declared = [
-        DeclareLaunchArgument(name, default_value=default, description=about) for name, default, about in ARGUMENTS
-    ]
-    return LaunchDescription([*declared, OpaqueFunction(function=nodes)])
+    rviz_config = PathJoinSubstitution([FindPackageShare("day6_bot"), "rviz", "day6_bot.rviz"])
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument(
+                "robot", default_value=str(shipped_model()), description="the URDF or xacro file of the robot"
+            ),
+            DeclareLaunchArgument("rviz_config", default_value=rviz_config, description="what RViz shows, and how"),
+            DeclareLaunchArgument("spin", default_value="true", description="turn the wheels by wheel_spinner"),
+            DeclareLaunchArgument(
+                "sliders", default_value="false", description="sliders for the joints, in place of wheel_spinner"
+            ),
+            OpaqueFunction(function=nodes),
+        ]
+    )

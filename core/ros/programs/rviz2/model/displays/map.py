@@ -25,8 +25,6 @@ from day6_tui.core.ros.programs.rviz2.model.topics import (
 )
 from day6_tui.urdf.kinematics import compose
 
-MOST_CELLS = 64_000_000
-
 
 class MapDisplay(TopicDisplay):
     """The newest map; updates of parts of it come on `<topic>_updates`, as in the original."""

@@ -47,7 +47,6 @@ class RobotModelDisplay(TopicDisplay):
         self.lost: set[str] = set()
         """Links without a transform."""
         self._reading = 0
-        self._file_read: str | None = None
         self._updated_ns = -(10**18)
 
     def _topics(self) -> list[str]:

@@ -1,4 +1,4 @@
-"""Editing one line at the prompt, with readline's keys: moving, killing and yanking, history, Ctrl-R, Tab, pasting.
+"""Editing one line at the prompt as readline does: its keys (`edit_line`), history, Ctrl-R, Tab, pasting, and the drawing.
 
 The line is drawn by what a real readline would send to the terminal, so that it wraps, scrolls and is copied like any text.
 """
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.discipline import TtyInput
+from day6_tui.core.shell.edit_line import KEYS, EditLine
 from day6_tui.core.shell.width import char_width, text_width
 
 if TYPE_CHECKING:
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
-_WORD = re.compile(r"\w+")
 PASTE_ON, PASTE_OFF = "\x1b[?2004h", "\x1b[?2004l"
 MANY = 100
 """From this many completions bash asks before it lists them."""
@@ -37,11 +37,8 @@ class LineEditor:
         self._terminal = terminal
         self._history = history
         self._completer = completer
-        self._text = ""
-        self._at = 0
-        """Position of the cursor in `_text`, in characters."""
+        self._line = EditLine()
         self._prompt = ""
-        self._killed = ""
         self._browsing = 0
         """Index into the history; its length stands for the line being typed."""
         self._edited: dict[int, str] = {}
@@ -57,7 +54,8 @@ class LineEditor:
         """Return the line without its newline; None after Ctrl-C. Raises EndOfLines."""
         stdin = self._session.stdin
         assert isinstance(stdin, TtyInput)
-        self._text, self._at, self._prompt, self._cursor_row, self._tabs = "", 0, prompt, 0, 0
+        self._line.set("")
+        self._prompt, self._cursor_row, self._tabs = prompt, 0, 0
         self._browsing = len(self._history.lines)
         self._edited = {}
         self._done = False
@@ -66,7 +64,7 @@ class LineEditor:
             self._draw()
             try:
                 while not self._done:
-                    self._terminal.waiting_at_prompt = not self._text
+                    self._terminal.waiting_at_prompt = not self._line.text
                     if not await stdin.wait_for_resize_or_key():
                         self._draw()
                         continue
@@ -75,14 +73,14 @@ class LineEditor:
                     if key == "\x03":
                         self._finish("^C")
                         return None
-                    if key == "" or (key == "\x04" and not self._text):
+                    if key == "" or (key == "\x04" and not self._line.text):
                         raise EndOfLines
                     await self._handle(key)
             finally:
                 self._terminal.waiting_at_prompt = False
                 if not self._done:
                     self._write(PASTE_OFF)
-        return self._text
+        return self._line.text
 
     async def _handle(self, key: str) -> None:
         self._tabs = self._tabs + 1 if key == "\t" else 0
@@ -92,92 +90,27 @@ class LineEditor:
             await self._search()
         elif key == "\x1b[200~":
             await self._paste()
+        elif change := KEYS.get(key):
+            change(self._line)
         elif action := _KEYS.get(key):
             action(self)
         elif len(key) == 1 and key >= " ":
-            self._insert(key)
+            self._line.insert(key)
         if not self._done:
             self._draw_if_changed()
 
     # -- changing the line ---------------------------------------------------------------------------------------------
-
-    def _insert(self, text: str) -> None:
-        self._text = self._text[: self._at] + text + self._text[self._at :]
-        self._at += len(text)
-
-    def _cut(self, start: int, end: int, *, keep: bool = True) -> None:
-        if keep and start < end:
-            self._killed = self._text[start:end]
-        self._text = self._text[:start] + self._text[end:]
-        self._at = start
 
     def _accept(self) -> None:
         self._finish("")
 
     def _finish(self, mark: str) -> None:
         """Leave the line as it stands and go to the next row."""
-        self._at = len(self._text)
+        self._line.at = len(self._line.text)
         self._draw()
         self._write(mark + PASTE_OFF + "\r\n")
         self._cursor_row = 0
         self._done = True
-
-    def _backspace(self) -> None:
-        if self._at:
-            self._cut(self._at - 1, self._at, keep=False)
-
-    def _delete(self) -> None:
-        self._cut(self._at, min(self._at + 1, len(self._text)), keep=False)
-
-    def _home(self) -> None:
-        self._at = 0
-
-    def _end(self) -> None:
-        self._at = len(self._text)
-
-    def _left(self) -> None:
-        self._at = max(self._at - 1, 0)
-
-    def _right(self) -> None:
-        self._at = min(self._at + 1, len(self._text))
-
-    def _word_start(self) -> int:
-        starts = [match.start() for match in _WORD.finditer(self._text) if match.start() < self._at]
-        return starts[-1] if starts else 0
-
-    def _word_end(self) -> int:
-        return next((match.end() for match in _WORD.finditer(self._text) if match.end() > self._at), len(self._text))
-
-    def _word_left(self) -> None:
-        self._at = self._word_start()
-
-    def _word_right(self) -> None:
-        self._at = self._word_end()
-
-    def _kill_to_end(self) -> None:
-        self._cut(self._at, len(self._text))
-
-    def _kill_to_start(self) -> None:
-        self._cut(0, self._at)
-
-    def _kill_word_right(self) -> None:
-        self._cut(self._at, self._word_end())
-
-    def _kill_word_left(self) -> None:
-        self._cut(self._word_start(), self._at)
-
-    def _kill_blank_word(self) -> None:
-        head = self._text[: self._at].rstrip()
-        self._cut(len(head.rpartition(" ")[0]) + (1 if " " in head else 0), self._at)
-
-    def _yank(self) -> None:
-        self._insert(self._killed)
-
-    def _transpose(self) -> None:
-        at = min(self._at, len(self._text) - 1)
-        if at >= 1:
-            self._text = self._text[: at - 1] + self._text[at] + self._text[at - 1] + self._text[at + 1 :]
-            self._at = at + 1
 
     def _clear_screen(self) -> None:
         self._write("\x1b[H\x1b[2J")
@@ -200,10 +133,10 @@ class LineEditor:
         lines = self._history.lines
         if not 0 <= index <= len(lines) or index == self._browsing:
             return
-        self._edited[self._browsing] = self._text
+        self._edited[self._browsing] = self._line.text
         self._browsing = index
-        self._text = self._edited.get(index, lines[index] if index < len(lines) else "")
-        self._at = len(self._text)
+        self._line.text = self._edited.get(index, lines[index] if index < len(lines) else "")
+        self._line.at = len(self._line.text)
 
     async def _paste(self) -> None:
         """Take keys as text up to the end mark; a newline inside does not run anything yet."""
@@ -212,16 +145,16 @@ class LineEditor:
             parts.append(key)
         text = "".join(parts).replace("\r", "\n")
         single = "\n" not in text.rstrip("\n")
-        self._insert(text.rstrip("\n") if single else text)
+        self._line.insert(text.rstrip("\n") if single else text)
 
     # -- Tab and Ctrl-R ------------------------------------------------------------------------------------------------
 
     async def _complete(self) -> None:
-        choices, start = await self._completer.complete(self._text[: self._at])
+        choices, start = await self._completer.complete(self._line.before)
         if not choices:
             self._write("\a")
             return
-        typed = self._text[start : self._at]
+        typed = self._line.text[start : self._line.at]
         common = _common_start(choices)
         if len(choices) == 1:
             self._replace(start, choices[0] if choices[0].endswith(("/", "=")) else choices[0] + " ")
@@ -233,11 +166,11 @@ class LineEditor:
             self._write("\a")
 
     def _replace(self, start: int, text: str) -> None:
-        after = self._text[self._at :]
+        after = self._line.text[self._line.at :]
         if text.endswith(" ") and after.startswith(" "):
             after = after[1:]
-        self._text = self._text[:start] + text + after
-        self._at = start + len(text)
+        self._line.text = self._line.text[:start] + text + after
+        self._line.at = start + len(text)
 
     def _list(self, choices: list[str]) -> None:
         shown = [_last_part(choice) for choice in choices]
@@ -251,24 +184,24 @@ class LineEditor:
             lines.append("".join(cell + " " * (width - text_width(cell)) for cell in cells).rstrip())
         if rows > MANY:
             lines.append(f"... {len(shown)} possibilities")
-        end = self._at
-        self._at = len(self._text)
+        end = self._line.at
+        self._line.at = len(self._line.text)
         self._draw()
         self._write("\r\n" + "\r\n".join(lines) + "\r\n")
         self._cursor_row = 0
-        self._at = end
+        self._line.at = end
         self._draw()
 
     async def _search(self) -> None:
         """Ctrl-R: find the last line that contains what is typed; Enter runs it, Escape and the arrows edit it."""
-        prompt, text, at = self._prompt, self._text, self._at
+        prompt, text, at = self._prompt, self._line.text, self._line.at
         wanted, place = "", len(self._history.lines)
         found: int | None = None
         failed = ""
         while True:
             self._prompt = f"({failed}reverse-i-search)`{wanted}': "
-            self._text = self._history.lines[found] if found is not None else text
-            self._at = self._text.find(wanted) if found is not None else len(self._text)
+            self._line.text = self._history.lines[found] if found is not None else text
+            self._line.at = self._line.text.find(wanted) if found is not None else len(self._line.text)
             self._draw()
             key = await self._session.stdin.read_key()
             if key == "\x12":
@@ -285,7 +218,7 @@ class LineEditor:
             found = next_found if next_found is not None or not wanted else found
         self._prompt = prompt
         if key in ("\x07", "\x03"):
-            self._text, self._at = text, at
+            self._line.text, self._line.at = text, at
         elif found is not None:
             self._browsing = found
         self._draw()
@@ -310,7 +243,7 @@ class LineEditor:
 
     def _draw_if_changed(self) -> None:
         before_prompt, before_text, before_at = self._drawn
-        text, at = self._text, self._at
+        text, at = self._line.text, self._line.at
         if (self._prompt, text, at) == self._drawn:
             return
         # The usual key press appends one character that fits: no need to draw the line again.
@@ -348,9 +281,9 @@ class LineEditor:
     def _draw(self) -> None:
         """Draw prompt and line again from the row the prompt begins in, and put the cursor where it belongs."""
         bare = _COLOUR.sub("", self._prompt)
-        shown = "".join(map(_visible, self._text))
-        end_row, end_column = self._place(bare + self._text)
-        row, column = self._place(bare + self._text[: self._at])
+        shown = "".join(map(_visible, self._line.text))
+        end_row, end_column = self._place(bare + self._line.text)
+        row, column = self._place(bare + self._line.before)
         parts = []
         if self._cursor_row:
             parts.append(f"\x1b[{self._cursor_row}A")
@@ -362,43 +295,12 @@ class LineEditor:
         parts.append("\r" + (f"\x1b[{column}C" if column else ""))
         self._write("".join(parts))
         self._cursor_row = row
-        self._drawn = (self._prompt, self._text, self._at)
+        self._drawn = (self._prompt, self._line.text, self._line.at)
 
 
 _KEYS: dict[str, Callable[[LineEditor], None]] = {
     "\r": LineEditor._accept,
     "\n": LineEditor._accept,
-    "\x7f": LineEditor._backspace,
-    "\b": LineEditor._backspace,
-    "\x04": LineEditor._delete,
-    "\x1b[3~": LineEditor._delete,
-    "\x01": LineEditor._home,
-    "\x1b[H": LineEditor._home,
-    "\x1bOH": LineEditor._home,
-    "\x1b[1~": LineEditor._home,
-    "\x05": LineEditor._end,
-    "\x1b[F": LineEditor._end,
-    "\x1bOF": LineEditor._end,
-    "\x1b[4~": LineEditor._end,
-    "\x02": LineEditor._left,
-    "\x1b[D": LineEditor._left,
-    "\x1bOD": LineEditor._left,
-    "\x06": LineEditor._right,
-    "\x1b[C": LineEditor._right,
-    "\x1bOC": LineEditor._right,
-    "\x1b[1;5D": LineEditor._word_left,
-    "\x1b[1;3D": LineEditor._word_left,
-    "\x1bb": LineEditor._word_left,
-    "\x1b[1;5C": LineEditor._word_right,
-    "\x1b[1;3C": LineEditor._word_right,
-    "\x1bf": LineEditor._word_right,
-    "\x0b": LineEditor._kill_to_end,
-    "\x15": LineEditor._kill_to_start,
-    "\x17": LineEditor._kill_blank_word,
-    "\x1bd": LineEditor._kill_word_right,
-    "\x1b\x7f": LineEditor._kill_word_left,
-    "\x19": LineEditor._yank,
-    "\x14": LineEditor._transpose,
     "\x0c": LineEditor._clear_screen,
     "\x10": LineEditor._older,
     "\x1b[A": LineEditor._older,

@@ -1,0 +1,64 @@
+"""What this process tells the others of its own nodes and endpoints."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, Service, Subscription
+from day6_tui.core.graph.node import Node
+from day6_tui.core.link.keys import endpoint_token, node_token
+from day6_tui.core.link.services import Services
+from day6_tui.core.link.topics import Topics
+
+if TYPE_CHECKING:
+    import zenoh
+
+
+class Announcements:
+    """The tokens of local nodes and endpoints in one session, with what receives for them. Thread-safe."""
+
+    def __init__(self, session: zenoh.Session, zid: str, topics: Topics, services: Services) -> None:
+        self._session = session
+        self._zid = zid
+        self._topics = topics
+        self._services = services
+        self._lock = threading.RLock()
+        self._declared: dict[Node | Endpoint, list[Any]] = {}
+
+    def follow(self, subject: Node | Endpoint) -> None:
+        """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order.
+
+        Raises zenoh.ZError.
+        """
+        with self._lock:
+            if subject.destroyed:
+                self._withdraw(subject)
+            elif subject not in self._declared:
+                self._declare(subject)
+
+    def clear(self) -> None:
+        """Let go of everything of Zenoh's; the end of the session withdraws it."""
+        with self._lock:
+            self._declared.clear()
+
+    def _declare(self, subject: Node | Endpoint) -> None:
+        entries: list[Any] = []
+        # First what receives, then the token: who sees the token may send at once.
+        if isinstance(subject, Subscription):
+            entries.append(self._topics.subscribe(subject))
+        elif isinstance(subject, Service):
+            entries.append(self._services.serve(subject))
+        elif isinstance(subject, Publisher) and subject.cache:
+            self._topics.open(subject)
+        token = node_token(subject, self._zid) if isinstance(subject, Node) else endpoint_token(subject, self._zid)
+        entries.append(self._session.liveliness().declare_token(token))
+        self._declared[subject] = entries
+
+    def _withdraw(self, subject: Node | Endpoint) -> None:
+        for entry in reversed(self._declared.pop(subject, [])):
+            entry.undeclare()
+        if isinstance(subject, Publisher):
+            self._topics.withdraw(subject)
+        elif isinstance(subject, (Service, Client)):
+            self._services.withdraw(subject)

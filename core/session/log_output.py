@@ -1,0 +1,29 @@
+"""Where the log lines of a program's nodes go: its standard error, or standard output if its environment says so."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+
+
+class LogOutput:
+    """A stream of its own for log lines. A terminal that was closed swallows them, as rcl's console output does."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._to_stdout = session.env.get("RCUTILS_LOGGING_USE_STDOUT") == "1"
+
+    def write(self, text: str) -> None:
+        """Write whole lines at once."""
+        stream = self._session.stdout if self._to_stdout else self._session.stderr
+        try:
+            stream.write(text)
+            stream.flush()
+        except BrokenPipeError:
+            return
+
+    def isatty(self) -> bool:
+        """Say whether lines are coloured by their severity."""
+        return (self._session.stdout if self._to_stdout else self._session.stderr).isatty()

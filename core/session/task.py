@@ -1,0 +1,120 @@
+"""What programs wait with: signals, times of the world clock, and the tasks that do the waiting.
+
+A task is a coroutine that waits on two things only, a `Signal` and a time. `core.session.scheduler` runs it.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Coroutine, Generator
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.scheduler import Scheduler
+
+
+class Signal:
+    """A flag that tasks wait for and any thread may set; it stays set until `clear`."""
+
+    __slots__ = ("_set", "_waiters")
+
+    def __init__(self) -> None:
+        self._set = False
+        self._waiters: dict[Task, int] = {}
+
+    def set(self) -> None:
+        # The order matters: a waiter enters the table before it looks at the flag, so one of the two sees the other.
+        self._set = True
+        if self._waiters:
+            waiters, self._waiters = self._waiters, {}
+            for task, ticket in list(waiters.items()):
+                task.scheduler._wake(task, ticket)
+
+    def clear(self) -> None:
+        self._set = False
+
+    def is_set(self) -> bool:
+        return self._set
+
+
+class Wait:
+    """What a task yields to the scheduler: wake me by this signal or at this steady world time, whichever is first."""
+
+    __slots__ = ("deadline_ns", "signal")
+
+    def __init__(self, signal: Signal | None, deadline_ns: int | None) -> None:
+        self.signal = signal
+        self.deadline_ns = deadline_ns
+
+    def __await__(self) -> Generator[Wait, bool, bool]:
+        return (yield self)
+
+
+YIELD = Wait(None, 0)
+"""What a task yields that only wants to let others run."""
+
+
+class TaskCancelled(BaseException):
+    """Thrown into a task that is ended from outside; a BaseException, so that no `except Exception` of a program keeps it."""
+
+
+class Task:
+    """A running coroutine. `done` is set when it has ended; then either `result` or `exception` tells how."""
+
+    def __init__(self, scheduler: Scheduler, coroutine: Coroutine[Any, Any, Any], name: str) -> None:
+        self.scheduler = scheduler
+        self.name = name
+        self.done = Signal()
+        self.result: Any = None
+        self.exception: BaseException | None = None
+        self.on_done: Callable[[Task], None] | None = None
+        """Called once, on the scheduler's thread, when the task has ended."""
+        self._coroutine = coroutine
+        self._ticket = 0
+        """Number of the present wait: a wake-up that carries an older number comes too late and is ignored."""
+        self._pending: deque[BaseException] = deque()
+        self._begun = False
+        self._waiting = True
+        self._held = False
+        self._held_wake: bool | None = None
+
+    @property
+    def finished(self) -> bool:
+        return self.done.is_set()
+
+    def throw(self, error: BaseException) -> None:
+        """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
+        self.scheduler._call(lambda: self.scheduler._throw(self, error))
+
+    def cancel(self) -> None:
+        """End the task from outside; its `finally` blocks run."""
+        self.throw(TaskCancelled())
+
+    def hold(self) -> None:
+        """Stop stepping the task (as SIGSTOP does) until `release`."""
+        self.scheduler._call(lambda: self.scheduler._hold(self))
+
+    def release(self) -> None:
+        self.scheduler._call(lambda: self.scheduler._release(self))
+
+    async def join(self) -> None:
+        """Wait until the task has ended, however it ended."""
+        while not self.done.is_set():
+            await Wait(self.done, None)
+
+
+async def wait_for(signal: Signal, deadline_ns: int | None = None) -> bool:
+    """Wait for `signal` until the steady world time `deadline_ns`; True if it is set, False if the time came first."""
+    if signal.is_set():
+        return True
+    return await Wait(signal, deadline_ns)
+
+
+async def sleep_until(deadline_ns: int) -> None:
+    """Wait until the steady world time `deadline_ns`; the clock then reads exactly that (unless it was past already)."""
+    await Wait(None, deadline_ns)
+
+
+async def let_others_run() -> None:
+    """Go to the end of the queue of everything that is ready at this moment."""
+    await YIELD

@@ -1,0 +1,79 @@
+"""A program that just ends, without destroying anything: no object of ours complains while the interpreter goes down."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.ros.environment import program_environment
+
+ACTION_IN_FLIGHT = """
+import builtins
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient, ActionServer
+from rclpy.node import Node
+
+def work(goal):
+    goal.succeed()
+    return Fibonacci.Result()
+
+rclpy.init()
+node = Node("both")
+server = ActionServer(node, Fibonacci, "fibonacci", work)
+client = ActionClient(node, Fibonacci, "fibonacci")
+sent = client.send_goal_async(Fibonacci.Goal(order=3))
+rclpy.spin_until_future_complete(node, sent)
+result = sent.result().get_result_async()
+# What is held here outlives every module.
+builtins.kept = [node, server, client, result]
+"""
+
+EVERY_KIND_OF_ENDPOINT = """
+import rclpy
+from rclpy.lifecycle import LifecycleNode
+from rclpy.node import Node
+from rclpy.parameter_event_handler import ParameterEventHandler
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.me = self
+        self.parts = [
+            self.create_publisher(String, "out", 10),
+            self.create_subscription(String, "out", print, 10),
+            self.create_service(Trigger, "stop", lambda request, response: response),
+            self.create_client(Trigger, "stop"),
+            self.create_timer(1.0, self.get_name),
+            self.create_guard_condition(self.get_name),
+            self.create_rate(10),
+            ParameterEventHandler(self),
+        ]
+
+rclpy.init()
+robot = Robot()
+camera = LifecycleNode("camera")
+camera.trigger_configure()
+robot.parts[3].call_async(Trigger.Request())
+robot.parts[0].publish(String(data="left in a queue"))
+"""
+
+
+@pytest.mark.parametrize("program", [ACTION_IN_FLIGHT, EVERY_KIND_OF_ENDPOINT])
+@pytest.mark.parametrize("end", ["", "rclpy.shutdown()", "raise SystemExit(0)"])
+def test_a_program_that_just_ends_says_nothing_at_its_end(program: str, end: str, tmp_path: Path) -> None:
+    # -X dev: also what Python says of files that are still open.
+    done = subprocess.run(
+        [sys.executable, "-X", "dev", "-c", f"{program}\n{end}\n"],
+        env={**program_environment(), "HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert (done.stderr, done.returncode) == ("", 0)
