@@ -193,7 +193,7 @@ class Day6App(AppActions, App[None]):
             if (windows := machine.changed_windows()) is not None:
                 key = actions.BY_ID["windows"].label
                 for unseen in self.desktop.show_windows(windows):
-                    self.say(self.look.texts("window.hidden", title=unseen.window.title, key=key))
+                    self.say(self.look.texts("window.hidden", title=unseen.label, key=key))
             self._bury_ended_terminals()
             shown = self.desktop.shown()
             for pane in (self.terminals, *self.desktop.panes.values()):
@@ -204,6 +204,7 @@ class Day6App(AppActions, App[None]):
                     except Exception as error:
                         self.window_failed(pane, error)
             self.terminals.place_cursor()
+            self.desktop.yield_to_full_terminals()
         if self._notice_until and now > self._notice_until:
             self.notice, self._notice_until = "", 0.0
         again = again or bool(self._notice_until)
@@ -273,8 +274,7 @@ class Day6App(AppActions, App[None]):
         else:
             nodes, topics = machine.counts()
             left.append(Piece(texts("bar.nodes", count=nodes), colours.bar))
-            left.append(Piece(f" {glyphs.dot} ", colours.bar_muted))
-            left.append(Piece(texts("bar.topics", count=topics), colours.bar))
+            left.append(Piece(f" {glyphs.dot} {texts('bar.topics', count=topics)}", colours.bar))
         mark = glyphs.paused if machine.paused else glyphs.running
         time_style = colours.hint if machine.paused else colours.bar
         speed = (

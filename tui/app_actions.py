@@ -37,6 +37,8 @@ class AppActions:
     player: Any
     stage: Any
     options: Any
+    _front: int | None = None
+    """The window that was in front when the keyboard was in a terminal last: a round of F3 through the windows begins there."""
 
     if TYPE_CHECKING:
 
@@ -71,7 +73,9 @@ class AppActions:
         self._cycle(-1)
 
     def _cycle(self, step: int) -> None:
-        """Through all terminals and then all windows."""
+        """Through all terminals and then all windows, beginning with the one that is in front."""
+        if self.desktop.focused_pane() is self.terminals:
+            self._front = self.desktop.active
         target, index = self._stop(step)
         if target is self.terminals and self.terminals.views:
             self.terminals.activate(index)
@@ -80,8 +84,12 @@ class AppActions:
     def _stop(self, step: int) -> tuple[Pane, int]:
         """Where that leads: a pane, and which of the terminals if it is theirs."""
         stops: list[tuple[Pane, int]] = [(self.terminals, index) for index in range(len(self.terminals.views))]
-        stops += [(pane, 0) for number in self.desktop.numbers if (pane := self.desktop.pane(number)) is not None]
         pane = self.desktop.focused_pane()
+        numbers = self.desktop.numbers
+        front = self.desktop.active if pane is self.terminals else self._front
+        first = numbers.index(front) if front in numbers else 0
+        windows = [self.desktop.pane(number) for number in numbers[first:] + numbers[:first]]
+        stops += [(window, 0) for window in windows if window is not None]
         here = (pane, self.terminals.active if pane is self.terminals else 0)
         if here in stops:
             return stops[(stops.index(here) + step) % len(stops)]
@@ -103,7 +111,7 @@ class AppActions:
         for pane in self.desktop.panes.values():
             entries.append(
                 Entry(
-                    pane.window.title,
+                    pane.label,
                     texts("menu.window"),
                     partial(self.desktop.focus_pane, pane),
                     pane.window.close_by_user,

@@ -14,7 +14,7 @@ from day6_tui.tui.pane import Pane, Piece
 
 
 class Bar(Pane, can_focus=False):
-    """One line of pieces, some from the left and some from the right; the last of the left ones go first when it is narrow."""
+    """One line of pieces, some from the left and some from the right; where it is narrow the last of the left go first."""
 
     DEFAULT_CSS = "Bar { height: 1; }"
     framed = False
@@ -48,7 +48,7 @@ class Bar(Pane, can_focus=False):
         for piece in left:
             size = cell_len(piece.text)
             if x + size > room:
-                text = clip(piece.text, room - x, self.look.glyphs.ellipsis)
+                text = clip(piece.text, room - x, self.look.glyphs.ellipsis) if piece is left[0] else ""
                 if len(text) > 3:
                     yield Segment(text, piece.style)
                     x += cell_len(text)

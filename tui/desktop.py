@@ -11,7 +11,7 @@ from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.widget import Widget
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.arrangement import Arrangement, Place, arrange
+from day6_tui.tui.arrangement import WIDE, Arrangement, Place, arrange
 from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import Overlay
 from day6_tui.tui.pane import Pane, Piece
@@ -80,6 +80,8 @@ class Desktop(Container):
         self.share = 0.5
         self.guided = True
         """Whether the place of the windows shows the welcome pane while there are none."""
+        self.guide_yields = False
+        """On a small screen the guide gives its place to terminals whose text no longer fits, while they have the keyboard."""
         self.overlay: Overlay | None = None
 
     @property
@@ -94,13 +96,15 @@ class Desktop(Container):
         return list(self.panes) or ([WELCOME] if self.guided else [])
 
     def plan(self, width: int, height: int) -> Arrangement:
+        terminal_focused = self.terminals.has_focus or self._lately_terminal
+        yields = self.guide_yields and not self.panes and terminal_focused and width < WIDE
         return arrange(
             width,
             height,
-            self.numbers,
+            [] if yields else self.numbers,
             self.active,
             enlarged=self.enlarged,
-            terminal_focused=self.terminals.has_focus or self._lately_terminal,
+            terminal_focused=terminal_focused,
             share=self.share,
         )
 
@@ -160,6 +164,12 @@ class Desktop(Container):
             self.focus_pane(self.terminals)
         self.rearrange()
         return unseen
+
+    def yield_to_full_terminals(self) -> None:
+        """Let the guide (not the choices of the start) make room once something has scrolled out of a terminal."""
+        if not self.guide_yields and self.welcome.help_key == "guide" and any(v.history for v in self.terminals.views):
+            self.guide_yields = True
+            self.rearrange()
 
     def _covers_the_focus(self) -> bool:
         """Whether the window that was opened last lies over the one that has the keyboard, which then nobody would see."""
@@ -242,6 +252,6 @@ class Desktop(Container):
         """The names of the windows that cannot be seen, for the upper edge of `pane`."""
         colours = self.look.colours
         return [
-            Piece(f" {hidden.window.title} ", colours.title, partial(self.focus_pane, hidden))
+            Piece(f" {hidden.label} ", colours.title, partial(self.focus_pane, hidden))
             for hidden in self.hidden_windows()
         ]

@@ -184,6 +184,7 @@ class Pane(Widget, can_focus=True):
             strip = self._edge(y, self.status(), self.status_right())
         else:
             border, style = self._border()
+            self._hits.pop(y, None)
             inside = Strip(self.content_line(y - 1, width - 2)).adjust_cell_length(width - 2, self.background)
             side = Segment(border.vertical, style)
             strip = Strip([side, *inside, side], width)

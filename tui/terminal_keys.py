@@ -39,6 +39,20 @@ _CURSOR = {"up": "A", "down": "B", "right": "C", "left": "D", "home": "H", "end"
 
 _MODIFIERS = {"shift": 1, "alt": 2, "ctrl": 4}
 
+_BACK = {text: key for key, text in reversed(_PLAIN.items())} | {
+    f"\x1b{mode}{letter}": key for key, letter in _CURSOR.items() for mode in "[O"
+}
+
+
+def decode(text: str) -> tuple[str, str | None]:
+    """Textual's key and character for one key as a terminal sends it; the other way round than `encode`."""
+    if text in ("\n", "\r"):
+        return "enter", "\r"
+    character = text if len(text) == 1 else None
+    if "\x01" <= text <= "\x1a" and text != "\t":
+        return "ctrl+" + chr(ord(text) + 96), character
+    return _BACK.get(text, text), character
+
 
 def encode(key: str, character: str | None, *, application_cursor: bool = False) -> str:
     """The text a terminal sends for Textual's `key` and `character`; '' for a key that sends nothing.

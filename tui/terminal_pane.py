@@ -20,6 +20,9 @@ from day6_tui.tui.terminal_view import TerminalView, tab_name
 TAB_WIDTH = 20
 """Cells the name of a tab may take."""
 
+SHORTEST_NAME = 5
+"""Cells below which the name of a tab says nothing: its number has to do."""
+
 WHEEL_LINES = 3
 
 
@@ -98,7 +101,9 @@ class TerminalPane(Pane):
     def title(self) -> list[Piece]:
         colours = self.look.colours
         pieces = []
-        for index, label in enumerate(self._labels()):
+        labels = self._labels()
+        first, end = self._tabs_that_fit(labels)
+        for index, label in enumerate(labels[first:end], first):
             if index == self.active:
                 style = colours.title_focus if self.has_focus else colours.strong
             else:
@@ -115,9 +120,28 @@ class TerminalPane(Pane):
         width = TAB_WIDTH
         while width > 2 and sum(min(width, cell_len(name)) for name in names) > room:
             width -= 1
+        if width < SHORTEST_NAME:
+            names = [str(index + 1) for index in range(len(names))]
+            width = SHORTEST_NAME
         return [
             clip(name, width, glyphs.ellipsis) + f" {glyphs.news}" * new for name, new in zip(names, news, strict=True)
         ]
+
+    def _tabs_that_fit(self, labels: list[str]) -> tuple[int, int]:
+        """The first tab that is shown and the one after the last: the active one and as many beside it as fit."""
+        room = self.inner_width - cell_len(labels[self.active]) - 2 if labels else 0
+        first, end = self.active, self.active + 1
+        while True:
+            before = cell_len(labels[first - 1]) + 2 if first > 0 else 0
+            after = cell_len(labels[end]) + 2 if end < len(labels) else 0
+            if before and before <= room and (not after or self.active - first <= end - self.active):
+                first, room = first - 1, room - before
+            elif after and after <= room:
+                end, room = end + 1, room - after
+            elif before and before <= room:
+                first, room = first - 1, room - before
+            else:
+                return first, end
 
     def _choose(self, index: int) -> None:
         self.activate(index)

@@ -84,6 +84,7 @@ class WelcomePane(Pane):
         """Change from the choices of the start to the guide."""
         if not self.guide:
             self.guide = True
+            self.help_key = "guide"
             self.chosen = 0
             self.touch()
 

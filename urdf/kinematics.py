@@ -54,6 +54,7 @@ def compose(parent: Transform, child: Transform) -> Transform:
 
 
 def inverse(transform: Transform) -> Transform:
+    """Return the transform the other way round: of the parent in the child's frame."""
     x, y, z, w = transform.rotation
     back = (-x, -y, -z, w)
     px, py, pz = rotate(back, transform.xyz)

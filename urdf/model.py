@@ -59,12 +59,14 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Box:
+    """`size` is the three side lengths in metres; the origin is in the middle."""
+
     size: Vector
 
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """Its axis is z of the visual's frame."""
+    """Radius and length in metres; the origin is in the middle, the axis is z of the frame."""
 
     radius: float
     length: float
@@ -72,11 +74,15 @@ class Cylinder:
 
 @dataclass(frozen=True, slots=True)
 class Sphere:
+    """`radius` in metres."""
+
     radius: float
 
 
 @dataclass(frozen=True, slots=True)
 class Mesh:
+    """`filename` is as written (`package://…`, `file://…` or a path); `scale` has one factor per axis."""
+
     filename: str
     scale: Vector = (1.0, 1.0, 1.0)
 
@@ -106,6 +112,8 @@ class Visual:
 
 @dataclass(frozen=True, slots=True)
 class Collision:
+    """What touches: its shape, where it is in the frame of the link."""
+
     geometry: Geometry
     origin: Pose = Pose()
     name: str = ""
@@ -122,6 +130,8 @@ class Inertial:
 
 @dataclass(frozen=True, slots=True)
 class Link:
+    """A rigid part. `inertial` is None where the file gives none: forces cannot move it then."""
+
     name: str
     visuals: tuple[Visual, ...] = ()
     collisions: tuple[Collision, ...] = ()
@@ -149,12 +159,16 @@ class Mimic:
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
+    """Damping in N m s/rad or N s/m, friction in N m or N."""
+
     damping: float = 0.0
     friction: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Safety:
+    """Soft limits in radians or metres; `k_position`, `k_velocity` shape how they are approached (safety_controller)."""
+
     soft_lower_limit: float = 0.0
     soft_upper_limit: float = 0.0
     k_position: float = 0.0
@@ -163,6 +177,8 @@ class Safety:
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
+    """Positions, in radians or metres, at which a reference signal rises or falls."""
+
     rising: float | None = None
     falling: float | None = None
 

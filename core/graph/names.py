@@ -23,10 +23,14 @@ _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
 class Flaw(NamedTuple):
-    """What is wrong with a name: rcl's message and the place of the offending character."""
+    """What is wrong with a name: rcl's message, the place of the offending character, rmw's number of the rule.
+
+    Only names that are whole (node names, namespaces, full topic names) have numbers: rmw/validate_namespace.h.
+    """
 
     message: str
     position: int
+    number: int = 0
 
 
 class UnknownSubstitution(ValueError):
@@ -44,57 +48,57 @@ def _flaw_of_absolute_name(subject: str, name: str) -> Flaw | None:
     """Check what full topic names and namespaces have in common (after emptiness, lead and trail)."""
     for index, character in enumerate(name):
         if character not in _ALNUM_ and character != "/":
-            return Flaw(f"{subject} must not contain characters other than alphanumerics, '_', or '/'", index)
+            return Flaw(f"{subject} must not contain characters other than alphanumerics, '_', or '/'", index, 4)
     repeated = name.find("//")
     if repeated >= 0:
-        return Flaw(f"{subject} must not contain repeated '/'", repeated + 1)
+        return Flaw(f"{subject} must not contain repeated '/'", repeated + 1, 5)
     digit = _token_starting_with_digit(name)
     if digit is not None:
-        return Flaw(f"{subject} must not have a token that starts with a number", digit)
+        return Flaw(f"{subject} must not have a token that starts with a number", digit, 6)
     return None
 
 
 def flaw_of_node_name(name: str) -> Flaw | None:
     """Validate a node name (no namespace in it)."""
     if not name:
-        return Flaw("node name must not be empty", 0)
+        return Flaw("node name must not be empty", 0, 1)
     for index, character in enumerate(name):
         if character not in _ALNUM_:
-            return Flaw("node name must not contain characters other than alphanumerics or '_'", index)
+            return Flaw("node name must not contain characters other than alphanumerics or '_'", index, 2)
     if name[0] in _DIGITS:
-        return Flaw("node name must not start with a number", 0)
+        return Flaw("node name must not start with a number", 0, 3)
     if len(name) > MAX_NODE_NAME:
-        return Flaw(f"node name length should not exceed '{MAX_NODE_NAME}'", MAX_NODE_NAME - 1)
+        return Flaw(f"node name length should not exceed '{MAX_NODE_NAME}'", MAX_NODE_NAME - 1, 4)
     return None
 
 
 def flaw_of_namespace(namespace: str) -> Flaw | None:
     """Validate a node's namespace (absolute, `/` for none)."""
     if not namespace:
-        return Flaw("namespace must not be empty", 0)
+        return Flaw("namespace must not be empty", 0, 1)
     if namespace == "/":
         return None
     if namespace[0] != "/":
-        return Flaw("namespace must be absolute, it must lead with a '/'", 0)
+        return Flaw("namespace must be absolute, it must lead with a '/'", 0, 2)
     if namespace[-1] == "/":
-        return Flaw("namespace must not end with a '/', unless only a '/'", len(namespace) - 1)
+        return Flaw("namespace must not end with a '/', unless only a '/'", len(namespace) - 1, 3)
     flaw = _flaw_of_absolute_name("namespace", namespace)
     if flaw is None and len(namespace) > MAX_NAMESPACE:
-        return Flaw("namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'", MAX_NAMESPACE - 1)
+        return Flaw("namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'", MAX_NAMESPACE - 1, 7)
     return flaw
 
 
 def flaw_of_full_topic_name(name: str) -> Flaw | None:
     """Validate a topic or service name after expansion."""
     if not name:
-        return Flaw("topic name must not be empty", 0)
+        return Flaw("topic name must not be empty", 0, 1)
     if name[0] != "/":
-        return Flaw("topic name must be absolute, it must lead with a '/'", 0)
+        return Flaw("topic name must be absolute, it must lead with a '/'", 0, 2)
     if name[-1] == "/":
-        return Flaw("topic name must not end with a '/'", len(name) - 1)
+        return Flaw("topic name must not end with a '/'", len(name) - 1, 3)
     flaw = _flaw_of_absolute_name("topic name", name)
     if flaw is None and len(name) > MAX_TOPIC_NAME:
-        return Flaw("topic length should not exceed '255U - 8U'", MAX_TOPIC_NAME - 1)
+        return Flaw("topic length should not exceed '255U - 8U'", MAX_TOPIC_NAME - 1, 7)
     return flaw
 
 

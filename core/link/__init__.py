@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -106,6 +107,11 @@ def _prepare() -> None:
 
 
 def _leave_all() -> None:
+    import signal
+
+    # A real ROS process is past Python's handlers here: a second Ctrl-C says nothing more.
+    with suppress(ValueError):  # the interpreter is being ended by another thread
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
     for graph in list(_links):
         leave(graph)
 

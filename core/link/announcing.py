@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Protocol
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, Service, Subscription
 from day6_tui.core.graph.node import Node
@@ -15,6 +15,12 @@ if TYPE_CHECKING:
     import zenoh
 
 
+class _Declared(Protocol):
+    """A token, subscriber or queryable of Zenoh's."""
+
+    def undeclare(self) -> None: ...
+
+
 class Announcements:
     """The tokens of local nodes and endpoints in one session, with what receives for them. Thread-safe."""
 
@@ -24,7 +30,7 @@ class Announcements:
         self._topics = topics
         self._services = services
         self._lock = threading.RLock()
-        self._declared: dict[Node | Endpoint, list[Any]] = {}
+        self._declared: dict[Node | Endpoint, list[_Declared]] = {}
 
     def follow(self, subject: Node | Endpoint) -> None:
         """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order.
@@ -43,7 +49,7 @@ class Announcements:
             self._declared.clear()
 
     def _declare(self, subject: Node | Endpoint) -> None:
-        entries: list[Any] = []
+        entries: list[_Declared] = []
         # First what receives, then the token: who sees the token may send at once.
         if isinstance(subject, Subscription):
             entries.append(self._topics.subscribe(subject))

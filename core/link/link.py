@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 import time
 from collections import defaultdict, deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId, Service
@@ -19,6 +21,7 @@ from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
+    Neighbour,
     Place,
     close_inherited_sockets,
     meeting_place,
@@ -42,8 +45,8 @@ _SEARCH_AGAIN = 0.05
 _MOST_PROBLEMS = 50
 
 
-_Entry: TypeAlias = "tuple[bool, str] | threading.Event | Node | Endpoint"
-"""What waits for the link's thread: a token (there or gone), a mark to set, a local thing to declare or withdraw."""
+_Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
+"""What waits for the link's thread: a token (there or gone), a mark to set, a local thing to declare or withdraw, or nothing."""
 
 
 class Link:
@@ -77,8 +80,9 @@ class Link:
         self._services: Services | None = None
         self._announcements: Announcements | None = None
         self._listeners: list[Any] = []
-        self._end_listening: Any = None
-        self._inbox: deque[_Entry] = deque()
+        self._end_listening: Callable[[], None] | None = None
+        # All that Zenoh's threads ever do with the graph's structure is to put something here: they may hold locks of theirs.
+        self._inbox: SimpleQueue[_Entry] = SimpleQueue()
         self._changed = threading.Condition()
         self._signs: defaultdict[str, set[str]] = defaultdict(set)
         self._closed = False
@@ -118,6 +122,7 @@ class Link:
                 return
             self._closed = True
             self._changed.notify_all()
+        self._inbox.put(None)
         if self._thread.is_alive() and threading.current_thread() is not self._thread:
             self._thread.join(timeout=2.0)
         if self._end_listening is not None:
@@ -180,7 +185,7 @@ class Link:
         if self._services is not None:
             self._sending(self._services.send_response, service, request_id, response)
 
-    def _sending(self, send: Any, *arguments: Any) -> None:
+    def _sending(self, send: Callable[..., None], *arguments: object) -> None:
         import zenoh
 
         try:
@@ -213,7 +218,7 @@ class Link:
             return True
         return self._read_all_tokens(deadline)
 
-    def _others(self) -> list[Any]:
+    def _others(self) -> list[Neighbour]:
         assert self._place is not None
         return [each for each in neighbours(self._place) if each.zid != self.zid]
 
@@ -229,7 +234,7 @@ class Link:
         self._session.liveliness().get(all_tokens(self.graph.domain_id), handler, timeout=5.0)
         if not read.wait(max(0.0, deadline - time.monotonic())):
             return False
-        self._put_in_inbox(taken)
+        self._inbox.put(taken)
         return taken.wait(max(0.05, deadline - time.monotonic()))
 
     # the session
@@ -278,7 +283,9 @@ class Link:
         self._session = session
         liveliness = session.liveliness()
         for key in (signs(domain_id), all_tokens(domain_id)):
-            handler = zenoh.handlers.Callback(callback(self._on_token), indirect=False)
+            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
+            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
+            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
             self._listeners.append(liveliness.declare_subscriber(key, handler, history=True))
         self.graph.identify = self._identify
         self.graph.transport = self
@@ -302,7 +309,7 @@ class Link:
         if event.subject.origin is not None or self._closed:
             return
         if inside_callback():
-            self._put_in_inbox(event.subject)
+            self._inbox.put(event.subject)
         else:
             self._follow(event.subject)
 
@@ -321,46 +328,40 @@ class Link:
 
     # from the others to the local graph
 
-    def _on_token(self, sample: zenoh.Sample) -> None:
-        import zenoh
-
-        self._put_in_inbox((sample.kind == zenoh.SampleKind.PUT, str(sample.key_expr)))
-
     def _on_reply(self, reply: zenoh.Reply) -> None:
         if reply.ok is not None:
-            self._put_in_inbox((True, str(reply.ok.key_expr)))
-
-    def _put_in_inbox(self, entry: _Entry) -> None:
-        # All that Zenoh's threads ever do with the graph's structure: they may hold locks of theirs.
-        with self._changed:
-            self._inbox.append(entry)
-            self._changed.notify_all()
+            self._inbox.put((True, str(reply.ok.key_expr)))
 
     def _run(self) -> None:
         """Take what came in, look after the meeting point; the body of the link's thread."""
         while True:
-            with self._changed:
-                if not self._inbox and not self._closed:
-                    self._changed.wait(self._patience())
-                if self._closed:
-                    return
-                entries = list(self._inbox)
-                self._inbox.clear()
+            entry: _Entry = None
+            with suppress(Empty):
+                entry = self._inbox.get(timeout=self._patience())
+            if self._closed:
+                return
             try:
-                for entry in entries:
-                    self._take(entry)
+                self._take(entry)
+                while not self._inbox.empty():
+                    self._take(self._inbox.get())
                 self._look_after_connection()
             except Exception as error:
                 # A listener of the graph failed, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
 
     def _take(self, entry: _Entry) -> None:
+        import zenoh
+
+        if entry is None:
+            return
         if isinstance(entry, threading.Event):
             entry.set()
             return
         if isinstance(entry, (Node, Endpoint)):
             self._follow(entry)
             return
+        if isinstance(entry, zenoh.Sample):
+            entry = entry.kind == zenoh.SampleKind.PUT, str(entry.key_expr)
         present, key = entry
         if not key.startswith(SIGN_PREFIX):
             if present:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from collections import deque
 from collections.abc import Callable
@@ -10,6 +11,7 @@ from typing import Protocol
 MOST_LINES = 1000
 """What is kept; of more the oldest lines go, and their number is said."""
 _LONGEST_LINE = 4096
+_COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class Sink(Protocol):
@@ -50,15 +52,15 @@ class Backlog:
             self.on_change()
 
     def lines(self) -> list[str]:
-        """The lines that are kept, oldest first, without their ends."""
+        """The lines that are kept, oldest first, without their ends and colours."""
         with self._lock:
-            return [line.rstrip("\n") for _, line in self._lines]
+            return [_COLOURS.sub("", line).rstrip("\n") for _, line in self._lines]
 
     @property
     def last(self) -> str:
-        """The newest line, '' if there is none."""
+        """The newest line, '' if there is none; as `lines`."""
         with self._lock:
-            return self._lines[-1][1].rstrip("\n") if self._lines else ""
+            return _COLOURS.sub("", self._lines[-1][1]).rstrip("\n") if self._lines else ""
 
     def release(self) -> None:
         """Write everything to where it was meant for, and begin anew."""

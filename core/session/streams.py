@@ -161,6 +161,8 @@ class Pipe:
 
 
 class PipeReader(InputStream):
+    """The end of a pipe from which a program reads."""
+
     def __init__(self, pipe: Pipe) -> None:
         self._pipe = pipe
         self._rest = ""
@@ -210,6 +212,8 @@ class PipeReader(InputStream):
 
 
 class PipeWriter(OutputStream):
+    """The end of a pipe into which a program writes; BrokenPipeError when nobody reads any more."""
+
     def __init__(self, pipe: Pipe) -> None:
         self._pipe = pipe
 

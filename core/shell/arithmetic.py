@@ -1,12 +1,18 @@
-"""The value of `$((…))`: whole numbers with C's operators, as in bash."""
+"""The value of `$((…))` and `((…))`: whole numbers of 64 bits with C's operators, as in bash."""
 
 from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, MutableMapping
+from functools import partial
 
-_TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_]\w*)|(\*\*|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%()<>!~&|^?:]))")
+_TOKEN = re.compile(
+    r"\s*(?:(0[xX][0-9a-fA-F]+|\d+#\w+|\d+)|([A-Za-z_]\w*)"
+    r"|(<<=|>>=|\*\*|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&^|]=|[-+*/%()<>!~&|^?:=,]))",
+    re.ASCII,
+)
+_MOST_DEPTH = 100
 
 _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
     "||": (1, lambda a, b: int(bool(a) or bool(b))),
@@ -20,15 +26,16 @@ _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
     "<=": (7, lambda a, b: int(a <= b)),
     ">": (7, lambda a, b: int(a > b)),
     ">=": (7, lambda a, b: int(a >= b)),
-    "<<": (8, lambda a, b: a << min(b, 63)),
-    ">>": (8, lambda a, b: a >> min(b, 63)),
+    "<<": (8, lambda a, b: a << (b & 63)),
+    ">>": (8, lambda a, b: a >> (b & 63)),
     "+": (9, operator.add),
     "-": (9, operator.sub),
     "*": (10, operator.mul),
     "/": (10, lambda a, b: _divide(a, b)),
     "%": (10, lambda a, b: a - b * _divide(a, b)),
-    "**": (11, lambda a, b: a ** min(b, 64)),
+    "**": (11, lambda a, b: _power(a, b)),
 }
+_ASSIGNING = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "<<=", ">>=", "&=", "^=", "|="})
 _UNARY: dict[str, Callable[[int], int]] = {
     "-": operator.neg,
     "+": operator.pos,
@@ -37,56 +44,152 @@ _UNARY: dict[str, Callable[[int], int]] = {
 }
 
 
-def evaluate(source: str, variables: Mapping[str, str]) -> int:
-    """Return the value. Raises ValueError (bash's text) for what is no sum, ZeroDivisionError with bash's text."""
+def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -> int:
+    """Return the value; assignments change `variables`, whose values may be sums themselves.
+
+    Raises ValueError (bash's text) for what is no sum, ZeroDivisionError with bash's text.
+    """
+    if depth > _MOST_DEPTH:
+        raise ValueError("expression recursion level exceeded")
     tokens: list[str] = []
     at = 0
-    text = source.strip().replace("$", "")
+    text = source.strip()
     while at < len(text):
         match = _TOKEN.match(text, at)
         if match is None:
-            raise ValueError(f'syntax error: invalid arithmetic operator (error token is "{text[at:]}")')
+            raise ValueError(f'syntax error: invalid arithmetic operator (error token is "{text[at:].strip()}")')
         tokens.append(match.group().strip())
         at = match.end()
-    parser = _Parser(tokens, variables)
-    value = parser.expression(0) if tokens else 0
+    parser = _Sum(tokens, variables, depth)
+    value = parser.comma() if tokens else 0
     if parser.tokens:
         raise ValueError(f'syntax error in expression (error token is "{" ".join(parser.tokens)}")')
-    return (value + 2**63) % 2**64 - 2**63
+    return value
 
 
-class _Parser:
-    def __init__(self, tokens: list[str], variables: Mapping[str, str]) -> None:
+class _Sum:
+    """Evaluates while it reads; where `quiet`, nothing is assigned: a branch that is not taken."""
+
+    def __init__(self, tokens: list[str], variables: MutableMapping[str, str], depth: int) -> None:
         self.tokens = tokens
         self.variables = variables
+        self.depth = depth
+        self.quiet = 0
 
-    def expression(self, lowest: int) -> int:
+    def next_is(self, *texts: str) -> bool:
+        return bool(self.tokens) and self.tokens[0] in texts
+
+    def comma(self) -> int:
+        value = self.assignment()
+        while self.next_is(","):
+            self.tokens.pop(0)
+            value = self.assignment()
+        return value
+
+    def assignment(self) -> int:
+        if len(self.tokens) > 1 and self.tokens[1] in _ASSIGNING and self.tokens[0].isidentifier():
+            name, sign = self.tokens.pop(0), self.tokens.pop(0)
+            value = self.assignment()
+            if sign != "=":
+                value = self.combine(sign[:-1], self.value_of(name), value)
+            return self.assign(name, value)
+        return self.choice()
+
+    def choice(self) -> int:
+        asked = self.binary(0)
+        if not self.next_is("?"):
+            return asked
+        self.tokens.pop(0)
+        first = self.skipping(not asked, self.comma)
+        if not self.next_is(":"):
+            raise ValueError("`:' expected for conditional expression")
+        self.tokens.pop(0)
+        second = self.skipping(bool(asked), self.assignment)
+        return first if asked else second
+
+    def skipping(self, skipped: bool, read: Callable[[], int]) -> int:
+        self.quiet += skipped
+        try:
+            return read()
+        finally:
+            self.quiet -= skipped
+
+    def binary(self, lowest: int) -> int:
         value = self.operand()
         while self.tokens:
-            precedence, function = _BINARY.get(self.tokens[0], (-1, operator.add))
+            precedence = _BINARY.get(self.tokens[0], (-1, operator.add))[0]
             if precedence < lowest:
                 break
             name = self.tokens.pop(0)
-            value = function(value, self.expression(precedence if name == "**" else precedence + 1))
+            decided = (name == "&&" and not value) or (name == "||" and bool(value))
+            step = precedence if name == "**" else precedence + 1
+            right = self.skipping(decided, partial(self.binary, step))
+            value = self.combine(name, value, right)
         return value
+
+    def combine(self, name: str, left: int, right: int) -> int:
+        if self.quiet:
+            return 0
+        return _wrapped(_BINARY[name][1](left, right))
 
     def operand(self) -> int:
         if not self.tokens:
             raise ValueError("syntax error: operand expected")
         token = self.tokens.pop(0)
-        if token.isdigit():
-            return int(token)
+        if token[0].isdigit():
+            return _number(token)
         if token == "(":
-            value = self.expression(0)
-            if not self.tokens or self.tokens.pop(0) != ")":
+            value = self.comma()
+            if not self.next_is(")"):
                 raise ValueError("missing `)'")
+            self.tokens.pop(0)
             return value
+        if token in ("++", "--") and self.tokens and self.tokens[0].isidentifier():
+            name = self.tokens.pop(0)
+            return self.assign(name, self.value_of(name) + (1 if token == "++" else -1))
         if token in _UNARY:
-            return _UNARY[token](self.operand())
+            return _wrapped(_UNARY[token](self.operand()))
         if token.isidentifier():
-            text = self.variables.get(token, "").strip()
-            return int(text) if text.lstrip("-").isdigit() else 0
-        raise ValueError(f'syntax error: operand expected (error token is "{token}")')
+            value = self.value_of(token)
+            if self.next_is("++", "--"):
+                self.assign(token, value + (1 if self.tokens.pop(0) == "++" else -1))
+            return value
+        raise ValueError(f'syntax error: operand expected (error token is "{" ".join([token, *self.tokens])}")')
+
+    def value_of(self, name: str) -> int:
+        text = self.variables.get(name, "").strip()
+        if not text:
+            return 0
+        return evaluate(text, self.variables, self.depth + 1)
+
+    def assign(self, name: str, value: int) -> int:
+        value = _wrapped(value)
+        if not self.quiet:
+            self.variables[name] = str(value)
+        return value
+
+
+def _number(text: str) -> int:
+    base, sign, digits = text.partition("#")
+    try:
+        if sign:
+            return int(digits, int(base))
+        if text[:2] in ("0x", "0X"):
+            return int(text, 16)
+        return int(text, 8) if text.startswith("0") else int(text)
+    except ValueError:
+        raise ValueError(f'{text}: value too great for base (error token is "{text}")') from None
+
+
+def _wrapped(value: int) -> int:
+    """The value in 64 bits, as a machine word holds it."""
+    return (value + 2**63) % 2**64 - 2**63
+
+
+def _power(a: int, b: int) -> int:
+    if b < 0:
+        raise ValueError("exponent less than 0")
+    return pow(a, b, 2**64)
 
 
 def _divide(a: int, b: int) -> int:

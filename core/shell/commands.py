@@ -17,12 +17,15 @@ _PACKAGE = "day6_tui.core.shell.builtins"
 MODULES: dict[str, tuple[str, ...]] = {
     module: tuple(names.split())
     for module, names in {
-        "state": "cd pwd export unset set shift exit logout break continue return source . eval history alias read",
+        "state": "cd pwd shift exit logout break continue return source . eval history",
+        "variables": "export unset local declare typeset readonly let read alias unalias set shopt bind complete stty trap "
+        "ulimit umask",
         "jobs": "jobs fg bg wait kill disown ps pkill killall",
         "files": "cat mkdir rmdir touch rm cp mv tee chmod",
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
-        "search": "grep",
+        "search": "grep egrep fgrep",
+        "display": "tput dircolors lesspipe",
         "find": "find",
         "columns": "cut tr sed diff",
         "pager": "less more man",
@@ -40,7 +43,7 @@ MODULES: dict[str, tuple[str, ...]] = {
 _MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
 
 _ALSO_BUILTIN = "jobs fg bg wait kill disown echo printf help type command true false : test ["
-SHELL_BUILTINS = frozenset((*MODULES["state"], *_ALSO_BUILTIN.split()))
+SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
 """What is part of bash itself; all others have a place in /usr/bin or /opt/ros."""
 
 
@@ -70,7 +73,11 @@ def place_of(name: str) -> str:
 
 
 def find_command(name: str, shell: Shell) -> Main:
-    """The program for `name`: one of ours, a file (when there is a / in it), or one that says `command not found`."""
+    """The program for `name`: a function, one of ours, a file (with a / in it), or one that says `command not found`."""
+    if name in shell.functions:
+        from day6_tui.core.shell.functions import calling
+
+        return calling(shell.functions[name])
     if "/" in name:
         return _file(name, shell)
     return builtin(name) or _saying(f"{shell.name}: {name}: command not found", 127)

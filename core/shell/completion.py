@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.commands import command_names
-from day6_tui.core.shell.lexer import Incomplete, SyntaxProblem, Text, Token, tokenize
+from day6_tui.core.shell.lexer import Token, tokenize
+from day6_tui.core.shell.words import Incomplete, SyntaxProblem, Text
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.interpreter import Shell

@@ -1,15 +1,17 @@
-"""Compound commands: `{ }` and `( )`, `if`, `for`, `while` and `until`."""
+"""Compound commands: `{ }` and `( )`, `if`, `case`, `for`, `while` and `until`, `[[ ]]`, `(( ))`, and defining a function."""
 
 from __future__ import annotations
 
 from contextlib import ExitStack
 from dataclasses import replace
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.task import let_others_run
 from day6_tui.core.shell import syntax
+from day6_tui.core.shell.conditional import holds
 from day6_tui.core.shell.control_flow import LoopControl
-from day6_tui.core.shell.expansion import expand
+from day6_tui.core.shell.expansion import expand, expand_pattern, expand_text, sum_of
 from day6_tui.core.shell.redirection import Streams, redirect
 
 if TYPE_CHECKING:
@@ -30,6 +32,13 @@ async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) 
             await _group(shell, command, streams)
         elif isinstance(command, syntax.If):
             await _if(shell, command, streams)
+        elif isinstance(command, syntax.Case):
+            await _case(shell, command, streams)
+        elif isinstance(command, (syntax.Brackets, syntax.Sum)):
+            await _question(shell, command, streams)
+        elif isinstance(command, syntax.Function):
+            shell.functions[command.name] = command
+            shell.status = 0
         else:
             await _loop(shell, command, streams)
     return shell.status
@@ -62,13 +71,50 @@ async def _holds(shell: Shell, condition: syntax.Sequence, streams: Streams) -> 
         shell.condition_depth -= 1
 
 
-async def _loop(shell: Shell, command: syntax.For | syntax.While, streams: Streams) -> None:
+async def _case(shell: Shell, command: syntax.Case, streams: Streams) -> None:
+    text = await expand_text(command.word, shell, streams)
+    shell.status = 0
+    fallen = False
+    for patterns, body, end in command.choices:
+        if not fallen:
+            found = [fnmatchcase(text, await expand_pattern(pattern, shell, streams)) for pattern in patterns]
+        if fallen or any(found):
+            await shell.run_tree(body, streams)
+            if end == ";;":
+                return
+        fallen = (fallen or any(found)) and end == ";&"
+
+
+async def _question(shell: Shell, command: syntax.Brackets | syntax.Sum, streams: Streams) -> None:
+    """`[[ … ]]` and `(( … ))`: status 0 if it holds, 1 if not, 2 for what cannot be answered."""
+    try:
+        if isinstance(command, syntax.Sum):
+            answer = await sum_of(command.source, shell, streams) != 0
+        else:
+            answer = await holds(command.condition, shell, streams)
+    except (ArithmeticError, OSError, ValueError) as error:
+        streams.stderr.write(f"{shell.name}: {'((' if isinstance(command, syntax.Sum) else '[['}: {error}\n")
+        shell.status = 2
+        return
+    shell.status = 0 if answer else 1
+
+
+async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Counted, streams: Streams) -> None:
+    if isinstance(command, syntax.Counted):
+        await sum_of(command.first, shell, streams)
     values: list[str] | None = None
     if isinstance(command, syntax.For):
         values = list(shell.arguments) if command.words is None else await expand(command.words, shell, streams)
     status = 0
+    again = False
     while True:
-        if isinstance(command, syntax.For):
+        if isinstance(command, syntax.Counted):
+            if again:
+                await sum_of(command.step, shell, streams)
+            again = True
+            if command.condition.strip() and not await sum_of(command.condition, shell, streams):
+                break
+        elif isinstance(command, syntax.For):
             if not values:
                 break
             shell.variables[command.name] = values.pop(0)

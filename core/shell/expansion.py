@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import fnmatch
 import glob
 import itertools
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.shell.arithmetic import evaluate
-from day6_tui.core.shell.lexer import Part, Substitution, SyntaxProblem, Text, Variable, Word
+from day6_tui.core.shell.lexer import single_word
+from day6_tui.core.shell.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.interpreter import Shell
     from day6_tui.core.shell.redirection import Streams
 
 _PATTERN = frozenset("*?[")
+_CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A-Z", "lower": "a-z", "space": r"\s"}
+"""Of regular expressions and patterns: `[[:digit:]]`."""
 
 
 class UnboundProblem(SyntaxProblem):
@@ -108,47 +113,114 @@ def _tilde(parts: tuple[Part, ...], shell: Shell) -> tuple[Part, ...]:
 async def _value(part: Variable | Substitution, shell: Shell, streams: Streams) -> str:
     if isinstance(part, Substitution):
         if part.arithmetic:
-            try:
-                return str(evaluate(part.source, shell.variables))
-            except (ArithmeticError, ValueError) as error:
-                raise UnboundProblem(f"{part.source.strip()}: {error}") from None
+            return str(await sum_of(part.source, shell, streams))
         return await shell.output_of(part.source, streams)
     value = shell.parameter(part.name)
+    if part.operator:
+        return await _changed(value, part, shell, streams)
+    if value is None and "u" in shell.options and not part.name.startswith(("@", "*")):
+        raise UnboundProblem(f"{part.name}: unbound variable")
+    return value or ""
+
+
+async def _changed(value: str | None, part: Variable, shell: Shell, streams: Streams) -> str:
+    """`${NAME…}` with an operator."""
     operator = part.operator
-    if not operator:
-        return value or ""
     if operator == "#" and not part.argument:
-        return str(len(value or ""))
+        return str(len(shell.arguments if part.name in "@*" else value or ""))
+    if operator == "!":
+        return shell.parameter(value or "") or ""
     if operator in ("%", "%%", "#", "##"):
-        return _trim(value or "", operator, await _argument(part, shell, streams))
+        return _trim(value or "", operator, await expand_pattern(single_word(part.argument), shell, streams))
+    if operator in ("/", "//"):
+        return await _replaced(value or "", part, shell, streams)
+    if operator in ("^", "^^", ",", ",,"):
+        change = str.upper if operator[0] == "^" else str.lower
+        text = value or ""
+        return change(text) if len(operator) == 2 else change(text[:1]) + text[1:]
+    if operator == ":":
+        return await _slice(value or "", part, shell, streams)
     missing = value is None or (operator.startswith(":") and not value)
     if operator in (":+", "+"):
-        return "" if missing else await _argument(part, shell, streams)
+        return "" if missing else await expand_text(_argument(part), shell, streams)
     if not missing:
         return value or ""
-    default = await _argument(part, shell, streams)
+    default = await expand_text(_argument(part), shell, streams)
+    if operator in (":?", "?"):
+        raise UnboundProblem(f"{part.name}: {default or 'parameter null or not set'}")
     if operator in (":=", "="):
         shell.variables[part.name] = default
     return default
 
 
-async def _argument(part: Variable, shell: Shell, streams: Streams) -> str:
-    from day6_tui.core.shell.lexer import tokenize
+async def _slice(value: str, part: Variable, shell: Shell, streams: Streams) -> str:
+    """`${x:offset:length}`; a negative one counts from the end."""
+    first, colon, second = part.argument.partition(":")
+    start = await sum_of(first, shell, streams)
+    start = max(len(value) + start, 0) if start < 0 else start
+    if not colon:
+        return value[start:]
+    length = await sum_of(second, shell, streams)
+    return value[start : len(value) + length if length < 0 else start + length]
 
-    words = [token.word for token in tokenize(part.argument) if token.word is not None]
-    return " ".join([await expand_text(word, shell, streams) for word in words])
+
+async def _replaced(value: str, part: Variable, shell: Shell, streams: Streams) -> str:
+    """`${x/pattern/text}`: the first match, or each with `//`; a pattern that begins with `#` or `%` matches at that end."""
+    source, _, text = part.argument.partition("/")
+    anchor = source[:1] if source[:1] in ("#", "%") and part.operator == "/" else ""
+    pattern = await expand_pattern(single_word(source.removeprefix(anchor)), shell, streams)
+    new = await expand_text(single_word(text, part.quoted), shell, streams)
+    if not pattern:
+        return value
+    regular = fnmatch.translate(pattern).removesuffix(r"\Z").removesuffix(r"\z")
+    regular = {"#": r"\A" + regular, "%": regular + r"\Z"}.get(anchor, regular)
+    return re.sub(regular, lambda match: new, value, count=0 if part.operator == "//" else 1)
+
+
+async def sum_of(source: str, shell: Shell, streams: Streams) -> int:
+    """The value of `$((source))`. Raises UnboundProblem with bash's text."""
+    text = await expand_text(single_word(source, quoted=True), shell, streams)
+    try:
+        return evaluate(text, shell.variables)
+    except (ArithmeticError, ValueError) as error:
+        raise UnboundProblem(f"{text.strip()}: {error}") from None
+
+
+async def expand_pattern(word: Word, shell: Shell, streams: Streams) -> str:
+    """Return a word as a pattern for fnmatch: what stood in quotes means itself."""
+    return "".join([_literal(text) if quoted else text for text, quoted in await _pieces(word, shell, streams)])
+
+
+async def expand_regular(word: Word, shell: Shell, streams: Streams) -> str:
+    """Return a word as a regular expression: what stood in quotes means itself."""
+    found = "".join([re.escape(text) if quoted else text for text, quoted in await _pieces(word, shell, streams)])
+    for name, characters in _CLASSES.items():
+        found = found.replace(f"[:{name}:]", characters)
+    return found
+
+
+async def _pieces(word: Word, shell: Shell, streams: Streams) -> list[tuple[str, bool]]:
+    parts = _tilde(word.parts, shell)
+    return [(await expand_text(Word((part,), ""), shell, streams), part.quoted) for part in parts]
+
+
+def _literal(text: str) -> str:
+    return re.sub(r"([*?[])", r"[\1]", text)
+
+
+def _argument(part: Variable) -> Word:
+    """What stands behind the operator, as one word: no white space in it separates anything."""
+    return single_word(part.argument, part.quoted)
 
 
 def _trim(value: str, operator: str, pattern: str) -> str:
     """`${x%pattern}` and its relatives: cut the shortest or longest matching end or beginning."""
-    from fnmatch import fnmatchcase
-
     lengths = range(len(value) + 1)
     cuts = lengths if len(operator) == 1 else reversed(lengths)
     for length in cuts:
-        if operator[0] == "%" and fnmatchcase(value[len(value) - length :], pattern):
+        if operator[0] == "%" and fnmatch.fnmatchcase(value[len(value) - length :], pattern):
             return value[: len(value) - length]
-        if operator[0] == "#" and fnmatchcase(value[:length], pattern):
+        if operator[0] == "#" and fnmatch.fnmatchcase(value[:length], pattern):
             return value[length:]
     return value
 
@@ -202,16 +274,22 @@ def _brace_texts(text: str) -> list[str]:
 
 def _brace_range(inside: str) -> list[str]:
     first, dots, last = inside.partition("..")
+    last, _, step_text = last.partition("..")
     if not dots:
         return []
     try:
-        low, high = int(first), int(last)
+        low, high, step = int(first), int(last), abs(int(step_text or "1")) or 1
     except ValueError:
-        if len(first) == len(last) == 1 and first.isalpha() and last.isalpha():
+        if len(first) == len(last) == 1 and first.isalpha() and last.isalpha() and not step_text:
             step = 1 if first <= last else -1
             return [chr(code) for code in range(ord(first), ord(last) + step, step)]
         return []
     if abs(high - low) > 10_000:
         return []
-    step = 1 if low <= high else -1
-    return [str(number) for number in range(low, high + step, step)]
+    width = (
+        max(len(first), len(last))
+        if any(end.lstrip("-").startswith("0") and len(end) > 1 for end in (first, last))
+        else 0
+    )
+    numbers = range(low, high + 1, step) if low <= high else range(low, high - 1, -step)
+    return [f"{number:0{width}}" for number in numbers]

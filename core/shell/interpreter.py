@@ -17,14 +17,14 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.streams import Captured, InputStream, Pipe
-from day6_tui.core.shell import syntax
+from day6_tui.core.shell import parser, syntax
 from day6_tui.core.shell.compound import run_compound
 from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.expansion import expand, expand_text
 from day6_tui.core.shell.jobs import Job, JobTable
-from day6_tui.core.shell.lexer import SyntaxProblem
 from day6_tui.core.shell.redirection import Streams, redirect
 from day6_tui.core.shell.shell_state import MAX_DEPTH, ShellState
+from day6_tui.core.shell.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
@@ -92,12 +92,12 @@ class Shell(ShellState):
         Raises ExitShell, and LoopControl or ReturnFromSource where those built-ins were used.
         """
         try:
-            tree = syntax.parse(source)
+            for line in parser.lines(source, self.aliases):
+                await self.run_tree(line, streams)
         except SyntaxProblem as problem:
             streams.stderr.write(f"{self.name}: {problem}\n")
             self.status = 2
-            return 2
-        return await self.run_tree(tree, streams)
+        return self.status
 
     async def run_line(self, source: str, session: Session) -> int:
         """Run command lines for a program, on its streams; for commands that start others (`ros2 run --prefix`)."""
@@ -238,9 +238,7 @@ class Shell(ShellState):
 
         self._substitution_status = 0
         argv = await expand(command.words, self, streams)
-        if argv and argv[0] in self.aliases and command.words[0].plain == argv[0]:
-            argv = [*self.aliases[argv[0]], *argv[1:]]
-        values = [(name, await expand_text(word, self, streams)) for name, word in command.assignments]
+        values = [await self._assigned(name, word, streams) for name, word in command.assignments]
         if "x" in self.options:
             shown = [*(f"{name}={value}" for name, value in values), *argv]
             streams.stderr.write("+ " + " ".join(shown) + "\n")
@@ -259,6 +257,11 @@ class Shell(ShellState):
             self.status = self._substitution_status
         main = find_command(argv[0], self) if argv else _nothing
         return _Prepared(argv, main, redirected, env, opened)
+
+    async def _assigned(self, name: str, word: Word, streams: Streams) -> tuple[str, str]:
+        value = await expand_text(word, self, streams)
+        plain = name.removesuffix("+")
+        return plain, value if plain == name else self.variables.get(plain, "") + value
 
     # -- programs and jobs ---------------------------------------------------------------------------------------------
 

@@ -85,6 +85,8 @@ class Job:
 
 
 class JobTable:
+    """The jobs of one shell, numbered as `jobs` shows them."""
+
     def __init__(self) -> None:
         self.jobs: list[Job] = []
         """In the order in which they became current: the last one is `%+`, the one before `%-`."""

@@ -6,15 +6,30 @@ expansion knows later what may be split and globbed.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from day6_tui.core.shell.words import (
+    HAS_PATTERN,
+    Incomplete,
+    Part,
+    Substitution,
+    Text,
+    Variable,
+    Word,
+    braced,
+    unescaped,
+)
+
 OPERATORS = (
+    ";;&",
     "&>>",
     "<<<",
     "<<-",
     "&&",
     "||",
     ";;",
+    ";&",
     ">>",
     "<<",
     ">&",
@@ -35,55 +50,7 @@ OPERATORS = (
 REDIRECTIONS = frozenset({">", ">>", "<", "<<", "<<-", "<<<", ">&", "<&", ">|", "&>", "&>>"})
 _WORD_END = frozenset(" \t\n|&;()<>")
 _SPECIAL_NAMES = frozenset("?!$#@*-0123456789")
-
-
-class SyntaxProblem(Exception):
-    """The line cannot be understood; the text is bash's, without its `bash: `."""
-
-
-class Incomplete(SyntaxProblem):
-    """The line goes on: a quote, a `$(`, a here-document or a compound command is still open."""
-
-
-@dataclass(frozen=True)
-class Text:
-    text: str
-    quoted: bool = False
-
-
-@dataclass(frozen=True)
-class Variable:
-    """`$NAME`, or `${NAME<operator><argument>}` with the operators `:-` `-` `:=` `:+` `+` `#` (length, no argument)."""
-
-    name: str
-    quoted: bool = False
-    operator: str = ""
-    argument: str = ""
-
-
-@dataclass(frozen=True)
-class Substitution:
-    """`$(source)`: the output of commands; `$((source))`: the value of a sum."""
-
-    source: str
-    quoted: bool = False
-    arithmetic: bool = False
-
-
-Part = Text | Variable | Substitution
-
-
-@dataclass(frozen=True)
-class Word:
-    parts: tuple[Part, ...]
-    source: str
-
-    @property
-    def plain(self) -> str | None:
-        """The text of a word without quotes and expansions, else None; only such a word can be a keyword."""
-        if all(isinstance(part, Text) and not part.quoted for part in self.parts):
-            return "".join(part.text for part in self.parts if isinstance(part, Text))
-        return None
+_BEFORE_A_COMMAND = frozenset({"then", "do", "else", "elif", "if", "while", "until", "!", "{"})
 
 
 @dataclass
@@ -101,30 +68,54 @@ class Token:
 
 def tokenize(source: str) -> list[Token]:
     """Return the tokens of `source`, the last one of kind 'end'. Raises Incomplete and SyntaxProblem."""
-    return _Lexer(source).tokens()
+    return list(Lexer(source).tokens())
 
 
-class _Lexer:
+def single_word(source: str, quoted: bool = False) -> Word:
+    """Return all of `source` as one word, white space and operators included; `quoted`: as if it stood between `"`."""
+    lexer = Lexer(source)
+    return Word(tuple(lexer._quoted("")), source) if quoted else lexer._word(frozenset())
+
+
+class Lexer:
+    """Reads one text. Tokens come one at a time, because what follows some of them is no list of words."""
+
     def __init__(self, source: str) -> None:
         self.source = source
         self.at = 0
         self._documents: list[tuple[Token, str, bool, bool]] = []
 
-    def tokens(self) -> list[Token]:
-        found: list[Token] = []
-        while True:
+    def tokens(self) -> Iterator[Token]:
+        """The tokens up to that of kind 'end'. The body of a here-document is on its token once the line has ended."""
+        last = None
+        while last is None or last.kind != "end":
             token = self._next()
-            found.append(token)
-            if len(found) > 1 and found[-2].text in ("<<", "<<-") and found[-2].kind == "op" and token.word is not None:
+            if last is not None and last.kind == "op" and last.text in ("<<", "<<-") and token.word is not None:
                 end = "".join(part.text for part in token.word.parts if isinstance(part, Text))
                 literal = any(isinstance(part, Text) and part.quoted for part in token.word.parts)
-                self._documents.append((found[-2], end, literal, found[-2].text == "<<-"))
+                self._documents.append((last, end, literal, last.text == "<<-"))
             if token.kind == "newline":
                 self._read_documents()
-            if token.kind == "end":
-                if self._documents:
-                    raise Incomplete(f"here-document delimited by end-of-file (wanted `{self._documents[0][1]}')")
-                return found
+            if token.kind == "end" and self._documents:
+                raise Incomplete(f"here-document delimited by end-of-file (wanted `{self._documents[0][1]}')")
+            yield token
+            last = token
+
+    def arithmetic(self) -> str | None:
+        """After a `(`, if it and the next one begin `((…))`: the sum between them, with `at` behind it; else None."""
+        if not self.source.startswith("(", self.at):
+            return None
+        end = _end_of_sum(self.source, self.at + 1)
+        if end < 0:
+            return None
+        start, self.at = self.at + 1, end + 2
+        return self.source[start:end]
+
+    def pattern(self) -> Word:
+        """The regular expression behind `=~`, in which `(`, `)` and `|` are characters like others."""
+        while self.at < len(self.source) and self.source[self.at] in " \t":
+            self.at += 1
+        return self._word(frozenset(" \t\n"))
 
     def _next(self) -> Token:
         source = self.source
@@ -153,7 +144,7 @@ class _Lexer:
             return Token("number", word.source, start, self.at)
         return Token("word", word.source, start, self.at, word)
 
-    def _word(self) -> Word:
+    def _word(self, ends: frozenset[str] = _WORD_END) -> Word:
         start = self.at
         parts: list[Part] = []
         source = self.source
@@ -172,17 +163,30 @@ class _Lexer:
             elif char == '"':
                 self.at += 1
                 parts.extend(self._quoted('"'))
+            elif source.startswith("$'", self.at):
+                parts.append(self._escaped())
             elif char in "$`":
                 parts.append(self._dollar(quoted=False))
-            elif char in _WORD_END:
+            elif char in ends:
                 break
             else:
                 end = self.at
-                while end < len(source) and source[end] not in _WORD_END and source[end] not in "\\'\"$`":
+                while end < len(source) and source[end] not in ends and source[end] not in "\\'\"$`":
                     end += 1
                 parts.append(Text(source[self.at : end]))
                 self.at = end
         return Word(tuple(parts), source[start : self.at])
+
+    def _escaped(self) -> Text:
+        """`$'…'`, in which backslashes mean what they mean in C."""
+        end = self.at + 2
+        while end < len(self.source) and self.source[end] != "'":
+            end += 2 if self.source[end] == "\\" else 1
+        if end >= len(self.source):
+            raise Incomplete("unexpected EOF while looking for matching `''")
+        text = unescaped(self.source[self.at + 2 : end])
+        self.at = end + 1
+        return Text(text, quoted=True)
 
     def _closing(self, quote: str, start: int) -> int:
         end = self.source.find(quote, start)
@@ -196,8 +200,8 @@ class _Lexer:
         parts: list[Part] = []
         text: list[str] = []
 
-        def flush() -> None:
-            if text or (closing and not parts):
+        def flush(*, empty: bool = False) -> None:
+            if text or (empty and not parts):
                 parts.append(Text("".join(text), quoted=True))
                 text.clear()
 
@@ -222,7 +226,7 @@ class _Lexer:
             else:
                 text.append(char)
                 self.at += 1
-        flush()
+        flush(empty=bool(closing))
         return parts
 
     def _dollar(self, quoted: bool) -> Part:
@@ -233,19 +237,18 @@ class _Lexer:
             return Substitution(source[start + 1 : end], quoted)
         follow = source[start + 1 : start + 2]
         if source.startswith("$((", start):
-            end = source.find("))", start)
-            if end < 0:
-                raise Incomplete("unexpected EOF while looking for matching `)'")
-            self.at = end + 2
-            return Substitution(source[start + 3 : end], quoted, arithmetic=True)
+            end = _end_of_sum(source, start + 3)
+            if end >= 0:
+                self.at = end + 2
+                return Substitution(source[start + 3 : end], quoted, arithmetic=True)
         if follow == "(":
             self.at = start + 2
             end = self._matching_parenthesis()
             return Substitution(source[start + 2 : end], quoted)
         if follow == "{":
-            end = self._closing("}", start)
-            self.at = end + 1
-            return _braced(source[start + 2 : end], quoted)
+            self.at = start + 2
+            end = self._matching_brace(quoted and not HAS_PATTERN.match(source, start + 2))
+            return braced(source[start + 2 : end], quoted)
         if follow in _SPECIAL_NAMES and follow:
             self.at = start + 2
             return Variable(follow, quoted)
@@ -257,17 +260,48 @@ class _Lexer:
             return Text("$", quoted)
         return Variable(source[start + 1 : end], quoted)
 
+    def _matching_brace(self, quoted: bool) -> int:
+        """Skip quotes and expansions up to the `}` that closes a `${`; leaves `at` behind it and returns its position."""
+        while self.at < len(self.source):
+            char = self.source[self.at]
+            if char == "}":
+                self.at += 1
+                return self.at - 1
+            if char == "\\":
+                self.at += 2
+            elif char == "'" and not quoted:
+                self.at = self._closing("'", self.at + 1) + 1
+            elif char == '"':
+                self.at += 1
+                self._quoted('"')
+            elif char in "$`":
+                self._dollar(quoted=False)
+            else:
+                self.at += 1
+        raise Incomplete("unexpected EOF while looking for matching `}'")
+
     def _matching_parenthesis(self) -> int:
-        """Skip words and operators up to the `)` that closes a `$(`; leaves `at` behind it and returns its position."""
-        depth = 1
+        """Skip words and operators up to the `)` that closes a `$(`; leaves `at` behind it and returns its position.
+
+        The `)` behind a pattern of `case` closes nothing.
+        """
+        open_ones = ["("]
+        begins = True
         while True:
             token = self._next()
             if token.kind == "end":
                 raise Incomplete("unexpected EOF while looking for matching `)'")
-            if token.kind == "op" and token.text in "()":
-                depth += 1 if token.text == "(" else -1
-                if depth == 0:
+            if token.kind == "op" and token.text == "(":
+                open_ones.append("(")
+            elif token.kind == "op" and token.text == ")" and open_ones[-1] == "(":
+                open_ones.pop()
+                if not open_ones:
                     return token.start
+            elif begins and token.text == "case":
+                open_ones.append("case")
+            elif begins and token.text == "esac" and open_ones[-1] == "case":
+                open_ones.pop()
+            begins = token.kind in ("op", "newline") or token.text in _BEFORE_A_COMMAND
 
     def _read_documents(self) -> None:
         for token, end, literal, strip_tabs in self._documents:
@@ -285,23 +319,19 @@ class _Lexer:
                     break
                 lines.append(line + "\n")
             text = "".join(lines)
-            parts: list[Part] = [Text(text, quoted=True)] if literal else _Lexer(text)._quoted("")
+            parts: list[Part] = [Text(text, quoted=True)] if literal else Lexer(text)._quoted("")
             token.document.append(Word(tuple(parts), text))
         self._documents.clear()
 
 
-def _braced(inside: str, quoted: bool) -> Variable:
-    if inside.startswith("#") and len(inside) > 1:
-        return Variable(inside[1:], quoted, "#")
-    end = 1 if inside[:1] in _SPECIAL_NAMES and inside else 0
-    while not end or (end < len(inside) and (inside[end] == "_" or inside[end].isalnum())):
-        if end >= len(inside) or not (inside[end] == "_" or inside[end].isalnum()):
-            break
-        end += 1
-    name, rest = inside[:end], inside[end:]
-    for operator in (":-", ":=", ":+", "-", "=", "+", "%%", "%", "##", "#"):
-        if name and rest.startswith(operator):
-            return Variable(name, quoted, operator, rest[len(operator) :])
-    if not name or rest:
-        raise SyntaxProblem(f"${{{inside}}}: bad substitution")
-    return Variable(name, quoted)
+def _end_of_sum(source: str, start: int) -> int:
+    """Where the `))` is that closes the `((` before `start`; -1 if its parentheses do not close together."""
+    depth = 0
+    for at in range(start, len(source)):
+        if source[at] == "(":
+            depth += 1
+        elif source[at] == ")":
+            if depth == 0:
+                return at if source.startswith("))", at) else -1
+            depth -= 1
+    raise Incomplete("unexpected EOF while looking for matching `)'")

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.history import History
     from day6_tui.core.shell.terminal import Terminal
 
-_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+_COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|\x07")
+"""What takes no room in a prompt: colours and the window's title."""
 PASTE_ON, PASTE_OFF = "\x1b[?2004h", "\x1b[?2004l"
 MANY = 100
 """From this many completions bash asks before it lists them."""
@@ -66,7 +67,7 @@ class LineEditor:
                 while not self._done:
                     self._terminal.waiting_at_prompt = not self._line.text
                     if not await stdin.wait_for_resize_or_key():
-                        self._draw()
+                        self._draw_resized()
                         continue
                     key = await stdin.read_key()
                     self._start_again_below()
@@ -231,6 +232,13 @@ class LineEditor:
         self._terminal.write(text)
         self._own_version = self._terminal.version
 
+    def _draw_resized(self) -> None:
+        """Draw the line for the window's new size, which is no news to anybody who does not look at the terminal now."""
+        told = self._terminal.has_news
+        self._draw()
+        if not told:
+            self._terminal.mark_seen()
+
     def _start_again_below(self) -> None:
         """Others wrote into the line (a job in the background): show prompt and line once more, under what they wrote."""
         if self._terminal.version != self._own_version:
@@ -287,7 +295,7 @@ class LineEditor:
         parts = []
         if self._cursor_row:
             parts.append(f"\x1b[{self._cursor_row}A")
-        parts.append("\r\x1b[J" + self._prompt + shown.replace("\n", "\r\n"))
+        parts.append("\r\x1b[J" + self._prompt.replace("\n", "\r\n") + shown.replace("\n", "\r\n"))
         if end_column == 0 and end_row and not shown.endswith("\n"):
             parts.append(" \r")  # make the terminal really wrap
         if end_row > row:

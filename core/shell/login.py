@@ -5,25 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
-from day6_tui.core.shell import syntax
+from day6_tui.core.shell import parser
 from day6_tui.core.shell.completion import Completer
 from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.history import History
 from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.lexer import Incomplete, SyntaxProblem
 from day6_tui.core.shell.line_editor import EndOfLines, LineEditor
+from day6_tui.core.shell.prompt import UBUNTU, prompt
+from day6_tui.core.shell.recall import NoSuchLine, recalled
+from day6_tui.core.shell.words import Incomplete, SyntaxProblem
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
-
-_GREEN, _BLUE, _PLAIN = "\x1b[01;32m", "\x1b[01;34m", "\x1b[00m"
-
-
-def prompt(shell: Shell) -> str:
-    """`student@day6:~/ros2_ws$ ` in Ubuntu's colours."""
-    from day6_tui.core.shell.desk import HOST, USER
-
-    return f"{_GREEN}{USER}@{HOST}{_PLAIN}:{_BLUE}{shell.short_cwd}{_PLAIN}$ "
 
 
 async def login(session: Session, terminal: Terminal) -> int:
@@ -32,6 +25,7 @@ async def login(session: Session, terminal: Terminal) -> int:
     streams = terminal.streams
     history = History(terminal.desk.home / ".bash_history")
     shell.history = history.lines
+    shell.variables.setdefault("PS1", UBUNTU)
     editor = LineEditor(session, terminal, history, Completer(shell, session))
     session.on_interrupt = shell.interrupt
     try:
@@ -44,7 +38,7 @@ async def login(session: Session, terminal: Terminal) -> int:
             if not terminal.at_line_start:
                 session.print()
             try:
-                source = await _read_command(editor, shell)
+                source = await _read_command(editor, shell, terminal)
             except EndOfLines:
                 if any(job.stopped for job in shell.jobs.jobs) and not warned and not terminal.discipline.hung_up:
                     session.print("exit\nThere are stopped jobs.")
@@ -64,21 +58,29 @@ async def login(session: Session, terminal: Terminal) -> int:
         streams.stdout.flush()
 
 
-async def _read_command(editor: LineEditor, shell: Shell) -> str:
+async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) -> str:
     """Read lines until they make whole commands; '' after Ctrl-C. Raises EndOfLines at the end of the input."""
     source = ""
-    shown = prompt(shell)
+    streams = terminal.streams
+    shown = await prompt(shell, streams)
     while True:
-        line = await editor.read(shown)
-        if line is None:
+        typed = await editor.read(shown)
+        if typed is None:
             shell.status = 130
             return ""
+        try:
+            line = recalled(typed, shell.history)
+        except NoSuchLine as problem:
+            streams.stderr.write(f"{shell.name}: {problem}\n")
+            return ""
+        if line != typed:
+            streams.stdout.write(f"{line}\n")
         source += line
         try:
-            syntax.parse(source)
+            parser.parse(source, shell.aliases)
         except Incomplete:
             source += "\n"
-            shown = "> "
+            shown = shell.variables.get("PS2", "> ")
             continue
         except SyntaxProblem:
             return source

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Streams:
+    """Where a command reads and writes."""
+
     stdin: InputStream
     stdout: OutputStream
     stderr: OutputStream
@@ -29,7 +31,8 @@ async def redirect(
     table: dict[int, InputStream | OutputStream] = {0: streams.stdin, 1: streams.stdout, 2: streams.stderr}
     for redirection in redirections:
         operator = redirection.operator
-        target = await expand_text(redirection.target, shell, streams)
+        word = redirection.document[0] if redirection.document else redirection.target
+        target = await expand_text(word, shell, streams)
         fd = redirection.fd if redirection.fd is not None else (0 if operator.startswith("<") else 1)
         stream: InputStream | OutputStream
         if operator in ("<<", "<<-"):

@@ -6,15 +6,14 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from day6_tui.core.shell.syntax import Function
+
 MAX_DEPTH = 100
 """How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""
 
 
 class ShellState:
     """The state of one shell, without what runs in it. `name` stands before its messages (`bash: …`)."""
-
-    aliases: dict[str, list[str]] = {"ll": ["ls", "-alF"], "la": ["ls", "-A"], "l": ["ls", "-CF"]}
-    """What Ubuntu's .bashrc defines."""
 
     def __init__(self, *, env: dict[str, str], cwd: Path, interactive: bool, name: str, pid: int) -> None:
         self.variables = env
@@ -26,7 +25,14 @@ class ShellState:
         """What `$0` is: the name of the script being run."""
         self.arguments: list[str] = []
         self.options: set[str] = set()
-        """Of `set`: 'e' ends the shell at the first failing command, 'x' shows each command."""
+        """Of `set`: 'e' ends the shell at the first failing command, 'x' shows each command, 'u' refuses unset variables."""
+        self.aliases = {"ll": "ls -alF", "la": "ls -A", "l": "ls -CF"}
+        """As Ubuntu's .bashrc defines them, until there is another."""
+        self.functions: dict[str, Function] = {}
+        self.settings = {"checkwinsize", "cmdhist", "expand_aliases"}
+        """Of `shopt`."""
+        self.hidden: list[dict[str, str | None]] = []
+        """For each running function, the values that its `local` variables had before (None: not set)."""
         self.status = 0
         self.pid = pid
         self.last_background = 0
@@ -79,6 +85,9 @@ class ShellState:
         self.arguments = list(parent.arguments)
         self.zero = parent.zero
         self.options = set(parent.options)
+        self.aliases = dict(parent.aliases)
+        self.functions = dict(parent.functions)
+        self.hidden = [dict(each) for each in parent.hidden]
         self.status = parent.status
         self.pid = parent.pid
         self.last_background = parent.last_background

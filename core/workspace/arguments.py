@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import functools
 from argparse import Namespace
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.cli.parser import HelpFormatter, Parser, terminal_width
@@ -50,11 +51,32 @@ class _Formatter(HelpFormatter):
 
 
 class ColconParser(Parser):
-    """A parser in colcon's looks; an unknown option is told by the parser of `colcon` itself."""
+    """A parser in colcon's looks; an unknown option is told by the parser of `colcon` itself.
+
+    What follows an option such as `--cmake-args` belongs to it even if it begins with a dash, unless it is an option of
+    the verb's own.
+    """
 
     def __init__(self, session: Session, **keywords: Any) -> None:
         formatter = functools.partial(_Formatter, width=terminal_width(session) - 2)
         super().__init__(session, **{"formatter_class": formatter, **keywords})
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """See argparse."""
+        return super().parse_known_args(None if args is None else self._with_passed_on(args), namespace)
+
+    def _with_passed_on(self, args: Sequence[str]) -> list[str]:
+        """Put a space before what is passed on and looks like an option; the option's type takes it away again."""
+        found: list[str] = []
+        passing_on = False
+        for word in args:
+            option = self._option_string_actions.get(word.partition("=")[0])
+            if option is not None:
+                passing_on = option.type is str.lstrip
+            elif passing_on and word.startswith("-") and word != "--":
+                word = f" {word}"
+            found.append(word)
+        return found
 
 
 def build_parser(session: Session) -> ColconParser:

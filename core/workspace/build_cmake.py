@@ -29,9 +29,28 @@ from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
 from day6_tui.core.workspace.setup_scripts import write_hook, write_package_scripts
 
-_COMPILING = frozenset({"add_executable", "add_library", "rclcpp_components_register_node", "pybind11_add_module"})
+_COMPILING = frozenset(
+    {
+        "add_executable",
+        "add_library",
+        "ament_auto_add_executable",
+        "ament_auto_add_library",
+        "rclcpp_components_register_node",
+        "pybind11_add_module",
+    }
+)
 _TOOLS = ("ament_", "rosidl_", "eigen", "python", "threads", "pkgconfig")
 """Names that begin so are parts of ROS itself that no build without C++ needs."""
+
+_CPP = """
+    angles class_loader console_bridge_vendor cv_bridge image_geometry image_transport interactive_markers
+    kdl_parser laser_geometry libstatistics_collector orocos_kdl_vendor pluginlib qt_gui_cpp rcl rcl_action
+    rcl_lifecycle rclcpp rclcpp_action rclcpp_lifecycle rcpputils rcutils resource_retriever rmw rosbag2_cpp
+    rosbag2_storage rosbag2_transport rqt_gui_cpp rviz_ogre_vendor rviz_rendering tf2 tf2_bullet tf2_eigen tf2_kdl
+    tf2_sensor_msgs urdf urdf_parser_plugin urdfdom_headers yaml_cpp_vendor
+"""
+"""C++ libraries of every ROS 2 desktop. Packages name them out of habit (`ros2 pkg create --dependencies rclcpp`) and then
+install only Python programs, models or messages; who compiles against them is refused before."""
 
 _INTERFACES = "rosidl_generate_interfaces"
 _GROUP = "rosidl_interface_packages"
@@ -85,6 +104,9 @@ class _CMakeBuild:
                 self._install(command)
             elif command.name == "ament_python_install_package" and command.words:
                 self._install_python(command)
+            elif command.name == "ament_auto_package":
+                for name in command.after("INSTALL_TO_SHARE", "NO_INSTALL_TO_SHARE", "INSTALL_TO_PATH"):
+                    self._copy_tree(self.package.path / name, self.share / name)
         self._finish()
         return 0
 
@@ -104,6 +126,7 @@ class _CMakeBuild:
         known = {
             *get_packages_with_prefixes(self.settings.environment),
             *self.settings.needs.get(self.package.name, ()),
+            *_CPP.split(),
         }
         for command in commands:
             if command.name != "find_package" or "REQUIRED" not in command.words:
@@ -111,13 +134,13 @@ class _CMakeBuild:
             name = command.words[0]
             if name not in known and not name.lower().startswith(_TOOLS):
                 raise CMakeError(
-                    f'By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has\n'
-                    f'asked CMake to find a package configuration file provided by\n"{name}", but CMake did not find one.\n\n'
-                    f'Could not find a package configuration file provided by "{name}" with any\nof the following names:\n\n'
+                    f'By not providing "Find{name}.cmake" in CMAKE_MODULE_PATH this project has asked CMake to find a package '
+                    f'configuration file provided by "{name}", but CMake did not find one.\n\n'
+                    f'Could not find a package configuration file provided by "{name}" with any of the following names:\n\n'
                     f"  {name}Config.cmake\n  {name.lower()}-config.cmake\n\n"
-                    f'Add the installation prefix of "{name}" to CMAKE_PREFIX_PATH or set\n"{name}_DIR" to a directory '
-                    f'containing one of the above files.  If "{name}"\nprovides a separate development package or SDK, be '
-                    "sure it has been\ninstalled.",
+                    f'Add the installation prefix of "{name}" to CMAKE_PREFIX_PATH or set "{name}_DIR" to a directory '
+                    f'containing one of the above files.  If "{name}" provides a separate development package or SDK, be '
+                    "sure it has been installed.",
                     command.line,
                     command.name,
                 )
@@ -130,7 +153,7 @@ class _CMakeBuild:
             raise CMakeError(f'Unknown CMake command "{_INTERFACES}".', command.line, "")
         if self.package.manifest is not None and _GROUP not in self.package.manifest.groups:
             raise CMakeError(
-                f"Packages installing interfaces must include\n'<member_of_group>{_GROUP}</member_of_group>' in their\n"
+                f"Packages installing interfaces must include '<member_of_group>{_GROUP}</member_of_group>' in their "
                 "package.xml",
                 command.line,
                 _INTERFACES,
@@ -154,7 +177,7 @@ class _CMakeBuild:
         kind, name = source.suffix[1:], source.stem
         if not source.is_file():
             raise CMakeError(
-                f"{_INTERFACES}() the passed file '{file}' doesn't exist\nrelative to the CMAKE_CURRENT_SOURCE_DIR\n"
+                f"{_INTERFACES}() the passed file '{file}' doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR "
                 f"'{self.package.path}'",
                 command.line,
                 _INTERFACES,
@@ -196,7 +219,7 @@ class _CMakeBuild:
                 return
             raise CMakeError(f"{file}: Unknown type '{base}'", command.line, _INTERFACES)
         raise CMakeError(
-            f"{file} uses '{base}', but '{package}' is not among the DEPENDENCIES of\n{_INTERFACES}()",
+            f"{file} uses '{base}', but '{package}' is not among the DEPENDENCIES of {_INTERFACES}()",
             command.line,
             _INTERFACES,
         )
@@ -243,14 +266,15 @@ class _CMakeBuild:
             target.chmod(target.stat().st_mode | 0o111)
 
     def _install_python(self, command: Command) -> None:
-        source = self.package.path / command.words[0]
+        name = command.words[0]
+        source = self.package.path / next(iter(command.after("PACKAGE_DIR")), name)
         if not (source / "__init__.py").is_file():
             raise CMakeError(
-                f"ament_python_install_package() the Python package folder '{source}'\nhas no '__init__.py'",
+                f"ament_python_install_package() the Python package folder '{source}' has no '__init__.py'",
                 command.line,
                 command.name,
             )
-        self._copy_tree(source, python_library(self.prefix) / command.words[0])
+        self._copy_tree(source, python_library(self.prefix) / name)
         self.python = True
 
     def _finish(self) -> None:

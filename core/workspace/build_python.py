@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import queue
 import subprocess
 import sys
 import sysconfig
+import traceback
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -24,6 +26,8 @@ from day6_tui.core.workspace.setup_scripts import write_hook, write_package_scri
 
 _CHILD = Path(__file__).with_name("setup_child.py")
 _TASK = "colcon.colcon_ros.task.ament_python.build"
+_IGNORED = ("setup.py install is deprecated", "easy_install command is deprecated")
+"""Warnings that colcon has Python leave out when it runs a setup.py."""
 _FALLBACK = "(colcon-ros currently does it implicitly but that fallback will be removed in the future)"
 
 
@@ -137,17 +141,17 @@ class _PythonBuild:
     def _start(self) -> subprocess.Popen[bytes]:
         setup = self.package.path / "setup.py"
         if not setup.is_file():
-            raise _failed(
-                self.work,
-                AssertionError(
-                    f"Expected {[sys.executable, 'setup.py', '--help-commands']} to pass: {sys.executable}: can't open file "
-                    f"'{setup}': [Errno 2] No such file or directory"
-                ),
-            )
+            if self.package.type == "ros.ament_python":
+                self._check_data_files(_Described({}))
+            ignored = [word for what in _IGNORED for word in ("-W", f"ignore:{what}")]
+            command = [sys.executable, *ignored, "setup.py", "--help-commands"]
+            reason = f"can't open file '{setup}': [Errno 2] No such file or directory"
+            raise _failed(self.work, AssertionError(f"Expected {command} to pass: {sys.executable}: {reason}\n"))
         # The prefix is of no use to the interpreter that runs setup.py: every folder is named to setuptools.
         env = {**self.environment, "PYTHONPATH": self.environment["PYTHONPATH"].partition(os.pathsep)[2]}
         process = self.work.start([sys.executable, str(_CHILD)], self.package.path, env)
         self._first_errors: list[str] = []
+        self._first_output: list[str] = []
         self._marked = False
         self._answers: queue.Queue[str | None] = queue.Queue()
         self._readers = [
@@ -161,6 +165,8 @@ class _PythonBuild:
             self._answers.put(line[1:])
         elif self._answered:
             self.work.stdout(line)
+        else:
+            self._first_output.append(line)
 
     def _on_stderr(self, line: str) -> None:
         if self._marked:
@@ -182,6 +188,11 @@ class _PythonBuild:
             self.settings.print_error("".join(self._first_errors))
         if answer is None:
             raise _failed(self.work, subprocess.CalledProcessError(status, [sys.executable, "setup.py", "--dry-run"]))
+        try:
+            # colcon reads what setup.py says of itself from the same stream: a print() of the student's spoils it.
+            ast.literal_eval("".join(self._first_output) + "{}")
+        except (SyntaxError, ValueError) as error:
+            raise _failed(self.work, error) from None
         described: dict[str, Any] = json.loads(answer)
         return described
 
@@ -323,7 +334,5 @@ def _relative(source: str, folder: Path) -> str:
 def _failed(work: Work, error: Exception) -> JobFailure:
     """Tell an error as colcon tells an exception in a task: a traceback in the package's block, the text again at the end."""
     if not work.stopped:
-        kind = type(error).__module__
-        name = type(error).__qualname__ if kind == "builtins" else f"{kind}.{type(error).__qualname__}"
-        work.stderr(f"Traceback (most recent call last):\n{name}: {error}\n")
+        work.stderr("Traceback (most recent call last):\n" + "".join(traceback.format_exception_only(error)))
     return JobFailure(str(error))

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 _COMMAND = re.compile(r"(?m)^[ \t]*([A-Za-z_]\w*)[ \t]*\(")
+_WIDTH = 77
+"""Cells of a line of an error, in which CMake sets its paragraphs."""
 _WORD = re.compile(r'\s*(?:"((?:[^"\\]|\\.)*)"|([^\s"()#]+)|(\()|(\))|(#[^\n]*))')
 
 
@@ -20,8 +24,23 @@ class CMakeError(ValueError):
 
     def __str__(self) -> str:
         where = f" ({self.command})" if self.command else ""
-        body = "\n".join(f"  {line}" if line else "" for line in self.args[0].splitlines())
-        return f"CMake Error at CMakeLists.txt:{self.line}{where}:\n{body}\n\n"
+        body = "\n".join(_set(line) for line in self.args[0].splitlines())
+        return f"CMake Error at CMakeLists.txt:{self.line}{where}:\n{body}\n\n\n"
+
+
+def _set(paragraph: str) -> str:
+    """Break a paragraph as CMake does; one that begins with a space stays as it is."""
+    if paragraph.startswith(" "):
+        return f"  {paragraph}"
+    indent = "  "
+    return textwrap.fill(
+        paragraph.replace(".  ", ".\0 "),  # two spaces behind a sentence stay
+        _WIDTH,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    ).replace("\0", " ")
 
 
 @dataclass(frozen=True)
@@ -61,10 +80,26 @@ def read_commands(text: str, variables: Mapping[str, str]) -> list[Command]:
             continue
         if name == "set" and words:
             known[words[0]] = ";".join(words[1:])
+        elif name == "list" and words[:1] == ["APPEND"] and len(words) > 1:
+            known[words[1]] = ";".join(filter(None, [known.get(words[1], ""), *words[2:]]))
+        elif name == "file" and words[:1] in (["GLOB"], ["GLOB_RECURSE"]) and len(words) > 1:
+            known[words[1]] = ";".join(_globbed(words[0], words[2:], Path(known.get("CMAKE_CURRENT_SOURCE_DIR", "."))))
         elif name == "project" and words:
             known["PROJECT_NAME"] = known["CMAKE_PROJECT_NAME"] = words[0]
         commands.append(Command(name, words, line))
     return commands
+
+
+def _globbed(mode: str, words: list[str], folder: Path) -> Iterator[str]:
+    """Yield the files that `file(GLOB …)` finds."""
+    words = [word for word in words if word not in ("CONFIGURE_DEPENDS", "LIST_DIRECTORIES", "true", "false")]
+    start = None
+    if words[:1] == ["RELATIVE"] and len(words) > 1:
+        start, words = folder / words[1], words[2:]
+    for word in words:
+        where, pattern = (folder / word).parent, Path(word).name
+        for path in sorted(where.rglob(pattern) if mode == "GLOB_RECURSE" else where.glob(pattern)):
+            yield (path.relative_to(start) if start is not None and start in path.parents else path).as_posix()
 
 
 def _without_comments(text: str) -> str:

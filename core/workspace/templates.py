@@ -115,6 +115,7 @@ def package_xml(plan: Plan) -> str:
 
 
 def setup_py(plan: Plan) -> str:
+    """setup.py of an ament_python package."""
     script = f"            '{plan.node} = {plan.name}.{plan.node}:main'\n" if plan.node else ""
     return f"""from setuptools import find_packages, setup
 
@@ -145,10 +146,12 @@ setup(
 
 
 def setup_cfg(plan: Plan) -> str:
+    """setup.cfg of an ament_python package: where its executables go."""
     return f"[develop]\nscript_dir=$base/lib/{plan.name}\n[install]\ninstall_scripts=$base/lib/{plan.name}\n"
 
 
 def python_node(plan: Plan) -> str:
+    """The module of `--node-name` in Python."""
     return f"def main():\n    print('Hi from {plan.name}.')\n\n\nif __name__ == '__main__':\n    main()\n"
 
 
@@ -298,6 +301,7 @@ install(EXPORT export_{name}
 
 
 def cmake_config(plan: Plan) -> str:
+    """What `find_package` reads of a package of plain CMake."""
     name = plan.name
     lines = [f"# tells find_package({name}) where its parts are\n"]
     lines += [f'set({name}_INCLUDE_DIRS "@CONF_INCLUDE_DIRS@")\n', f'include("${{{name}_DIR}}/export_{name}.cmake")\n']
@@ -307,6 +311,7 @@ def cmake_config(plan: Plan) -> str:
 
 
 def cmake_config_version(plan: Plan) -> str:
+    """Its version, for `find_package(… VERSION)`."""
     return f"""set(PACKAGE_VERSION "@{plan.name}_VERSION@")
 
 if("${{PACKAGE_VERSION}}" VERSION_LESS "${{PACKAGE_FIND_VERSION}}")
@@ -321,6 +326,7 @@ endif()
 
 
 def cpp_node(plan: Plan) -> str:
+    """The source of `--node-name` in C++."""
     return f"""#include <cstdio>
 
 int main(int argc, char ** argv)
@@ -339,6 +345,7 @@ def _class_name(library: str) -> str:
 
 
 def cpp_header(plan: Plan) -> str:
+    """The header of `--library-name`."""
     assert plan.library is not None
     guard, name = f"{plan.name.upper()}__{plan.library.upper()}_HPP_", _class_name(plan.library)
     return f"""#ifndef {guard}
@@ -364,6 +371,7 @@ public:
 
 
 def cpp_library(plan: Plan) -> str:
+    """The source of `--library-name`."""
     assert plan.library is not None
     name = _class_name(plan.library)
     return f"""#include "{plan.name}/{plan.library}.hpp"
@@ -384,6 +392,7 @@ namespace {plan.name}
 
 
 def cpp_visibility(plan: Plan) -> str:
+    """The header that says what a library exports."""
     name = plan.name.upper()
     return f"""#ifndef {name}__VISIBILITY_CONTROL_H_
 #define {name}__VISIBILITY_CONTROL_H_

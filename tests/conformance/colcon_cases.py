@@ -168,6 +168,8 @@ _MASKS: list[tuple[str, str]] = [
     # setuptools since 69 keeps the underscore of a name in the scripts it makes.
     (r"day6-publisher==", "day6_publisher=="),
     (r"#!\S+/bin/python\S*", "#!<PYTHON>"),
+    # How far Python marks what is wrong in a line differs from version to version.
+    (r"(?m)^ +[~^]*\^[~^]*\n", ""),
 ]  # fmt: skip
 
 _FRAME = re.compile(r"^  File \"(?P<file>[^\"]+)\", line \d+(?:, in .*)?\n(?:    .*\n)*", re.MULTILINE)
@@ -189,9 +191,7 @@ def _own_frame(match: re.Match[str]) -> str:
         return ""  # how setup.py is started
     if match["file"] == "<string>" or match["file"].startswith("<WS>/src"):
         return whole
-    if not match["file"].startswith("<WS>"):
-        return ""
-    return re.sub(r"(?m)^ +\^+\n", "", whole) if "in <module>" in whole or ", in " in whole else whole
+    return whole if match["file"].startswith("<WS>") else ""
 
 
 _STATUS = re.compile(r"\[<SECS>\] \[0/\d complete\](?: \[[^\]\n]* - [\d.]+s\])?\n *\n")

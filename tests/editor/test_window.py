@@ -55,6 +55,11 @@ class Bench:
     async def step(self) -> None:
         await step(self.app, self.pilot)
 
+    async def slowly(self, key: str) -> None:
+        """Press a key so long after the last one that it cannot be a paste."""
+        self.pane.area._last_key = -1.0
+        await self.press(key)
+
     async def press(self, *keys: str) -> str:
         """Press keys as a person does, one after the other; return the screen."""
         await self.pilot.press(*keys)
@@ -197,6 +202,30 @@ def test_enter_keeps_the_depth_and_goes_deeper_after_a_colon(tmp_path: Path) -> 
     assert texts == [f"if True:\n{depth}a\n{depth}b"]
 
 
+def test_brackets_lead_deeper_and_back_and_backspace_takes_a_whole_step(tmp_path: Path) -> None:
+    """Section 3.2: the entry points of setup.py, typed by hand."""
+
+    async def act(bench: Bench) -> None:
+        if bench.pane.area.language != "python":
+            pytest.skip("the grammars are not installed")
+        for line in ("entry_points={", "'console_scripts': [", "'talker = a:main',"):
+            await bench.press(*line)
+            await bench.slowly("enter")
+        await bench.slowly("right_square_bracket")
+        await bench.press(",")
+        await bench.slowly("enter")
+        assert bench.text.endswith("\n    ],\n    ")
+        await bench.slowly("backspace")
+        assert bench.text.endswith("    ],\n")
+        await bench.slowly("right_curly_bracket")
+        assert bench.text == "entry_points={\n    'console_scripts': [\n        'talker = a:main',\n    ],\n}"
+        bench.app.screen.focused.move_cursor((2, 9))
+        await bench.slowly("backspace")
+        assert "        'alker" not in bench.text and "        talker" in bench.text
+
+    Bench(tmp_path).run(act)
+
+
 def test_tab_moves_chosen_lines_and_shift_tab_moves_them_back(tmp_path: Path) -> None:
     (tmp_path / "talker.py").write_text("a\n\nb\n    c\n", encoding="utf-8")
 
@@ -230,6 +259,23 @@ def test_nano_cuts_lines_and_puts_them_back(tmp_path: Path) -> None:
         assert bench.text == "three\n"
         await bench.press("down", "ctrl+u")
         assert bench.text == "three\none\ntwo\n"
+
+    Bench(tmp_path).run(act)
+
+
+def test_keys_of_nanos_terminal_arrive_in_the_text_in_their_order(tmp_path: Path) -> None:
+    """On a slow machine one types faster than the window opens."""
+
+    async def act(bench: Bench) -> None:
+        bench.pane.editor.keys("imp")
+        bench.pane.editor.keys("ort 你好\rx\x7fy\x1b[A\x1b[H#")
+        await bench.press("!")
+        await bench.step()
+        assert bench.text == "#!import 你好\ny"
+        bench.pane.editor.keys("\x18")
+        await bench.step()
+        await bench.step()
+        assert "Save modified buffer?" in screen_text(bench.app)
 
     Bench(tmp_path).run(act)
 
@@ -326,3 +372,27 @@ def test_the_text_takes_the_theme_of_the_desktop(tmp_path: Path) -> None:
         assert bench.pane.area.theme != before
 
     Bench(tmp_path).run(act)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_code_on_an_empty_folder_makes_a_new_file_and_types_into_it(tmp_path: Path, lang: str) -> None:
+    async def play() -> None:
+        desk = FakeDesk()
+        folder = tmp_path / "empty"
+        folder.mkdir()
+        desk.display.open("editor", "code", Editor(folder, tmp_path / "state", "code"))
+        async with opened(desk, 80, 24, lang=lang, scene="empty") as (app, pilot):
+            await step(app, pilot)
+            await step(app, pilot)
+            assert "1:1" not in screen_text(app)
+            await pilot.press("enter", "enter")
+            await step(app, pilot)
+            await pilot.press(*"no/talker.py", "enter")
+            assert not (folder / "no").exists() and app.desktop.overlay is not None
+            await pilot.press("ctrl+u", *"talker.py", "enter")
+            await step(app, pilot)
+            await step(app, pilot)
+            await pilot.press(*"x=1", "ctrl+s")
+            assert (folder / "talker.py").read_text(encoding="utf-8").strip() == "x=1"
+
+    asyncio.run(play())

@@ -26,7 +26,7 @@ TOPIC_FLAWS = [
 
 @pytest.mark.parametrize(("name", "message", "position"), TOPIC_FLAWS)
 def test_a_bad_topic_name_is_explained_with_a_caret(name: str, message: str, position: int) -> None:
-    assert names.flaw_of_topic_name(name) == (message, position)
+    assert names.flaw_of_topic_name(name)[:2] == (message, position)
 
 
 @pytest.mark.parametrize("name", ["chatter", "/a/b", "~", "~/x", "{node}/x", "{}", "a__b", "//a", "_hidden"])
@@ -47,7 +47,7 @@ def test_names_a_program_may_write_are_accepted_before_expansion(name: str) -> N
     ],
 )
 def test_a_bad_full_topic_name_is_explained(name: str, message: str, position: int) -> None:
-    assert names.flaw_of_full_topic_name(name) == (message, position)
+    assert names.flaw_of_full_topic_name(name)[:2] == (message, position)
 
 
 def test_the_longest_full_topic_name_has_247_characters() -> None:
@@ -65,7 +65,7 @@ def test_the_longest_full_topic_name_has_247_characters() -> None:
     ],
 )
 def test_a_bad_node_name_is_explained(name: str, message: str, position: int) -> None:
-    assert names.flaw_of_node_name(name) == (message, position)
+    assert names.flaw_of_node_name(name)[:2] == (message, position)
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_a_bad_node_name_is_explained(name: str, message: str, position: int) ->
     ],
 )
 def test_a_bad_namespace_is_explained(namespace: str, message: str, position: int) -> None:
-    assert names.flaw_of_namespace(namespace) == (message, position)
+    assert names.flaw_of_namespace(namespace)[:2] == (message, position)
 
 
 @pytest.mark.parametrize(

@@ -18,8 +18,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from fakes import FakeDesk
 from screens import opened, screen_text, step
-from stepped_machine import SteppedMachine
+from stepped_machine import Running, SteppedMachine
 
+from day6_tui.core.graph.endpoints import EndpointKind
 from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
@@ -50,19 +51,21 @@ class Lab(SteppedMachine):
     def hears(self, topic: type, name: str, node: str, qos: Any = 10) -> Any:
         return self.make(node).create_subscription(topic, name, lambda message: None, qos)
 
-    def robot(self) -> None:
-        self.start("robot_state_publisher", "robot_state_publisher", str(shipped_model()))
+    def robot(self) -> Running:
+        return self.start("robot_state_publisher", "robot_state_publisher", str(shipped_model()))
 
     def turn(self, publisher: Any, names: list[str], times: int = 10, every: float = 0.02) -> None:
-        """Publish joint states as wheel_spinner does."""
+        """Publish joint states as wheel_spinner does, while the inspector looks."""
+        self.inspector.refresh()
         for turn in range(times):
             publisher.publish(JointState(name=names, position=[0.02 * turn] * len(names)))
             self.advance(every)
 
     def findings(self) -> dict[str, str]:
         """What the inspector says now: id without its prefix -> text; of several alike the last."""
-        self.advance(0.1)
-        self.inspector.refresh()
+        for _ in range(2):  # it sees a publisher at one look, and has heard it at the next
+            self.advance(0.1)
+            self.inspector.refresh()
         return {finding.id.removeprefix("inspector."): finding.text for finding in self.inspector.findings}
 
 
@@ -75,6 +78,22 @@ def lab() -> Iterator[Lab]:
 
 def test_an_empty_graph_is_well(lab: Lab) -> None:
     assert lab.findings() == {}
+
+
+def test_looking_on_makes_no_topic(lab: Lab) -> None:
+    """Section 6.2: that /robot_description is not there shows that robot_state_publisher does not run."""
+
+    def topics() -> set[str]:
+        return {name for name, _ in lab.graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)}
+
+    lab.findings()
+    assert not topics() & {"/joint_states", "/robot_description"}
+    robot = lab.robot()
+    lab.findings()
+    assert {"/joint_states", "/robot_description"} <= topics()
+    robot.program.interrupt()
+    lab.findings()
+    assert not topics() & {"/joint_states", "/robot_description"}
 
 
 def test_talker_and_listener_are_well(lab: Lab) -> None:

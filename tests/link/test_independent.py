@@ -1,6 +1,6 @@
 """Against an implementation of others: zenoh-ros2-sdk (PyPI), which was written from rmw_zenoh and knows nothing of us.
 
-Needs a Python that has it: DAY6_ZSDK_PYTHON, this one, or /opt/zsdk/bin/python.
+Needs a Python that has it: the one that DAY6_ZSDK_PYTHON names, or this one.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from link_harness import World, until
@@ -22,10 +21,7 @@ def _python_with_sdk() -> str | None:
     named = os.environ.get("DAY6_ZSDK_PYTHON")
     if named:
         return named
-    if importlib.util.find_spec("zenoh_ros2_sdk") is not None:
-        return sys.executable
-    usual = "/opt/zsdk/bin/python"
-    return usual if Path(usual).exists() else None
+    return sys.executable if importlib.util.find_spec("zenoh_ros2_sdk") is not None else None
 
 
 PYTHON = _python_with_sdk()

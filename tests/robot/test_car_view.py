@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 STAYS = (
-    "why does the car not drive off? This picture, like RViz, only draws angles. Wheels that touch a floor are in "
+    "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
     "ros2 launch day6_world world.launch.py"
 )
 NO_JOINT_STATES = "nobody publishes /joint_states: the wheels do not turn"

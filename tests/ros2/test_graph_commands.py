@@ -222,3 +222,27 @@ def test_doctor_passes_a_sound_graph_and_names_what_is_wrong(machine):
     assert "\nFailed modules: " in result.stdout
     assert "UserWarning: Publisher without subscriber detected on /chatter.\n" in result.stderr
     assert "publisher count     : 1\n" in machine.ros2("doctor", "--report").stdout
+
+
+def test_doctor_reports_this_machine_its_network_and_its_packages(machine):
+    import platform
+    import socket
+
+    report = machine.ros2("doctor", "--report").stdout
+    titles = [line.strip() for line in report.splitlines() if line.startswith("   ")]
+    assert titles == [
+        "NETWORK CONFIGURATION",
+        "PACKAGE VERSIONS",
+        "PLATFORM INFORMATION",
+        "QOS COMPATIBILITY LIST",
+        "RMW MIDDLEWARE",
+        "ROS 2 INFORMATION",
+        "TOPIC LIST",
+    ]
+    for _, name in socket.if_nameindex():
+        assert f"device       : {name}\n" in report
+    if platform.system() == "Linux":
+        assert "inet         : 127.0.0.1\n" in report and "flags        : UP,LOOPBACK,RUNNING\n" in report
+    assert f"release          : {platform.release()}\n" in report
+    assert "latest=N/A, local=" in next(line for line in report.splitlines() if line.startswith("turtlesim "))
+    assert "PACKAGE VERSIONS" not in machine.ros2("doctor", "--report", "-ep").stdout

@@ -260,3 +260,11 @@ def test_without_a_screen_it_tells_what_it_would_show(machine: RVizMachine) -> N
         "  Status: Ok",
         "    Ok: Transform: Ok",
     ]
+
+
+def test_as_a_node_without_a_screen_it_logs_a_warning_and_then_an_error(machine: RVizMachine) -> None:
+    running = machine.start("rviz2", "rviz2", background=True)
+    machine.until(lambda: "[WARN]" in running.errors)
+    machine.transform("odom", "base_link")
+    machine.until(lambda: "[ERROR]" in running.errors or running.program.status is not None)
+    assert running.errors.endswith("[rviz]: Global Status: Fixed Frame: Frame [map] does not exist\n")

@@ -29,7 +29,9 @@ class Walk:
 
     @property
     def pane(self) -> Any:
-        return next(iter(self.app.desktop.panes.values()))
+        """The window that has the keys; the newest one while a dialog has them."""
+        focused = self.app.desktop.focused_pane()
+        return focused if hasattr(focused, "rviz") else list(self.app.desktop.panes.values())[-1]
 
     async def press(self, *keys: str) -> None:
         for key in keys:

@@ -82,8 +82,93 @@ SAME_AS_BASH = [
 ]
 
 
+MORE_AS_IN_BASH = [
+    'for f in a.py b.txt "c d" x; do case $f in *.py) echo py;; *.txt|"c d") echo other;; *) echo "no $f";; esac; done',
+    (
+        "case a in (a) echo 1;& b) echo 2;; c) echo 3;; esac; case x in y) ;; esac; echo $?; "
+        "case x in x) false;; esac; echo $?"
+    ),
+    (
+        "case a in a) echo 1;;& [a-c]) echo 2;; *) echo 3; esac; case '*' in \\*) echo star;; "
+        "esac; case ab in 'a*') echo no;; esac"
+    ),
+    "case $- in\n  *i*) echo interactive;;\n  *) echo script ;;\nesac\necho $(case x in x) echo inner;; esac)",
+    'f() { echo "$1-$#"; return 3; }; f a b; echo $?; f; function g { echo g; }; g; h () (cd /; pwd); h; pwd | wc -l',
+    'f() { local x=1 y; y=2; echo $x$y; }; x=0; f; echo "$x[$y]"; f() { x=9; }; f; echo $x',
+    "f() { if [ $1 -gt 0 ]; then echo $1; f $(($1-1)); fi; }; f 3; f() { echo out; } > file; f; cat file",
+    "f() { echo a; echo b >&2; }; f 2>/dev/null | cat; type f | head -1; unset -f f; f 2>/dev/null; echo $?",
+    "f() { for i in 1 2 3; do [ $i = 2 ] && return 5; echo $i; done; }; f || echo $?; f && echo no; echo done",
+    '[[ a == a ]] && echo 1; [[ abc == a* ]] && echo 2; [[ abc == "a*" ]] || echo 3; [[ -z "" && -n x ]] && echo 4',
+    "[[ 3 -gt 2 || x == y ]] && echo 1; [[ ! -e /nowhere ]] && echo 2; [[ ( a == b || a == a ) && b < c ]] && echo 3",
+    "x='a b'; [[ $x == 'a b' ]] && echo 1; [[ $x ]] && echo 2; [[ $nothing ]] || echo 3; [[ -d / && -f / ]]; echo $?",
+    (
+        "[[ turtle12 =~ ^[a-z]+([0-9]+)$ ]] && echo yes; [[ abc =~ b ]] && echo 2; "
+        "[[ a.c =~ 'a.c' ]] && echo 3; [[ abc =~ 'a.c' ]]; echo $?"
+    ),
+    "[[ 5 -lt 10 ]] && echo less; [[ 5 < 10 ]] || echo texts; x=4; [[ x -eq 4 ]] && echo sum; [[ a != b ]]; echo $?",
+    "((x = 5)); echo $x $?; ((x == 5)) && echo yes; ((x > 9)); echo $?; ((x++)); ((x += 2)); echo $x; ((0)); echo $?",
+    "for ((i = 0; i < 3; i++)); do echo $i; done; for ((;;)); do break; done; echo $i",
+    "for ((i=0;i<4;i++)) do ((i==2)) && continue; echo $i; done; i=5; while ((i-- > 3)); do echo w$i; done",
+    "echo $((1 ? 2 : 3)) $((0 && (x=1))) $x $((x = 4, x * 2))",
+    "echo $((0x1f)) $((010)) $((2#101)) $((1 << 4 | 1)) $((~0)) $((!5))",
+    (
+        "x=3; y=x; "
+        "echo $((y + 1)) $((x++ + ++x)) $x $(( (1+(2)) )) $((-x)) $(($x*2)) ${#x} $(($(echo 2)+${x})); echo $((2**3**0))"
+    ),
+    "n=0; printf 'a b\\nc  d\\n' > f; while read -r one two; do n=$((n+1)); echo \"$n:$one:$two\"; done < f; echo $n",
+    (
+        "printf 'a,b,c\\n' | while IFS=, read x y; do echo \"$x|$y\"; done; "
+        "printf 'no end' | { read x; echo \"$? $x\"; }; read x < /dev/null; echo $?"
+    ),
+    (
+        "IFS=: read a b c <<< 'x:y:z:w'; echo \"$a $b $c\"; read -r l <<< 'a\\b'; echo \"$l\"; "
+        "read l <<< '  sp  '; echo \"[$l]\""
+    ),
+    (
+        "for i in {1..3} {a..c} {3..1}; do printf '%s ' $i; done; echo; for i in; do echo no; "
+        "done; for x in a b; do :; done; echo $x"
+    ),
+    (
+        "x=hello_world; "
+        "echo ${x/o/0} ${x//o/0} ${x/#hell/H} ${x/%ld/LD} ${x//_} ${x^} ${x^^} ${x:1:3} ${x:6} ${x: -3} ${x:0:-2}"
+    ),
+    'x=Abc; echo ${x,} ${x,,}; y=x; echo ${!y}; echo ${z:-${x:-deep}} "${z:-a b}" ${x:+($x)} "${x:+($x)}" ${#z}',
+    'x=/a/b/c.tar.gz; echo ${x##*/} ${x%/*} ${x%%.*} "${x%\'.gz\'}" ${x#*/}; p=*.gz; echo ${x%$p} "${x%"$p"}"',
+    "echo $'a\\tb\\n\\'q\\' \\x41\\101\\u4f60' | cat; echo $'x'y",
+    "(echo a; (echo b)); ((echo c); (echo d)); x=$( (echo e) ); echo $x; echo $(( $(echo 2) + 1 ))",
+    (
+        "if [ -f ~/.none ]; then . ~/.none; fi; [ -x /usr/none ] && echo no; "
+        "test -r /none && a || echo b; ! [ a = b ]; echo $?"
+    ),
+    (
+        "x=1\nshopt -s histappend; shopt -q histappend; echo $?; shopt -oq posix; echo $?; set -u; "
+        "(echo $nothing) 2>/dev/null; echo $?"
+    ),
+    (
+        "declare -i n=3+4; echo $n; declare -x V=7; printenv V; declare w=1; echo $w; "
+        "readonly r=2; echo $r; let 'a = 3 * 2' b=a+1; echo $a $b; let 0; echo $?"
+    ),
+    (
+        'export A=1 B; A+=2; echo $A; x=a; x+=b; echo $x; echo ${x}c${x}; f() { echo "$@" $*; }; '
+        "f 'a b' c; set -- ; echo \"[$*]\""
+    ),
+    "trap 'echo bye' TERM; umask 022; echo $?; true; echo $? $$ | wc -w; false; echo $?; sleep 0 & wait $!; echo $?",
+    "cat <<A; cat <<B\none\nA\ntwo $((1+1))\nB\necho three",
+    'while true; do\n  read l || break\n  echo "<$l>"\ndone <<E\none\ntwo\nE',
+    'x=$(cat <<E\nin $HOME\nE\n); echo "$x" | wc -l; if true; then cat <<E; fi\nbody\nE',
+    'function hello() {\n  # comment\n  local who=${1:-you}\n  echo "hello $who"\n}\nhello; hello me',
+    "test 1 -lt 2 -a 2 -lt 3 && echo and; [ a -nt b ]; echo $?; touch a; [ a -ef ./a ] && echo same; [ -h a ]; echo $?",
+    (
+        "until false; do break; done; echo $?; if ! grep -q x /dev/null; then echo none; fi; "
+        "echo a && { echo b; } || echo c"
+    ),
+    "echo {1..10..3} {a,b{c,d}} pre{1,2}post; mkdir -p pkg/{src,launch,config}; ls pkg",
+    'x=\'1 2\'; for i in $x "$x"; do echo "<$i>"; done; for i in "$@"; do echo no; done; echo ~root | wc -l',
+]
+
+
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash to compare with")
-@pytest.mark.parametrize("line", SAME_AS_BASH[:-1])
+@pytest.mark.parametrize("line", SAME_AS_BASH[:-1] + MORE_AS_IN_BASH)
 def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: Path) -> None:
     home = tmp_path / "home"
     real_home = tmp_path / "real" / "home"

@@ -367,3 +367,35 @@ def test_less_behind_a_pipe_takes_its_keys_from_the_terminal(seat: Any) -> None:
     seat.type("q")
     assert "(END)" not in seat.look() and not seat.terminal.busy
     assert seat.line("echo on").splitlines()[-2:] == ["on", PROMPT]
+
+
+def test_what_is_typed_after_nano_is_nanos_even_before_its_window_is_there(seat: Any) -> None:
+    seat.type("nano talker.py\rimport rclpy\r")
+    (window,) = seat.desk.display.windows
+    seat.type("\x03x")
+    assert window.model.take_typed() == "import rclpy\r\x03x"
+    assert window.model.take_typed() == ""
+    window.close_by_user()
+    assert seat.line("echo back").splitlines()[-2:] == ["back", PROMPT]
+
+
+def test_gedit_has_a_window_of_its_own_and_leaves_the_terminal_alone(seat: Any) -> None:
+    seat.line("gedit talker.py")
+    (window,) = seat.desk.display.windows
+    assert seat.type("abc").endswith("abc")
+    assert window.model.take_typed() == ""
+    seat.type("\x03")
+    assert seat.desk.display.windows == []
+
+
+def test_a_prompt_drawn_anew_for_another_size_is_no_news(seat: Any) -> None:
+    seat.line("echo told")
+    seat.terminal.mark_seen()
+    seat.terminal.resize(60, 20)
+    seat.settle()
+    assert not seat.terminal.has_news
+    seat.line("sleep 5; echo told")
+    seat.terminal.mark_seen()
+    seat.terminal.resize(80, 24)
+    seat.settle(6)
+    assert seat.terminal.has_news

@@ -106,3 +106,19 @@ def test_rosdep_looks_at_the_packages_and_names_what_nobody_has(machine: Any) ->
     file.write_text(manifest.format("no_such_package"))
     done = machine.run("cd ~/ros2_ws; rosdep install --from-paths src -y")
     assert done.status == 1 and "car: Cannot locate rosdep definition for [no_such_package]" in done.err
+
+
+@pytest.mark.parametrize(
+    ("package", "answer"),
+    [
+        ("liburdfdom-tools", "liburdfdom-tools is already the newest version (check_urdf, urdf_to_graphviz)."),
+        ("ros-${ROS_DISTRO}-joint-state-publisher-gui", "joint-state-publisher-gui is already the newest version"),
+        ("'~nros-jazzy-rqt*'", "ros-jazzy-rqt* is already the newest version"),
+        ("ros-jazzy-nav2-bringup", "ros-jazzy-nav2-bringup: not part of day6-tui"),
+        ("cowsay", "cowsay: not needed on this machine"),
+    ],
+)
+def test_apt_install_says_what_a_package_is_here(machine: Any, package: str, answer: str) -> None:
+    """Sections 4.4 and 5.4 of the lesson and the page "rqt" of the official tutorials."""
+    result = machine.run(f"sudo apt install {package}")
+    assert result.status == 0 and answer in result.out

@@ -56,9 +56,15 @@ class SteppedMachine:
         self._programs.append(Program(session, lambda session: session.spin(self.node)))
 
     def start(
-        self, package: str, executable: str, *args: str, stdin: InputStream | None = None, screen: bool = False
+        self,
+        package: str,
+        executable: str,
+        *args: str,
+        stdin: InputStream | None = None,
+        screen: bool = False,
+        background: bool = False,
     ) -> Running:
-        """Run an executable up to its first wait."""
+        """Run an executable up to its first wait; `background`: as a launch does."""
         stdout, stderr = Captured(), Captured()
         session = Session(
             self.scheduler,
@@ -69,6 +75,7 @@ class SteppedMachine:
             stderr=stderr,
             display=self.display if screen else None,
         )
+        session.background = background
         module = importlib.import_module(f"day6_tui.core.ros.programs.{package}.{executable}")
         program = Program(session, module.main)
         self._programs.append(program)

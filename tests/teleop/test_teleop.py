@@ -10,9 +10,8 @@ from geometry_msgs.msg import Twist, TwistStamped
 from day6_tui.core.ros.programs.teleop_twist_keyboard.teleop_twist_keyboard import HELP, MOVES
 
 if TYPE_CHECKING:
+    from stepped_keyboard import Keyboard
     from stepped_machine import Running, SteppedMachine
-
-    from tests.teleop.conftest import Keyboard
 
 
 def start(machine: SteppedMachine, keyboard: Keyboard, *args: str) -> Running:

@@ -196,6 +196,62 @@ async def test_f3_goes_through_terminals_and_windows(desk) -> None:
         assert app.desktop.active == window.number
 
 
+@pytest.mark.parametrize("key", ["f3", "shift+f3"])
+async def test_from_a_terminal_f3_leads_to_the_window_one_sees_and_then_to_all_others(desk, key) -> None:
+    for title in ("First", "Second", "Third"):
+        desk.display.open("turtlesim", title, FakeSimulation())
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await step(app, pilot)
+        app.desktop.focus_pane(app.terminals)
+        seen = []
+        for _ in range(5):
+            await pilot.press(key)
+            pane = app.screen.focused
+            seen.append("terminal" if pane is app.terminals else pane.window.title)
+        if key == "f3":
+            assert seen == ["Third", "First", "Second", "terminal", "Second"]
+        else:
+            assert seen == ["Second", "First", "Third", "terminal", "Second"]
+
+
+async def test_on_a_small_screen_the_guide_gives_way_to_a_terminal_that_is_full(desk) -> None:
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        assert app.terminals.size.height == 9
+        desk.terminals[0].write("\r\n".join(map(str, range(30))))
+        await step(app, pilot)
+        await step(app, pilot)
+        assert app.terminals.size.height == 22 and "No window is open" not in screen_text(app)
+        await pilot.press("f3")
+        await step(app, pilot)
+        assert app.terminals.size.height == 9 and "No window is open" in screen_text(app)
+        await pilot.press("f3")
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        await step(app, pilot)
+        await step(app, pilot)
+        assert app.terminals.size.height == 9 and "TurtleSim" in screen_text(app)
+
+
+async def test_on_a_wide_screen_the_guide_stays(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        desk.terminals[0].write("\r\n".join(map(str, range(60))))
+        await step(app, pilot)
+        await step(app, pilot)
+        assert "No window is open" in screen_text(app)
+
+
+async def test_the_help_of_the_guide_is_about_the_guide(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        await pilot.press("f1")
+        await step(app, pilot)
+        assert "with a number" in screen_text(app)
+        await pilot.press("escape")
+        app.welcome.show_guide()
+        await pilot.press("f1")
+        await step(app, pilot)
+        assert "No window is open at present" in screen_text(app)
+
+
 @pytest.mark.parametrize("size", [(80, 24), (120, 40)])
 async def test_the_focused_pane_has_the_heavy_frame_and_only_it(desk, size) -> None:
     desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

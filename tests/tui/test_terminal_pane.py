@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 from fakes import FakeTerminal
+from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step
 from textual import events
 
 from day6_tui.tui.colours import colours
-from day6_tui.tui.terminal_keys import encode
+from day6_tui.tui.terminal_keys import _PLAIN, decode, encode
 from day6_tui.tui.terminal_view import TerminalView, tab_name
 
 
@@ -245,3 +246,27 @@ async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_r
         desk.terminals[0].busy = True
         await pilot.press("pageup")
         assert desk.terminals[0].sent == "\x1b[5~"
+
+
+@pytest.mark.parametrize("text", [*_PLAIN.values(), *"aZ好~^", "\x01", "\x18", "\x1b[A", "\x1b[H", "\x1bOF"])
+def test_what_a_terminal_sends_is_read_as_the_key_that_sends_it(text) -> None:
+    assert encode(*decode(text)) == text.replace("\x1bO", "\x1b[") or decode(text)[0] in ("f1", "f2", "f3", "f4")
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120])
+async def test_with_many_terminals_the_tab_of_the_one_in_front_is_always_there(desk, width) -> None:
+    async with opened(desk, width, 24, lang="en", scene="empty") as (app, pilot):
+        for _ in range(15):
+            await pilot.press("f2")
+        for terminal in desk.terminals[:4]:
+            terminal.has_news = True
+        for index in range(16):
+            app.terminals.activate(index)
+            labels = app.terminals._labels()
+            first, end = app.terminals._tabs_that_fit(labels)
+            assert first <= index < end
+            assert sum(cell_len(label) + 2 for label in labels[first:end]) <= app.terminals.inner_width
+            assert not any("…" in label for label in labels)
+            assert labels[index].split()[0] == str(index + 1)
+        await step(app, pilot)
+        assert " 16" in screen_text(app)

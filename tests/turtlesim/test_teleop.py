@@ -9,7 +9,9 @@ from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
 
 if TYPE_CHECKING:
-    from tests.turtlesim.conftest import Keyboard, Machine
+    from stepped_keyboard import Keyboard
+
+    from tests.turtlesim.conftest import Machine
 
 UP, DOWN, RIGHT, LEFT = "\x1b[A", "\x1b[B", "\x1b[C", "\x1b[D"
 

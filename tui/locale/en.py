@@ -113,7 +113,7 @@ TEXTS = {
     "turtlesim.label": "names",
     # car
     "car.stays": (
-        "why does the car not drive off? This picture, like RViz, only draws angles. Wheels that touch a floor are in "
+        "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
         "ros2 launch day6_world world.launch.py"
     ),
     "car.zoom": "zoom",
@@ -171,7 +171,7 @@ TEXTS = {
     "sliders.accept": "take it",
     "sliders.cancel": "leave it",
     # rqt_graph
-    "rqt.hidden": "{count} hidden:",
+    "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
     "rqt.separator": "; ",
     "rqt.nothing_hidden": "nothing is hidden",
@@ -192,13 +192,14 @@ TEXTS = {
     ),
     "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
     "inspector.slow": "{topic} comes {rate} times a second; the eye needs about 20",
+    "inspector.title": "Inspector",
     "inspector.well": "nothing is wrong",
     "inspector.count": "{errors} errors, {all} in all",
     "action.inspector": "Inspect",
     "help.action.inspector": "what is wrong with the graph right now",
     "editor.save": "save",
     "editor.find": "find",
-    "editor.line": "line",
+    "editor.line": "go to line",
     "editor.close": "close",
     "editor.write": "save (Enter)",
     "editor.write.name": "File Name to Write",
@@ -207,7 +208,10 @@ TEXTS = {
     "editor.modified": "Save modified buffer?",
     "editor.modified.keys": "Y  save    N  throw the changes away    Esc  go on writing",
     "editor.cut": "cut lines, put them back",
-    "editor.indent": "a step in or out; several lines when they are chosen",
+    "editor.indent": "a step in; several lines when they are chosen",
+    "editor.outdent": "a step back",
+    "editor.new": "A new file …",
+    "editor.no_folder": "there is no folder {name}",
     "editor.undo": "undo, redo",
     "editor.open": "other file",
     "editor.reload": "as on disk",
@@ -241,6 +245,9 @@ TEXTS = {
     "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
     "rqt.topic": "{name}: published by {arriving}, heard by {leaving}",
     # topics
+    "topics.columns.topic": "topic",
+    "topics.columns.publishers": "pub",
+    "topics.columns.subscriptions": "sub",
     "topics.none": "There is no topic yet. Start a node.",
     "topics.publishers": "publishers",
     "topics.subscriptions": "subscriptions",
@@ -297,6 +304,8 @@ TEXTS = {
     "rviz.type.MarkerArray": "many of them",
     "rviz.type.Odometry": "where a robot has been",
     "rviz.type.Path": "a planned way",
+    "rviz.type.Image": "the picture of a camera",
+    "rviz.type.PointCloud2": "points of a depth camera",
     "rviz.type.PointStamped": "single points",
     "rviz.type.Pose": "a place and direction",
     "rviz.type.PoseArray": "many of them",
@@ -321,6 +330,8 @@ TEXTS = {
     "rviz.seen.frames": "the axes of {count} frames",
     "rviz.seen.no_frames": "no frames: nobody publishes /tf",
     "rviz.seen.axes": "the axes of {frame}",
+    "rviz.seen.points": "{name}: {count} points",
+    "rviz.seen.image": "{name}: image of {size} pixels",
     "rviz.seen.messages": "{name}: {count} messages",
     "rviz.seen.separator": "; ",
     "rviz.seen.comma": ", ",
@@ -472,6 +483,11 @@ TEXTS = {
         "Numbers out of messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
         "The scale of the values fits itself to what is seen.\n\nA field is written like a path: /turtle1/pose/x, for an "
         "element of a list /joint_states/position[0]. Listening is a subscription, so it counts as one."
+    ),
+    "help.guide": (
+        "No window is open at present, so here are commands worth trying. Choose one with the arrow keys and Enter, or click it: "
+        "it is typed into a terminal, and runs when you press Enter there.\n\n"
+        "The last ones type all commands of a lesson for you, one after the other, as a teacher would."
     ),
     "help.welcome": (
         "Choose with the arrow keys and Enter, with a number, or with the mouse. The first choices type their commands into "

@@ -171,7 +171,7 @@ TEXTS = {
     "sliders.accept": "确定",
     "sliders.cancel": "取消",
     # rqt_graph
-    "rqt.hidden": "藏起了 {count} 个：",
+    "rqt.hidden": "藏起了 {count} 个：{reasons}",
     "rqt.hides": "{option} 藏起 {names}",
     "rqt.separator": "；",
     "rqt.nothing_hidden": "没有藏起任何东西",
@@ -190,13 +190,14 @@ TEXTS = {
     "inspector.unknown_joint_near": "{topic} 里有关节 {joint}，机器人描述里没有；是不是想写 {nearest}？",
     "inspector.silent_joint": "关节 {joint} 能动，但没有人在 {topic} 上发它的位置",
     "inspector.slow": "{topic} 每秒只来 {rate} 次；眼睛要看得顺，大约需要 20 次",
+    "inspector.title": "检查",
     "inspector.well": "一切正常",
     "inspector.count": "{errors} 个错误，共 {all} 条",
     "action.inspector": "检查",
     "help.action.inspector": "现在的计算图有什么问题",
     "editor.save": "保存",
     "editor.find": "查找",
-    "editor.line": "行",
+    "editor.line": "跳到行",
     "editor.close": "关闭",
     "editor.write": "保存（再按 Enter）",
     "editor.write.name": "要写入的文件名",
@@ -205,7 +206,10 @@ TEXTS = {
     "editor.modified": "改过的内容要保存吗？",
     "editor.modified.keys": "Y  保存      N  不保存，丢掉改动      Esc  继续写",
     "editor.cut": "剪下几行、放回来",
-    "editor.indent": "缩进、退回一级；选中几行就一起移",
+    "editor.indent": "缩进一级；选中几行就一起移",
+    "editor.outdent": "退回一级",
+    "editor.new": "新建文件……",
+    "editor.no_folder": "没有文件夹 {name}",
     "editor.undo": "撤销、重做",
     "editor.open": "别的文件",
     "editor.reload": "读回磁盘上的",
@@ -239,6 +243,9 @@ TEXTS = {
     "rqt.node": "{name}：{arriving} 个箭头进来，{leaving} 个出去",
     "rqt.topic": "{name}：{arriving} 个发布者，{leaving} 个订阅者",
     # topics
+    "topics.columns.topic": "话题",
+    "topics.columns.publishers": "发布",
+    "topics.columns.subscriptions": "订阅",
     "topics.none": "还没有话题。先启动一个节点吧。",
     "topics.publishers": "发布者",
     "topics.subscriptions": "订阅者",
@@ -295,6 +302,8 @@ TEXTS = {
     "rviz.type.MarkerArray": "一组图形",
     "rviz.type.Odometry": "机器人走过的路",
     "rviz.type.Path": "规划好的路径",
+    "rviz.type.Image": "摄像头的图像",
+    "rviz.type.PointCloud2": "深度相机或三维雷达的点云",
     "rviz.type.PointStamped": "单个的点",
     "rviz.type.Pose": "一个位置和朝向",
     "rviz.type.PoseArray": "一组位置和朝向",
@@ -319,6 +328,8 @@ TEXTS = {
     "rviz.seen.frames": "{count} 个坐标系的坐标轴",
     "rviz.seen.no_frames": "没有坐标系：没有人在发布 /tf",
     "rviz.seen.axes": "{frame} 的坐标轴",
+    "rviz.seen.points": "{name}：{count} 个点",
+    "rviz.seen.image": "{name}：{size} 像素的图像",
     "rviz.seen.messages": "{name}：{count} 条消息",
     "rviz.seen.separator": "；",
     "rviz.seen.comma": "，",
@@ -461,6 +472,10 @@ TEXTS = {
         "把消息里的数字画成随时间变化的曲线。一条曲线就是一个话题的一个字段，图例里是它的最新值。纵轴会自动适应看得见的"
         "数值。\n\n字段写得像路径：/turtle1/pose/x；列表里的一项写成 /joint_states/pos"
         "ition[0]。听就是订阅，所以订阅者会多一个。"
+    ),
+    "help.guide": (
+        "现在没有打开的窗口，这里列出几条值得一试的命令。用方向键和 Enter 选一条，或者点一下，它就会输入到终端里；"
+        "在终端里再按一次 Enter 才会运行。\n\n最后几项会像老师一样，把一课的命令一条一条地替你输入。"
     ),
     "help.welcome": (
         "用方向键和 Enter 选择，也可以按数字或点鼠标。前三项会像老师一样，把命令一条一条地输入到终端里。\n\n"

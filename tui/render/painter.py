@@ -10,6 +10,7 @@ from day6_tui.core.ros.programs.rviz2.model.scene import Image, Scene
 from day6_tui.core.ros.programs.rviz2.model.turning import matrix
 from day6_tui.core.ros.programs.rviz2.model.views import Camera
 from day6_tui.tui.render.lines import Segments, paint_points
+from day6_tui.tui.render.overlays import paint_overlays
 from day6_tui.tui.render.picture import SURFACE, Array, Picture
 from day6_tui.tui.render.solids import paint_solids
 from day6_tui.tui.render.triangles import paint_triangles
@@ -49,6 +50,7 @@ def paint(scene: Scene, camera: Camera, width: int, height: int, aspect: float, 
     paint_solids(picture, [each for each in scene.shapes if each.colour[3] < 0.997], quality.levels, faint)
     faint.paint(picture)
     _place_labels(picture, scene)
+    paint_overlays(picture, scene)
     return picture if coarse == 1 else _enlarged(picture, width, height)
 
 

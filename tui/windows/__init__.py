@@ -62,10 +62,15 @@ class WindowPane(Pane):
                 self.app.call_later(self.app.window_failed, self, error)  # type: ignore[attr-defined]
             return [Strip.blank(crop.width, self.background)] * crop.height
 
+    @property
+    def label(self) -> str:
+        """The window's name on frames and in lists: that of the program, as on a real desktop."""
+        return self.window.title
+
     def title(self) -> list[Piece]:
         colours = self.look.colours
         style = colours.title_focus if self.has_focus else colours.title
-        return [Piece(f" {self.window.title} ", style)]
+        return [Piece(f" {self.label} ", style)]
 
     def title_right(self) -> list[Piece]:
         from day6_tui.tui.desktop import Desktop

@@ -97,13 +97,16 @@ class CarPane(WindowPane):
         )
 
     def _say(self, status: Any) -> list[tuple[str, str]]:
-        """Levels and lines of what is wrong, the first ones whole: the end of a sentence is often its point."""
+        """Levels and lines of what is wrong, the first ones whole: the end of a sentence is often its point.
+
+        In a low window the picture comes first: what is only worth knowing is left away there.
+        """
         said: list[tuple[str, str]] = []
-        most = max(MOST_STATUS_LINES, self.inner_height // 5)
+        most = max(1, self.inner_height // 5, min(MOST_STATUS_LINES, self.inner_height // 3))
         for line in status:
             mark = "" if line.level == "info" else f"{self.look.glyphs.warning} "
             words = wrap(self.look.texts(line.id, **dict(line.parameters)), self.inner_width - 2 - len(mark))
-            if said and len(said) + len(words) > most:
+            if len(said) + len(words) > most and (said or line.level == "info"):
                 break
             for text in words:
                 said.append((line.level, f" {mark}{text}"))

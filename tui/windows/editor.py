@@ -12,6 +12,7 @@ from textual.app import ComposeResult
 from textual.widgets.text_area import Selection
 
 from day6_tui.core.session.display import Window
+from day6_tui.core.session.keys import split_keys
 from day6_tui.core.shell.editing.checks import Problem, language_of
 from day6_tui.core.shell.editing.model import CannotEdit, Editor
 from day6_tui.tui.cells import wrap
@@ -19,8 +20,9 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.prompt import Question
+from day6_tui.tui.terminal_keys import decode
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.editor_area import EditorArea, has_grammar, theme_for
+from day6_tui.tui.windows.editor_area import EditorArea, has_grammar
 
 KEEP_SECONDS = 1.0
 """So long after the last key the unsaved text is kept and checked."""
@@ -81,6 +83,8 @@ class EditorPane(WindowPane):
         return []
 
     def status_right(self) -> list[Piece]:
+        if self.editor.file is None:
+            return []
         row, column = self.area.cursor_location
         return [Piece(f" {row + 1}:{column + 1} ", self.look.colours.muted)]
 
@@ -92,6 +96,8 @@ class EditorPane(WindowPane):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        if self.editor.file is None:
+            return [("Enter", texts("editor.files")), ("^W", texts("editor.close"))]
         return [
             ("^S", texts("editor.save")),
             ("^F", texts("editor.find")),
@@ -104,7 +110,8 @@ class EditorPane(WindowPane):
         nano = [("^O", texts("editor.write")), ("^K ^U", texts("editor.cut"))] if self._is_nano else []
         return [
             *nano,
-            ("Tab Shift+Tab", texts("editor.indent")),
+            ("Tab", texts("editor.indent")),
+            ("Shift+Tab", texts("editor.outdent")),
             ("^Z ^Y", texts("editor.undo")),
             ("^T", texts("editor.open")),
             ("^R", texts("editor.reload")),
@@ -122,7 +129,7 @@ class EditorPane(WindowPane):
 
     def restyle(self) -> None:
         super().restyle()
-        self.area.theme = theme_for(self.look)
+        self.area.take_look(self.look)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -133,6 +140,8 @@ class EditorPane(WindowPane):
             self.touch()
         if self.editor.file is None:
             return False
+        if keys := self.typed_ahead():
+            self.area.call_next(self.area.take_keys, keys)
         if self._edited and now - self._edited >= KEEP_SECONDS:
             self._edited = 0.0
             self._keep_and_check()
@@ -145,6 +154,10 @@ class EditorPane(WindowPane):
                 self._outside = outside
                 self.touch_frame()
         return True
+
+    def typed_ahead(self) -> list[events.Key]:
+        """Return what was typed in the terminal that runs the editor, since the last call."""
+        return [events.Key(*decode(key)) for key in split_keys(self.editor.take_typed())]
 
     def edited(self) -> None:
         """The text was changed."""
@@ -308,7 +321,7 @@ class EditorPane(WindowPane):
         self.ask(self.look.texts("editor.line"), str(line), taken)
 
     def choose_file(self) -> None:
-        """Offer the files of the folder."""
+        """Offer the files of the folder, and a new one."""
 
         def chosen(path: Path) -> None:
             self._keep_and_check()
@@ -321,7 +334,22 @@ class EditorPane(WindowPane):
 
         files = self.editor.files()
         entries = [Entry(path.relative_to(self.editor.folder).as_posix(), "", partial(chosen, path)) for path in files]
+        entries.append(Entry(self.look.texts("editor.new"), "", partial(self._ask_new_file, chosen)))
         self.lay_over(Menu(self.look, "editor.files", entries))
+
+    def _ask_new_file(self, chosen: Callable[[Path], object]) -> None:
+        """Ask for the name of a file that is not there yet; it comes into being when it is saved."""
+
+        def taken(name: str) -> str | None:
+            path = self.editor.folder / name.strip()
+            if not name.strip() or path.is_dir():
+                return self.look.texts("editor.name")
+            if not path.parent.is_dir():
+                return self.look.texts("editor.no_folder", name=path.parent.relative_to(self.editor.folder))
+            chosen(path)
+            return None
+
+        self.ask(self.look.texts("editor.new"), "", taken)
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
@@ -334,8 +362,8 @@ class EditorPane(WindowPane):
         return self
 
     def on_key(self, event: events.Key) -> None:
-        if self.editor.file is None and event.key in ("enter", "ctrl+t"):
-            self.choose_file()
+        if self.editor.file is None and event.key in ("enter", "ctrl+t", "ctrl+w"):
+            (self.close if event.key == "ctrl+w" else self.choose_file)()
             event.stop()
 
     def used(self, key: str) -> bool:

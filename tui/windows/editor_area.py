@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 from textual import events
+from textual.color import Color
 from textual.widgets import TextArea
 
 from day6_tui.tui.look import Look
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 STEP = "    "
 """What Tab puts before a line."""
 
+_CLOSING = {"right_parenthesis": ")", "right_square_bracket": "]", "right_curly_bracket": "}"}
+"""Keys that close what a deeper line belongs to."""
+
 FASTEST_FINGERS = 0.01
 """Seconds between two keys below which nobody types: a terminal without bracketed paste sends pasted text as keys."""
 
@@ -24,7 +28,10 @@ class EditorArea(TextArea):
     """Keys go to the pane first; Enter keeps the indentation, Tab moves chosen lines, the wrong line is underlined."""
 
     DEFAULT_CSS = """
-    EditorArea { margin: 1; border: none; padding: 0; width: 1fr; height: 1fr; }
+    EditorArea {
+        margin: 1; border: none; padding: 0; width: 1fr; height: 1fr;
+        scrollbar-size-vertical: 1; scrollbar-size-horizontal: 0;
+    }
     EditorArea:focus { border: none; }
     """
 
@@ -38,9 +45,25 @@ class EditorArea(TextArea):
             compact=True,
         )
         self._pane = pane
+        self._colour_scrollbar(look)
         self._last_key = 0.0
         self._cut = ""
         self._cut_row = -1
+
+    def take_look(self, look: Look) -> None:
+        """Take the colours of the desktop."""
+        self.theme = theme_for(look)
+        self._colour_scrollbar(look)
+
+    def _colour_scrollbar(self, look: Look) -> None:
+        thumb, track = look.colours.frame.color, look.colours.frame.bgcolor
+        styles = self.styles
+        if thumb is not None and track is not None:
+            bar, behind = Color.from_rich_color(thumb), Color.from_rich_color(track)
+            styles.scrollbar_color = styles.scrollbar_color_hover = styles.scrollbar_color_active = bar
+            styles.scrollbar_background = styles.scrollbar_background_hover = styles.scrollbar_background_active = (
+                behind
+            )
 
     def on_text_area_changed(self, event: TextArea.Changed) -> None:
         event.stop()
@@ -51,12 +74,25 @@ class EditorArea(TextArea):
         self._pane.touch_frame()
 
     async def _on_key(self, event: events.Key) -> None:
+        if keys := self._pane.typed_ahead():
+            await self.take_keys(keys)
         pasted, self._last_key = event.time - self._last_key < FASTEST_FINGERS, event.time
         if not self._pane.used(event.key) and not self._typed(event.key, pasted):
             await super()._on_key(event)
             return
         event.stop()
         event.prevent_default()
+
+    async def take_keys(self, keys: list[events.Key]) -> None:
+        """Do what these keys do, which were typed elsewhere, also those that are bindings."""
+        for event in keys:
+            if self._pane.used(event.key) or self._typed(event.key, pasted=True):
+                continue
+            bound = self._bindings.key_to_bindings.get(event.key)
+            if bound:
+                await self.run_action(bound[0].action)
+            else:
+                await super()._on_key(event)
 
     async def _on_paste(self, event: events.Paste) -> None:
         event.stop()  # the text area, which Textual asks next, inserts it; nobody else shall
@@ -70,16 +106,28 @@ class EditorArea(TextArea):
             self._shift(first, last, 1)
         elif key == "shift+tab":
             self._shift(first, last, -1)
+        elif key == "backspace" and not pasted and self._at_a_step():
+            row, column = self.cursor_location
+            self.delete((row, (column - 1) // len(STEP) * len(STEP)), (row, column))
+        elif key in _CLOSING and not pasted and self.language == "python" and self._at_a_step():
+            row, column = self.cursor_location
+            self.replace(_CLOSING[key], (row, column - len(STEP)), (row, column), maintain_selection_offset=False)
         elif key != "escape":  # which in a text area would take the keyboard away
             return False
         return True
 
+    def _at_a_step(self) -> bool:
+        """Whether nothing is chosen and only whole steps of blanks stand before the cursor."""
+        row, column = self.cursor_location
+        before = self.document.get_line(row)[:column]
+        return self.selection.is_empty and column > 0 and column % len(STEP) == 0 and not before.strip(" ")
+
     def _new_line(self) -> None:
-        """Begin a line as deep as this one, a step deeper after a colon in Python."""
+        """Begin a line as deep as this one, a step deeper after a colon or an opened bracket in Python."""
         (row, column), end = sorted(self.selection)
         before = self.document.get_line(row)[:column]
         indentation = before[: len(before) - len(before.lstrip())]
-        if self.language == "python" and before.rstrip().endswith(":"):
+        if self.language == "python" and before.rstrip().endswith((":", "(", "[", "{")):
             indentation += STEP
         self.replace("\n" + indentation, (row, column), end, maintain_selection_offset=False)
 

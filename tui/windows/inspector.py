@@ -27,6 +27,10 @@ class InspectorPane(WindowPane):
         self._lines: list[list[Segment]] = []
         self._first = 0
 
+    @property
+    def label(self) -> str:
+        return self.look.texts("inspector.title")
+
     def status(self) -> list[Piece]:
         errors = sum(finding.level == "error" for finding in self.inspector.findings)
         text = self.look.texts("inspector.count", errors=errors, all=len(self.inspector.findings))

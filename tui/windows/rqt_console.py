@@ -60,7 +60,7 @@ class RqtConsolePane(WindowPane):
             self.touch_frame()
 
     def touch(self) -> None:
-        self._lines = self._build(self.inner_width, self.inner_height) if self.is_mounted else []
+        self._lines = []  # built when it is drawn: the news of the focus comes before the focus
         super().touch()
 
     def on_resize(self, event: events.Resize) -> None:

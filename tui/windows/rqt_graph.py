@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 
 from rich.segment import Segment
 from textual import events
@@ -24,11 +25,20 @@ from day6_tui.core.ros.programs.rqt_graph._fit import fitted, unfitted
 from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
 from day6_tui.core.ros.programs.rqt_graph._shapes import Picture, Route
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip
+from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.rqt_graph_options import GROUP, HIDE, SWITCHES, VIEW, is_on, switched
+from day6_tui.tui.windows.rqt_graph_options import (
+    GROUP,
+    HIDE,
+    NAMESPACES,
+    SWITCHES,
+    VIEW,
+    Control,
+    flowing,
+    switched,
+)
 
 PULSE_SECONDS = 1.2
 """How long a pulse takes along an edge."""
@@ -65,6 +75,8 @@ class RqtGraphPane(WindowPane):
         self._counts: dict[str, int] = {}
         self._counted = 0.0
         self._pulses: dict[Route, float] = {}
+        self._controls: list[list[Control]] = []
+        self._controls_for: object = None
         self._chosen = ""
         """Key of the box whose edges are highlighted, '' for none."""
 
@@ -88,7 +100,7 @@ class RqtGraphPane(WindowPane):
         reasons = separator.join(
             self.look.texts("rqt.hides", option=each.option, names=", ".join(each.names)) for each in hidden
         )
-        return [Piece(f" {self.look.texts('rqt.hidden', count=count)} {reasons} ", self.look.colours.muted)]
+        return [Piece(f" {self.look.texts('rqt.hidden', count=count, reasons=reasons)} ", self.look.colours.muted)]
 
     def key_hints(self) -> list[tuple[str, str]]:
         return [
@@ -184,7 +196,7 @@ class RqtGraphPane(WindowPane):
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         below = y - self.inner_height + self._switch_rows()
         if below >= 0:
-            return self._switch_line(below, width)
+            return self._switch_line(below, y, width)
         if not self.graph.content.boxes and y == self.inner_height // 2:
             text = clip(self.look.texts("rqt.empty"), width, self.look.glyphs.ellipsis)
             return [Segment(text, self.look.colours.muted)]
@@ -222,24 +234,36 @@ class RqtGraphPane(WindowPane):
 
     def _switch_rows(self) -> int:
         """Lines for the check boxes: what hides, and where there is room what groups."""
-        return 2 if self.inner_height >= 14 else 1
+        return len(self._switch_lines(self.inner_width))
 
-    def _switch_line(self, row: int, width: int) -> list[Segment]:
-        """Trouble with QoS or types first, else the check boxes."""
-        colours, options, texts = self.look.colours, self.graph.options, self.look.texts
+    def _switch_lines(self, width: int) -> list[list[Control]]:
+        """The check boxes as they flow into lines, at most a fifth of the window."""
+        texts, most = self.look.texts, max(1, self.inner_height // 5)
+        state = (self.graph.options, width, most, texts.language)
+        if state == self._controls_for:
+            return self._controls
+        lines = flowing(texts("rqt.hide"), HIDE, self.graph.options, width)
+        more = flowing(texts("rqt.group"), (NAMESPACES, *GROUP, *VIEW), self.graph.options, width)
+        self._controls_for = state
+        self._controls = [*lines, *more] if len(lines) + len(more) <= most else lines[:most]
+        return self._controls
+
+    def _switch_line(self, row: int, y: int, width: int) -> list[Segment]:
+        """Trouble with QoS or types first, else the check boxes; a click on one is its key."""
+        colours = self.look.colours
         trouble = self.graph.content.trouble
         if trouble and row == 0:
             topic = self._chosen if self._chosen in trouble else next(iter(trouble))
             text = f"{self.look.glyphs.warning} {topic.strip()}: {' '.join(trouble[topic])}"
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), colours.warning)]
-        switches = (*GROUP, *VIEW) if row else HIDE
-        segments = [Segment(f"{texts('rqt.group' if row else 'rqt.hide')}: ", colours.muted)]
-        if row:
-            segments.append(Segment(f"{options.namespaces} Namespaces(n)  ", colours.text))
-        for switch in switches:
-            on = is_on(options, switch)
-            segments.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
-            segments.append(Segment(f"{switch.label}({switch.key})  ", colours.text if on else colours.muted))
+        segments = []
+        x = 1
+        for control in self._switch_lines(width)[row]:
+            end = x + cell_len(control.text)
+            if control.key:
+                self.add_hit(y + 1, x, end, partial(self._switch, control.key))
+            segments.append(Segment(control.text, colours.text if control.on else colours.muted))
+            x = end
         return segments
 
     def _about_chosen(self) -> str:
@@ -280,7 +304,9 @@ class RqtGraphPane(WindowPane):
 
     def on_click(self, event: events.Click) -> None:
         """A click on a box chooses it, beside the boxes none."""
-        super().on_click(event)
+        if self.hit(event.x, event.y) is not None:
+            super().on_click(event)
+            return
         x, y = event.x - 1 - self._left, event.y - 1 - self._top
         for key, (_, rect) in self._picture.boxes.items():
             if rect.x <= x < rect.x + rect.width and rect.y <= y < rect.y + rect.height:

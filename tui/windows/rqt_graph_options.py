@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from day6_tui.core.ros.programs.rqt_graph._content import GraphType, Options
+from day6_tui.tui.cells import cell_len
 
 DEEPEST = 4
 """Namespace boxes nest up to this; the key then begins again at none."""
@@ -36,6 +38,9 @@ VIEW = (
     Switch("h", "highlight", "Highlight"),
     Switch("v", "fit", "Fit"),
 )
+NAMESPACES = Switch("n", "namespaces", "Namespaces")
+"""No check box but a number: how many levels of namespaces are drawn as boxes."""
+
 SWITCHES = {switch.key: switch for switch in (*HIDE, *GROUP, *VIEW)}
 
 
@@ -51,6 +56,26 @@ def switched(options: Options, key: str) -> Options:
     return replace(options, **changed)  # type: ignore[arg-type]
 
 
-def is_on(options: Options, switch: Switch) -> bool:
-    """Say whether a check box is ticked."""
-    return bool(getattr(options, switch.option))
+class Control(NamedTuple):
+    """A piece of a line of controls: its text, the key it stands for ('' for none), and whether it is on."""
+
+    text: str
+    key: str = ""
+    on: bool = False
+
+
+def flowing(name: str, switches: Sequence[Switch], options: Options, width: int) -> list[list[Control]]:
+    """The controls behind `name`, in as many lines of at most `width` cells as they need, each ready to be drawn."""
+    indent = " " * (cell_len(name) + 2)
+    lines = [[Control(f"{name}: ")]]
+    room = width - len(indent)
+    for switch in switches:
+        value = getattr(options, switch.option)
+        box = str(value) if switch is NAMESPACES else f"[{'x' if value else ' '}]"
+        text = f"{box} {switch.label}({switch.key})"
+        if room < len(text) and len(lines[-1]) > 1:
+            lines.append([Control(indent)])
+            room = width - len(indent)
+        lines[-1] += [Control(text, switch.key, bool(value)), Control("  ")]
+        room -= len(text) + 2
+    return lines

@@ -75,16 +75,31 @@ class TopicsPane(WindowPane):
         topics = self.model.topics
         if not topics:
             return [[Segment(" " + self.look.texts("topics.none"), self.look.colours.muted)], *([[]] * (height - 1))]
-        room = max(1, min(len(topics), height // 2 if height > 8 else height))
+        head = 1 if height > 8 else 0
+        room = self._room(height)
         first = max(0, min(self._index() - room // 2, len(topics) - room))
-        lines = [self._topic_line(topic, width) for topic in topics[first : first + room]]
-        self._first = first
-        if height > room + 1:
+        lines = [self._head(width)] * head
+        lines += [self._topic_line(topic, width) for topic in topics[first : first + room]]
+        self._first = first - head
+        if height > head + room + 1:
             lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
             lines += self._details(self._topic(), width)
         return lines[:height] + [[]] * (height - len(lines))
 
     _first = 0
+    """The index of the topic that the first line would show."""
+
+    def _room(self, height: int) -> int:
+        """Lines for topics in a window of this height."""
+        return max(1, min(len(self.model.topics), height // 2 if height > 8 else height))
+
+    def _head(self, width: int) -> Line:
+        texts = self.look.texts
+        tail = (
+            f"{texts('topics.columns.publishers')} {self.look.glyphs.chevron} {texts('topics.columns.subscriptions')} "
+        )
+        name = fit("     " + texts("topics.columns.topic"), max(0, width - cell_len(tail)))
+        return [Segment(name, self.look.colours.muted), Segment(tail, self.look.colours.muted)]
 
     def _topic_line(self, topic: Any, width: int) -> Line:
         colours = self.look.colours
@@ -103,7 +118,7 @@ class TopicsPane(WindowPane):
             Segment(f" {box} ", style or (colours.publisher if topic.monitored else colours.muted)),
             Segment(name, style or (colours.strong if on else colours.topic)),
             Segment(" " + tail, style or colours.text),
-            Segment(bars, colours.publisher),
+            Segment(bars, style or colours.publisher),
         ]
 
     def _details(self, topic: Any, width: int) -> list[Line]:
@@ -141,7 +156,7 @@ class TopicsPane(WindowPane):
         self._shown = []
 
     def touch(self) -> None:
-        self._shown = self._build(self.inner_width, self.inner_height) if self.is_mounted else []
+        self._shown = []  # built when it is drawn: the news of the focus comes before the focus
         super().touch()
 
     def status(self) -> list[Piece]:
@@ -181,9 +196,9 @@ class TopicsPane(WindowPane):
 
     def on_click(self, event: events.Click) -> None:
         super().on_click(event)
+        head = 1 if self.inner_height > 8 else 0
         line = event.y - 1
-        count = len(self.model.topics)
-        if 0 <= line < max(1, min(count, self.inner_height // 2 if self.inner_height > 8 else self.inner_height)):
+        if head <= line < head + self._room(self.inner_height):
             self._choose(self._first + line)
             if event.x <= 4:
                 self._toggle()

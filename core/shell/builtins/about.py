@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import operator
-import os
-from collections.abc import Callable
-
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell import file_tests
 from day6_tui.core.shell.builtins.options import complain
 
 _HELP = """\
@@ -62,7 +59,9 @@ async def type_(session: Session) -> int:
     status = 0
     for name in session.argv[1:]:
         if name in session.shell.aliases:
-            session.print(f"{name} is aliased to `{' '.join(session.shell.aliases[name])}'")
+            session.print(f"{name} is aliased to `{session.shell.aliases[name]}'")
+        elif name in session.shell.functions:
+            session.print(f"{name} is a function\n{session.shell.functions[name].source}")
         elif name in SHELL_BUILTINS:
             session.print(f"{name} is a shell builtin")
         elif place := place_of(name):
@@ -81,7 +80,8 @@ async def command(session: Session) -> int:
     if not words:
         return 0
     if words[0] in ("-v", "-V"):
-        found = [place_of(name) or (name if name in SHELL_BUILTINS else "") for name in words[1:]]
+        own = SHELL_BUILTINS | session.shell.functions.keys()
+        found = [place_of(name) or (name if name in own else "") for name in words[1:]]
         for place in found:
             if place:
                 session.print(place)
@@ -152,16 +152,6 @@ async def false(session: Session) -> int:
     return 1
 
 
-_INTEGER_TESTS: dict[str, Callable[[int, int], bool]] = {
-    "-eq": operator.eq,
-    "-ne": operator.ne,
-    "-lt": operator.lt,
-    "-le": operator.le,
-    "-gt": operator.gt,
-    "-ge": operator.ge,
-}
-
-
 async def test(session: Session) -> int:
     words = session.argv[1:]
     if session.name == "[" and (not words or words.pop() != "]"):
@@ -184,37 +174,19 @@ def _test(session: Session, words: list[str]) -> bool:
     if len(words) <= 1:
         return bool(words and words[0])
     if len(words) == 2:
-        return _unary(session, *words)
+        return file_tests.unary(words[0], words[1], session.cwd)
     if len(words) > 3:
         raise ValueError("too many arguments")
     left, comparison, right = words
-    if comparison in _INTEGER_TESTS:
-        for text in (left, right):
-            if not text.strip().lstrip("+-").isdigit():
-                raise ValueError(f"{text}: integer expression expected")
-        return bool(_INTEGER_TESTS[comparison](int(left), int(right)))
+    if comparison in file_tests.INTEGER:
+        return file_tests.integers(left, comparison, right)
     if comparison in ("=", "==", "!="):
         return (left == right) != (comparison == "!=")
+    if comparison in ("<", ">"):
+        return left < right if comparison == "<" else left > right
+    if comparison in file_tests.FILES:
+        return file_tests.files(left, comparison, right, session.cwd)
     raise ValueError(f"{comparison}: binary operator expected")
-
-
-def _unary(session: Session, question: str, text: str) -> bool:
-    path = session.cwd / text
-    checks: dict[str, Callable[[], bool]] = {
-        "-z": lambda: not text,
-        "-n": lambda: bool(text),
-        "-e": path.exists,
-        "-f": path.is_file,
-        "-d": path.is_dir,
-        "-L": path.is_symlink,
-        "-s": lambda: path.exists() and path.stat().st_size > 0,
-        "-r": lambda: os.access(path, os.R_OK),
-        "-w": lambda: os.access(path, os.W_OK),
-        "-x": lambda: os.access(path, os.X_OK),
-    }
-    if question not in checks:
-        raise ValueError(f"{question}: unary operator expected")
-    return checks[question]()
 
 
 async def basename(session: Session) -> int:

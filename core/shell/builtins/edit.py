@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.editing.model import CannotEdit, Editor
+
+IN_THE_TERMINAL = ("nano", "vim", "vi")
+"""Editors that really run in the terminal: what is typed there is meant for them."""
 
 
 async def edit(session: Session) -> int:
@@ -23,9 +27,18 @@ async def edit(session: Session) -> int:
         except CannotEdit as error:
             session.print_error(f"{session.name}: {error}")
             return 1
+    if session.name in IN_THE_TERMINAL:
+        session.stdin.pass_keys_to(model)
+        session.defer(partial(_give_keys_back, session, model))
     session.display.open("editor", session.name, model)
     await session.wait(Signal())  # closing the window interrupts the program
     return 0
+
+
+def _give_keys_back(session: Session, model: Editor) -> None:
+    session.stdin.pass_keys_to(None)
+    if unread := model.take_typed():
+        session.stdin.give_back(unread)
 
 
 def _state_folder() -> Path:

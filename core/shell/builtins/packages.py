@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fnmatch
 import os
 from pathlib import Path
 
@@ -39,14 +40,25 @@ async def apt(session: Session) -> int:
     return 0
 
 
+_COMMANDS_OF = {
+    "liburdfdom-tools": ("check_urdf", "urdf_to_graphviz"),
+    "ros-dev-tools": ("colcon", "rosdep"),
+    "python3-rosdep2": ("rosdep",),
+}
+"""Packages that are known by another name than the commands they bring, which are all here."""
+
+
 def _about(name: str) -> str:
     """Say what becomes of `apt install NAME`."""
     from day6_tui.core.ros.environment import DISTRO
     from day6_tui.core.shell.commands import place_of
 
+    name = name.removeprefix("~n")  # how apt is told that a pattern of names follows
+    if name in _COMMANDS_OF:
+        return f"{name} is already the newest version ({', '.join(_COMMANDS_OF[name])})."
     if name.startswith("ros-"):
         package = name.split("-", 2)[-1].replace("-", "_")
-        if package in ("desktop", "desktop_full", "ros_base", "ros_core") or package in _shipped():
+        if package in ("desktop", "desktop_full", "ros_base", "ros_core") or fnmatch.filter(_shipped(), package):
             return f"{name} is already the newest version (day6-tui stands in for ROS 2 {DISTRO})."
         return f"{name}: not part of day6-tui; on a real Ubuntu this command would install it."
     if name.startswith("python3-colcon") or name == "python3-rosdep" or place_of(name):

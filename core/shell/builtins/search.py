@@ -203,4 +203,10 @@ class _Grep:
         return 0 if self.total else 1
 
 
-COMMANDS: dict[str, Main] = {"grep": grep}
+async def egrep(session: Session) -> int:
+    """`egrep` and `fgrep`: the old names of `grep -E` and `grep -F`."""
+    kind = "-E" if session.name == "egrep" else "-F"
+    return await session.execute(grep, ["grep", kind, *session.argv[1:]])
+
+
+COMMANDS: dict[str, Main] = {"grep": grep, "egrep": egrep, "fgrep": egrep}

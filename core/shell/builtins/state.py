@@ -1,9 +1,8 @@
-"""What changes the shell itself: directories, variables, history, control flow, sourcing."""
+"""What changes the shell itself: directories, history, control flow, sourcing. See `variables` for its variables."""
 
 from __future__ import annotations
 
 import os
-import shlex
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
@@ -11,6 +10,7 @@ from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.interpreter import Shell
 from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.system_files import TEXTS
 
 
 def _complain(session: Session, text: object) -> None:
@@ -57,68 +57,6 @@ async def pwd(session: Session) -> int:
     return 0
 
 
-async def export(session: Session) -> int:
-    shell: Shell = session.shell
-    words = session.argv[1:]
-    if not words or words == ["-p"]:
-        for name in sorted(shell.exported & shell.variables.keys()):
-            session.print(f'declare -x {name}="{shell.variables[name]}"')
-        return 0
-    status = 0
-    remove = words[0] == "-n"
-    for word in words[1:] if remove else words:
-        name, equals, value = word.partition("=")
-        append = name.endswith("+")
-        name = name.removesuffix("+") if append else name
-        if not name.isidentifier():
-            _complain(session, f"`{word}': not a valid identifier")
-            status = 1
-            continue
-        if equals:
-            shell.variables[name] = shell.variables.get(name, "") + value if append else value
-        if remove:
-            shell.exported.discard(name)
-        else:
-            shell.exported.add(name)
-    return status
-
-
-async def unset(session: Session) -> int:
-    shell: Shell = session.shell
-    for name in session.argv[1:]:
-        if name not in ("-v", "-f"):
-            shell.variables.pop(name, None)
-            shell.exported.discard(name)
-    return 0
-
-
-async def set_(session: Session) -> int:
-    shell: Shell = session.shell
-    words = session.argv[1:]
-    if not words:
-        for name, value in sorted(shell.variables.items()):
-            session.print(f"{name}={shlex.quote(value)}")
-    while words and words[0][:1] in "-+" and len(words[0]) > 1:
-        option = words.pop(0)
-        if option == "--":
-            shell.arguments = words
-            return 0
-        letters = option[1:].replace("o", "")
-        if "o" in option and words:
-            letters += {"errexit": "e", "xtrace": "x"}.get(words.pop(0), "")
-        for letter in letters:
-            if letter not in "exuf":
-                _complain(session, f"{option}: invalid option")
-                return 2
-            if option[0] == "-":
-                shell.options.add(letter)
-            else:
-                shell.options.discard(letter)
-    if words:
-        shell.arguments = words
-    return 0
-
-
 async def shift(session: Session) -> int:
     shell: Shell = session.shell
     count = int(session.argv[1]) if len(session.argv) > 1 and session.argv[1].isdigit() else 1
@@ -126,21 +64,6 @@ async def shift(session: Session) -> int:
         return 1
     shell.arguments = shell.arguments[count:]
     return 0
-
-
-async def read(session: Session) -> int:
-    """`read [-r] [-p PROMPT] [NAME …]`."""
-    shell: Shell = session.shell
-    words = [word for word in session.argv[1:] if word != "-r"]
-    if len(words) > 1 and words[0] == "-p":
-        session.stderr.write(words[1])
-        words = words[2:]
-    line = await session.stdin.read_line()
-    names = words or ["REPLY"]
-    pieces = line.strip().split(None, len(names) - 1)
-    for index, name in enumerate(names):
-        shell.variables[name] = pieces[index] if index < len(pieces) else ""
-    return 0 if line else 1
 
 
 def _number(session: Session, default: int) -> int | None:
@@ -184,8 +107,11 @@ async def source(session: Session) -> int:
     name = session.argv[1]
     if _sourced_setup(session, name):
         return 0
+    path = shell.cwd / name
     try:
-        text = (shell.cwd / name).read_text(encoding="utf-8", errors="replace")
+        text = (
+            TEXTS[path.as_posix()] if path.as_posix() in TEXTS else path.read_text(encoding="utf-8", errors="replace")
+        )
     except OSError as error:
         if isinstance(error, IsADirectoryError):
             _complain(session, f"{name}: is a directory")
@@ -260,32 +186,10 @@ async def history(session: Session) -> int:
     return 0
 
 
-async def alias(session: Session) -> int:
-    shell: Shell = session.shell
-    status = 0
-    for word in session.argv[1:]:
-        name, equals, value = word.partition("=")
-        if equals:
-            shell.aliases = {**shell.aliases, name: value.split()}
-        elif name in shell.aliases:
-            session.print(f"alias {name}='{' '.join(shell.aliases[name])}'")
-        else:
-            _complain(session, f"{name}: not found")
-            status = 1
-    if len(session.argv) == 1:
-        for name, words in sorted(shell.aliases.items()):
-            session.print(f"alias {name}='{' '.join(words)}'")
-    return status
-
-
 COMMANDS: dict[str, Main] = {
     "cd": cd,
     "pwd": pwd,
-    "export": export,
-    "unset": unset,
-    "set": set_,
     "shift": shift,
-    "read": read,
     "exit": exit_,
     "logout": exit_,
     "break": break_,
@@ -295,5 +199,4 @@ COMMANDS: dict[str, Main] = {
     ".": source,
     "eval": eval_,
     "history": history,
-    "alias": alias,
 }

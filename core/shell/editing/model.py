@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -32,6 +33,29 @@ class Editor:
         self.version = 0
         """Grows when another file was opened."""
         self._state = state
+        self._typed: deque[str] = deque()
+
+    # -- the terminal it was started in --------------------------------------------------------------------------------
+
+    def keys(self, text: str) -> None:
+        """Take what is typed in the terminal in which nano runs, also before its window was there (any thread)."""
+        self._typed.append(text)
+
+    def resize(self, columns: int, rows: int) -> None:
+        """Another size of that terminal means nothing to the window."""
+
+    def wants_signal_keys(self) -> bool:
+        """Ctrl-C and Ctrl-Z are keys like others to an editor of the terminal."""
+        return False
+
+    def take_typed(self) -> str:
+        """Return what was typed there since the last call."""
+        typed = []
+        while self._typed:
+            typed.append(self._typed.popleft())
+        return "".join(typed)
+
+    # -- files ---------------------------------------------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
         """Show another file. Raises CannotEdit and then shows what it showed before."""

@@ -45,6 +45,10 @@ def described(rviz: RViz, texts: Texts) -> str:
             said.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
         elif display.type == "Axes":
             said.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
+        elif count := getattr(display, "points_shown", 0):
+            said.append(texts("rviz.seen.points", name=display.name, count=count))
+        elif size := getattr(display, "picture_size", ""):
+            said.append(texts("rviz.seen.image", name=display.name, size=size))
         else:
             said.append(texts("rviz.seen.messages", name=display.name, count=getattr(display, "received", 0)))
     separator = texts("rviz.seen.separator")

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String
 
+from day6_tui.core.ros.programs.demo_nodes_cpp.listener import Listener
+
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs._component import Component
     from rclpy.node import Node
@@ -29,20 +31,6 @@ class Talker:
         message = String(data=f"Hello World: {self._count}")
         self._logger.info(f"Publishing: '{message.data}'")
         self._publisher.publish(message)
-
-
-class Listener:
-    """Logs what comes on `chatter`."""
-
-    NAME = "listener"
-    OPTIONS: dict[str, Any] = {}
-
-    def __init__(self, node: Node) -> None:
-        self._logger = node.get_logger()
-        node.create_subscription(String, "chatter", self._hear, 10)
-
-    def _hear(self, message: String) -> None:
-        self._logger.info(f"I heard: [{message.data}]")
 
 
 class NodeLikeListener(Listener):

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
 from day6_tui.core.ros.programs._rclcpp import create_node
-from day6_tui.core.ros.programs.composition._components import Client, Listener, Server, Talker
+from day6_tui.core.ros.programs.composition._components import Client, Server, Talker
+from day6_tui.core.ros.programs.demo_nodes_cpp.listener import Listener
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs._component import Component

@@ -5,6 +5,8 @@ from __future__ import annotations
 import difflib
 from dataclasses import dataclass
 
+from day6_tui.core.ros.programs._remark import Remark
+
 TEXTS = {
     "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
     "car.loading": "reading the robot description",
@@ -20,28 +22,20 @@ TEXTS = {
     "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
     "car.silent": "nothing on {topic} for {seconds} s",
     "car.stays": (
-        "why does the car not drive off? This picture, like RViz, only draws angles. Wheels that touch a floor are in "
+        "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
         "ros2 launch day6_world world.launch.py"
     ),
 }
 """English texts by id. Topic, type, joint and frame names stand in the parameters as they are."""
 
 
-@dataclass(frozen=True, slots=True)
-class Status:
-    """One line; `level` is 'info', 'warning' or 'error'."""
+class Status(Remark):
+    """One line beside the car."""
 
-    level: str
-    id: str
-    parameters: tuple[tuple[str, object], ...] = ()
-
-    @property
-    def text(self) -> str:
-        return TEXTS[self.id].format(**dict(self.parameters))
+    TEXTS = TEXTS
 
 
-def status(level: str, key: str, **parameters: object) -> Status:
-    return Status(level, key, tuple(parameters.items()))
+status = Status.of
 
 
 @dataclass(frozen=True, slots=True)

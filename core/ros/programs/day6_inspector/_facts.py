@@ -17,6 +17,7 @@ from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, qos_check_
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+    from rclpy.subscription import Subscription
 
 JOINT_STATES, DESCRIPTION = "/joint_states", "/robot_description"
 JOINT_STATE = "sensor_msgs/msg/JointState"
@@ -37,12 +38,30 @@ class Inspector:
         self._joints: frozenset[str] | None = None
         self.findings: tuple[Finding, ...] = ()
         self.version = 0
+        self._listening: dict[str, Subscription[Any]] = {}
+        self.listen()
+
+    def listen(self) -> None:
+        """Subscribe to what somebody publishes, and to nothing else.
+
+        A subscription makes a topic: `ros2 topic list` would name /robot_description while robot_state_publisher does not run.
+        """
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        node.create_subscription(JointState, JOINT_STATES, self._on_joints, 100)
-        node.create_subscription(String, DESCRIPTION, self._on_description, latched)
+        for topic, kind, heard, qos in (
+            (JOINT_STATES, JointState, self._on_joints, QoSProfile(depth=100)),
+            (DESCRIPTION, String, self._on_description, latched),
+        ):
+            spoken = self._node.count_publishers(topic) > 0
+            if spoken and topic not in self._listening:
+                self._listening[topic] = self._node.create_subscription(kind, topic, heard, qos)
+            elif not spoken and topic in self._listening:
+                self._node.destroy_subscription(self._listening.pop(topic))
+                if topic == DESCRIPTION:
+                    self._joints = None
 
     def refresh(self) -> None:
         """Look at the graph again (on the program's thread)."""
+        self.listen()
         found = tuple(findings(self.facts()))
         if found != self.findings:
             self.findings = found

@@ -11,6 +11,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from day6_tui.core.ros.programs._remark import Remark
+
 TEXTS = {
     "inspector.unheard": "{topic}: {nodes} publishes, nobody listens",
     "inspector.unsaid": "{topic}: {nodes} listens, nobody publishes",
@@ -69,18 +71,10 @@ class Facts:
     """Names of the movable joints of the robot description; None while there is none."""
 
 
-@dataclass(frozen=True)
-class Finding:
-    """One thing that is wrong: `level` is error, warning or info; `id` a key of TEXTS."""
+class Finding(Remark):
+    """One thing that is wrong."""
 
-    level: str
-    id: str
-    parameters: tuple[tuple[str, object], ...] = ()
-
-    @property
-    def text(self) -> str:
-        """The English words."""
-        return TEXTS[self.id].format(**dict(self.parameters))
+    TEXTS = TEXTS
 
 
 def findings(facts: Facts) -> list[Finding]:
@@ -90,7 +84,7 @@ def findings(facts: Facts) -> list[Finding]:
 
 
 def _finding(level: str, key: str, **parameters: object) -> Finding:
-    return Finding(level, f"inspector.{key}", tuple(parameters.items()))
+    return Finding.of(level, f"inspector.{key}", **parameters)
 
 
 def _names(ends: tuple[End, ...]) -> str:

@@ -16,8 +16,9 @@ async def main(session: Session) -> int | None:
     model = Inspector(node)
     session.spawn(session.spin(node))
     if session.display is None:
-        await session.sleep(SETTLE_SECONDS)
-        model.refresh()
+        for _ in range(3):
+            await session.sleep(SETTLE_SECONDS / 3)
+            model.refresh()
         for finding in model.findings:
             session.print(f"{finding.level}: {finding.text}")
         if not model.findings:

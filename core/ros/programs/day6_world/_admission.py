@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 from typing import Any
 
+from day6_tui.core.ros.programs._remark import Remark
 from day6_tui.core.ros.programs.day6_world._drive import Drive
 from day6_tui.urdf.model import Robot
 
@@ -35,21 +36,13 @@ TEXTS = {
 """English texts by id; names of links, topics and types stand in the parameters as they are."""
 
 
-@dataclass(frozen=True, slots=True)
-class Status:
-    """One line; `level` is 'info', 'warning' or 'error'."""
+class Status(Remark):
+    """One line below the world."""
 
-    level: str
-    id: str
-    parameters: tuple[tuple[str, object], ...] = ()
-
-    @property
-    def text(self) -> str:
-        return TEXTS[self.id].format(**dict(self.parameters))
+    TEXTS = TEXTS
 
 
-def status(level: str, key: str, **parameters: object) -> Status:
-    return Status(level, key, tuple(parameters.items()))
+status = Status.of
 
 
 def refusals(robot: Robot, drive: Drive | None) -> list[Status]:

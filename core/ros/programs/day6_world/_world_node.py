@@ -140,7 +140,11 @@ class WorldNode:
     def _log(self, name: str) -> None:
         logger = self._node.get_logger()
         for line in self._admission:
-            (logger.error if line.level == "error" else logger.warning)(line.text)
+            # Two lines: rclpy refuses another severity from the same one.
+            if line.level == "error":
+                logger.error(line.text)
+            else:
+                logger.warning(line.text)
         if self._simulation.robot is not None:
             x, y, yaw = self._simulation.pose
             logger.info(f"{name} stands at x={x:.2f}, y={y:.2f}, yaw={yaw:.2f}")

@@ -12,7 +12,12 @@ from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    from rclpy.action.server import ServerGoalHandle
     from rclpy.node import Node
+
+    Handle: TypeAlias = ServerGoalHandle[Any, Any, Any]
 
 
 class PlainServer:
@@ -38,14 +43,14 @@ class PlainServer:
             self.info("Received goal request")
         return GoalResponse.ACCEPT
 
-    def _accepted(self, handle: Any) -> None:
+    def _accepted(self, handle: Handle) -> None:
         handle.execute()
 
-    def _cancel(self, handle: Any) -> CancelResponse:
+    def _cancel(self, handle: Handle) -> CancelResponse:
         self.info("Received cancel request")
         return CancelResponse.ACCEPT
 
-    def _is_over(self, handle: Any) -> bool:
+    def _is_over(self, handle: Handle) -> bool:
         """Say whether a goal must not be worked on any further, and tell it so."""
         if handle.is_cancel_requested:
             handle.canceled()
@@ -53,7 +58,7 @@ class PlainServer:
             return True
         return False
 
-    async def _execute(self, handle: Any) -> Any:
+    async def _execute(self, handle: Handle) -> Any:
         self.info("Executing goal...")
         feedback = Fibonacci.Feedback(sequence=[0, 1])
         for number in range(1, handle.request.order):
@@ -74,7 +79,7 @@ class PlainServer:
 class DeferringServer(PlainServer):
     """Starts a goal three seconds after it accepted it."""
 
-    def _accepted(self, handle: Any) -> None:
+    def _accepted(self, handle: Handle) -> None:
         self.info("Deferring execution...")
 
         def start() -> None:
@@ -88,11 +93,11 @@ class QueueingServer(PlainServer):
     """Works on one goal at a time, the others wait in a queue."""
 
     def __init__(self, node: Node) -> None:
-        self._waiting: deque[Any] = deque()
-        self._current: Any = None
+        self._waiting: deque[Handle] = deque()
+        self._current: Handle | None = None
         super().__init__(node)
 
-    def _accepted(self, handle: Any) -> None:
+    def _accepted(self, handle: Handle) -> None:
         if self._current is not None:
             self._waiting.append(handle)
             self.info("Goal put in the queue")
@@ -100,7 +105,7 @@ class QueueingServer(PlainServer):
             self._current = handle
             handle.execute()
 
-    async def _execute(self, handle: Any) -> Any:
+    async def _execute(self, handle: Handle) -> Any:
         try:
             return await super()._execute(handle)
         finally:
@@ -114,17 +119,17 @@ class SingleGoalServer(PlainServer):
     """Works on the newest goal only."""
 
     def __init__(self, node: Node) -> None:
-        self._current: Any = None
+        self._current: Handle | None = None
         super().__init__(node)
 
-    def _accepted(self, handle: Any) -> None:
+    def _accepted(self, handle: Handle) -> None:
         if self._current is not None and self._current.is_active:
             self.info("Aborting previous goal")
             self._current.abort()
         self._current = handle
         handle.execute()
 
-    def _is_over(self, handle: Any) -> bool:
+    def _is_over(self, handle: Handle) -> bool:
         if not handle.is_active:
             self.info("Goal aborted")
             return True

@@ -231,8 +231,13 @@ async def _log(session: Session, rviz: RViz, changed: Signal) -> None:
     while True:
         now = troubles(rviz)
         for text, level in now.items():
-            if text not in known:
-                (logger.error if level == ERROR else logger.warning)(text)
+            if text in known:
+                continue
+            # Two lines: rclpy refuses another severity from the same one.
+            if level == ERROR:
+                logger.error(text)
+            else:
+                logger.warning(text)
         known = set(now)
         await session.sleep(LOOK_SECONDS)
         changed.clear()

@@ -12,6 +12,8 @@ from launch_xml.entity import Entity
 
 
 class Parser(BaseParser):
+    """Makes entities of a launch file in XML."""
+
     @classmethod
     def load(cls, file: Any) -> tuple[Entity, BaseParser]:
         """Return the root tag of a file (path or open). ValueError for a DTD: no launch file needs entities of its own."""

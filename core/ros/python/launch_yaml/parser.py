@@ -11,6 +11,8 @@ from launch_yaml.entity import Entity
 
 
 class Parser(BaseParser):
+    """Makes entities of a launch file in YAML."""
+
     @classmethod
     def load(cls, file: Any) -> tuple[Entity, BaseParser]:
         """Return the root of a file (path or open), which has one key."""

@@ -2,6 +2,10 @@
 
 A program initialises (`init`), makes nodes (`create_node` or a class derived from `rclpy.node.Node`), lets their callbacks
 run (`spin`, `spin_once`, `spin_until_future_complete`) and ends with `shutdown`.
+
+Modules without an underscore are those of real rclpy. Of the others `_node_*` are the parts of a node, `_rounds` and
+`_timer_heap` say what an executor runs next, `_handles` and `_endpoint_handles` lead to the graph, `_arguments` and
+`_parameter_files` read what ROS gives a program; `_rclpy_pybind11` has what programs expect from rclpy's C++ half.
 """
 
 from __future__ import annotations

@@ -24,8 +24,8 @@ class RosArguments:
 
     def __init__(self) -> None:
         self.rules: list[RemapRule] = []
-        self.parameters: list[tuple[str, str, Any]] = []
-        """node pattern, parameter name, value; a later one replaces an earlier one"""
+        self.parameters: dict[str, dict[str, Any]] = {}
+        """node pattern -> parameter name -> value; a later pattern goes before an earlier one"""
         self.levels: list[tuple[str, int]] = []
         """logger name ('' for all) and level"""
         self.log_config_file = ""
@@ -41,7 +41,11 @@ class RosArguments:
             return {}
         from rclpy._parameter_files import matches
 
-        return {name: value for pattern, name, value in self.parameters if matches(pattern, full_name)}
+        found: dict[str, Any] = {}
+        for pattern, parameters in self.parameters.items():
+            if matches(pattern, full_name):
+                found.update(parameters)
+        return found
 
     def apply_levels(self, settings: LoggingSettings) -> None:
         """Set the log levels and outputs that the arguments name."""
@@ -59,38 +63,47 @@ class RosArguments:
         try:
             self.rules.append(read_remap_rule(text))
         except RuleError as error:
-            namespace = text.rpartition("__ns:=")[2]
-            if namespace != text and not namespace.startswith("/"):
-                _log(30, f"Namespace not remapped to a fully qualified name (found: {namespace})")
+            if error.warning:
+                _log(30, error.warning)
             raise _refused("remap rule", flag, text, error, 380) from None
 
     def _add_parameter(self, flag: str, text: str) -> None:
-        from rclpy._parameter_files import ParameterTextError, assigned_value
+        from rclpy._parameter_files import ParameterTextError, add_override, assigned_value
         from rclpy._rule_lexer import RuleError, read_parameter_rule
 
         try:
             node, name, value = read_parameter_rule(text)
-            self.parameters.append((node, name, assigned_value(value)))
+            add_override(self.parameters.setdefault(node, {}), name, assigned_value(value))
         except (RuleError, ParameterTextError) as error:
             raise _refused("parameter override rule", flag, text, error, 352) from None
 
     def _add_file(self, flag: str, path: str) -> None:
-        from rclpy._parameter_files import ParameterTextError, read_parameter_file
+        from rclpy._parameter_files import ParameterTextError, add_override, read_parameter_file
 
         try:
             found = read_parameter_file(path)
         except ParameterTextError as error:
             raise _refused("params file", flag, path, error, 415) from None
         for pattern, parameters in found.items():
-            self.parameters.extend((pattern, name, value) for name, value in parameters.items())
+            known = self.parameters.setdefault(pattern, {})
+            for name, value in parameters.items():
+                add_override(known, name, value)
 
     def _add_level(self, flag: str, text: str) -> None:
+        from rclpy._rule_lexer import RuleError, read_level_rule
         from rclpy.impl.logging_severity import LoggingSeverity
 
-        name, separator, word = text.rpartition(":=")
-        if separator and not name:
+        name, separator, word = text.partition(":=")
+        if not separator:
+            name, word = "", text
+        elif not name:
             reason = "Argument has an invalid logger item that name is empty, at /project/src/rcl/arguments.c:1808"
             raise _refused("log level", flag, text, reason, 441)
+        else:
+            try:
+                word = read_level_rule(text)
+            except RuleError as error:
+                raise _refused("log level", flag, text, error, 441) from None
         try:
             level = LoggingSeverity[word.upper()]
         except KeyError:

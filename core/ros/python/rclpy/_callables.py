@@ -19,14 +19,24 @@ def is_coroutine_function(function: Any) -> bool:
     return inspect.iscoroutinefunction(function)
 
 
+def lacks_self(function: Any) -> bool:
+    """Say whether this is a method that takes no argument at all, not even `self`; `inspect.signature` refuses it."""
+    plain = function.__func__ if isinstance(function, MethodType) else None
+    return (
+        isinstance(plain, FunctionType)
+        and plain.__code__.co_argcount == 0
+        and not plain.__code__.co_flags & _CO_VARARGS
+    )
+
+
 def accepts(function: Any, arguments: int) -> bool:
     """Say whether a function can be called with that many positional arguments.
 
-    Raises ValueError for built-in functions that do not tell, as `inspect.signature` does.
+    As `inspect.signature` does, it raises ValueError for built-in functions that do not tell and for a method without `self`.
     """
     bound = isinstance(function, MethodType)
     plain = function.__func__ if bound else function
-    if isinstance(plain, FunctionType) and not hasattr(plain, "__wrapped__"):
+    if isinstance(plain, FunctionType) and not hasattr(plain, "__wrapped__") and not lacks_self(function):
         code = plain.__code__
         given = arguments + bound
         if given > code.co_argcount and not code.co_flags & _CO_VARARGS:

@@ -1,4 +1,4 @@
-"""What all executors have in common: their nodes, running what is ready (`rclpy._executor_rounds`), spinning."""
+"""What all executors have in common: their nodes, running what is ready (`rclpy._rounds`), spinning."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from rclpy._entity import NOTHING, Entity
-from rclpy._executor_rounds import ExecutorRounds
 from rclpy._executor_timeouts import (
     NEVER_TRUE,
     ConditionReachedException,
@@ -16,6 +15,7 @@ from rclpy._executor_timeouts import (
     TimeoutObject,
     nanoseconds,
 )
+from rclpy._rounds import ExecutorRounds
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.task import Future, Task

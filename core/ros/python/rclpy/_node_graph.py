@@ -34,12 +34,12 @@ class NodeGraph:
         failed = f"failed to get {what} names and types"
         self.handle.check_valid(failed)
         for flaw, line in (
-            (graph_names.flaw_of_namespace(node_namespace), 57),
+            (graph_names.flaw_of_namespace(node_namespace or "/"), 57),
             (graph_names.flaw_of_node_name(node_name), 69),
         ):
             if flaw is not None:
-                raise RCLError(f"{failed}: {flaw.message}, result: 2, at /project/src/rcl/graph.c:{line}")
-        nodes = self._graph.find_nodes(node_name, node_namespace)
+                raise RCLError(f"{failed}: {flaw.message}, result: {flaw.number}, at /project/src/rcl/graph.c:{line}")
+        nodes = self._graph.find_nodes(node_name, node_namespace or "/")
         if not nodes:
             raise NodeNameNonExistentError(f"cannot get {what} names and types for nonexistent node: error not set")
         found: dict[str, set[str]] = {}

@@ -8,6 +8,7 @@ from day6_tui.core.graph import names
 from rclpy._handles import rules_for
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy._resolve import expand, raise_for_namespace, raise_for_node, raise_for_topic, require_text
+from rclpy.exceptions import InvalidTopicNameException
 
 if TYPE_CHECKING:
     from rclpy._handles import NodeHandle
@@ -42,11 +43,13 @@ class NodeNames:
     def _full_topic_name(self, topic: str) -> str:
         """Return the full, remapped name; raises what a student sees for a bad one."""
         try:
-            full = self.resolve_topic_name(topic)
-        except RCLError:
-            self._validate_topic_or_service_name(topic)
+            return self.resolve_topic_name(topic)
+        except RuntimeError:
+            try:
+                self._validate_topic_or_service_name(topic)
+            except InvalidTopicNameException as error:
+                raise error from None
             raise
-        return full
 
     def _full_service_name(self, service: str) -> str:
         handle = self.handle
@@ -59,8 +62,8 @@ class NodeNames:
         return full
 
     def _validate_topic_or_service_name(self, topic_or_service_name: str, *, is_service: bool = False) -> None:
-        if topic_or_service_name is None:
-            require_text(None)
+        self.handle.check()
+        require_text(topic_or_service_name)
         raise_for_topic(names.flaw_of_topic_name(topic_or_service_name), topic_or_service_name, is_service=is_service)
         full = expand(topic_or_service_name, self.handle.name, self.handle.namespace)
         raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=is_service)
@@ -78,9 +81,33 @@ def checked_namespace(node_name: Any, namespace: Any, context: object, node: obj
             f"<rclpy._rclpy_pybind11.Context object at {id(context):#x}>, None, True, True, "
             f"<rclpy._rclpy_pybind11.rmw_qos_profile_t object at {id(node):#x}>"
         )
-    raise_for_node(node_name)
-    if not namespace.startswith("/"):
-        namespace = f"/{namespace}"
-    raise_for_namespace(namespace)
-    full: str = namespace
+    full: str = namespace if namespace.startswith("/") else f"/{namespace}"
+    try:
+        _require_names(node_name, full)
+    except ValueError:
+        # As in rclpy the exception that points at the character comes while rcl's is handled: a traceback shows both.
+        raise_for_node(node_name)
+        raise_for_namespace(full)
     return full
+
+
+def _require_names(node_name: str, namespace: str) -> None:
+    """Raise ValueError as rcl_node_init() does."""
+    flaw = names.flaw_of_node_name(node_name)
+    if flaw is not None:
+        raise ValueError(f"invalid node name: {flaw.message}, at /project/src/rcl/node.c:153")
+    flaw = names.flaw_of_namespace(namespace)
+    if flaw is not None:
+        raise ValueError(
+            f"invalid node namespace: {flaw.message}, result: {flaw.number}, at /project/src/rcl/node.c:181"
+        )
+
+
+def require_remapped(namespace: str) -> None:
+    """Raise RCLError for a namespace that a remap rule made and rmw refuses: one with a slash at its end."""
+    flaw = names.flaw_of_namespace(namespace)
+    if flaw is not None:
+        raise RCLError(
+            f"error creating node: invalid node namespace: {flaw.message}, "
+            "at /project/src/rmw_node.cpp:68, at /project/src/rcl/node.c:249"
+        )

@@ -215,6 +215,8 @@ class NodeParameters(NodeDeclarations):
                 self._descriptors[name] = descriptors[name]
             elif name not in self._descriptors:
                 self._descriptors[name] = {"dynamic_typing": True}
+            if _exceeds_int64(parameter.value):
+                parameter.to_parameter_msg()  # AssertionError: real rclpy puts every change into a message first
             (new if self.get_parameter_or(name).type_ == _NOT_SET else changed).append(parameter)
             self._parameters[name] = parameter
         return new, changed, deleted
@@ -357,3 +359,8 @@ def _listed(name: str, prefixes: list[str], depth: int) -> bool:
         if name == prefix or (below and (depth == 0 or name[len(prefix) + 1 :].count(separator) < depth)):
             return True
     return False
+
+
+def _exceeds_int64(value: Any) -> bool:
+    integers = value if isinstance(value, (list, tuple)) else (value,)
+    return any(isinstance(each, int) and not -(2**63) <= each < 2**63 for each in integers)

@@ -5,15 +5,20 @@ YAML itself is imported only for a value or file that needs it.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 _TRUE = frozenset(["y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"])
 _FALSE = frozenset(["n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"])
 _INTEGER = re.compile(r"[+-]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z")
-_NEEDS_YAML = re.compile(r"""[\[\]{}"'#&*!|>%@`,]|: |:\Z|\A[-?] |\n""")
-_MIXED_LINES = {"bool": 310, "integer": 350, "double": 391, "string": 435}
+_HEXADECIMAL = re.compile(r"[+-]?0[xX][0-9a-fA-F.]+([pP][+-]?[0-9]+)?\Z")
+_NEEDS_YAML = re.compile(r"""[\[\]{}"'#&*!|>%@`,]|: |:\Z|\A[-?]( |\Z)|\A---|\A\.\.\.|\A\s|\s\Z|[\t\n]""")
+_MIXED_LINES = {"bool": 309, "integer": 350, "double": 391, "string": 435}
+_RANKS = ("bool", "integer", "double", "string", "bool array", "integer array", "double array", "string array")
+_SMALLEST = 2.2250738585072014e-308
 PARAMETERS_KEY = "ros__parameters"
 
 Overrides = dict[str, dict[str, Any]]
@@ -25,6 +30,24 @@ class ParameterTextError(ValueError):
 
     def __init__(self, message: str, line: int) -> None:
         super().__init__(f"{message}, at /project/src/{'parser' if line == 271 else 'parse'}.c:{line}")
+
+
+def add_override(parameters: dict[str, Any], name: str, value: Any) -> None:
+    """Note a value for a parameter that may have one already.
+
+    rcl keeps one value of every type and later takes the first that is there: a new value counts if its type is the same
+    or comes earlier (rcl_yaml_param_parser, rcl_variant_t).
+    """
+    known = parameters.get(name)
+    if known is None or _rank(value) <= _rank(known):
+        parameters[name] = value
+
+
+def _rank(value: Any) -> int:
+    if value is None:
+        return len(_RANKS)
+    word = _type_word(value[0]) + " array" if isinstance(value, list) else _type_word(value)
+    return _RANKS.index(word)
 
 
 def plain_value(text: str) -> Any:
@@ -42,15 +65,24 @@ def plain_value(text: str) -> Any:
             number = 2**63
         if -(2**63) <= number < 2**63:
             return number
+    floating = _floating_point(text)
+    return text if floating is None else floating
+
+
+def _floating_point(text: str) -> float | None:
+    """Return what C's strtod makes of a whole text; None for no number and for one that a double cannot hold."""
     lowered = text.lower()
     if lowered.lstrip("+-") in (".inf", ".nan"):
         return float(lowered.replace(".", ""))
-    if "_" not in text and text == text.strip():
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    return text
+    if "_" in text or text != text.strip():
+        return None
+    try:
+        number = float.fromhex(text) if _HEXADECIMAL.match(text) else float(text)
+    except (ValueError, OverflowError):
+        return None
+    too_large = math.isinf(number) and "inf" not in lowered
+    too_small = abs(number) < _SMALLEST and any(digit in "123456789" for digit in lowered.partition("e")[0])
+    return None if too_large or too_small else number
 
 
 def assigned_value(text: str) -> Any:
@@ -59,27 +91,31 @@ def assigned_value(text: str) -> Any:
         return plain_value(text)
     import yaml
 
-    try:
-        events = list(yaml.parse(text, Loader=yaml.SafeLoader))
-    except yaml.YAMLError:
-        raise ParameterTextError("Error parsing an event", 927) from None
-    content = iter(events[1:])
     values: list[Any] = []
     sequence = False
-    for event in content:
-        if isinstance(event, yaml.MappingStartEvent):
-            raise ParameterTextError("Unknown YAML event", 957)
-        if isinstance(event, yaml.SequenceStartEvent):
-            sequence = True
-        elif isinstance(event, yaml.ScalarEvent):
-            values.append(_scalar(event))
+    try:
+        for event in yaml.parse(text, Loader=yaml.SafeLoader):
+            if isinstance(event, (yaml.MappingStartEvent, yaml.AliasEvent)):
+                raise ParameterTextError("Unknown YAML event", 957)
+            if isinstance(event, yaml.SequenceStartEvent):
+                # One within another: rcl forgets what it had read.
+                sequence = True
+                values = []
+            elif isinstance(event, yaml.ScalarEvent):
+                values.append(_scalar(event))
+                if sequence:
+                    _check_same_type(values, 1)
+    except yaml.YAMLError:
+        raise ParameterTextError("Error parsing an event", 927) from None
     if sequence:
-        _check_same_type(values, 1)
         return values or None
     return values[0] if values else None
 
 
 def _scalar(event: Any) -> Any:
+    """Return a scalar's value; ParameterTextError where there is none."""
+    if event.value == "" and event.style not in ("'", '"'):
+        raise ParameterTextError(f"No value at line {event.start_mark.line + 1}", 258)
     if event.style is not None or event.tag == "tag:yaml.org,2002:str":
         return event.value
     return plain_value(event.value)
@@ -114,11 +150,26 @@ def read_parameter_file(path: str) -> Overrides:
 def _events(yaml: Any, text: str) -> Iterator[Any]:
     line = 0
     try:
-        for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        for event in yaml.parse(text, Loader=_loader()):
             line = event.start_mark.line + 1
             yield event
     except yaml.YAMLError:
         raise ParameterTextError(f"Error parsing a event near line {line}", 776) from None
+
+
+@cache
+def _loader() -> Any:
+    """Return PyYAML's loader with libyaml's view of tabs: they separate, except where a line's indentation is."""
+    import yaml
+
+    class Loader(yaml.SafeLoader):
+        def scan_to_next_token(self) -> None:
+            super().scan_to_next_token()
+            while self.peek() == "\t" and (self.flow_level or not self.allow_simple_key):
+                self.forward()
+                super().scan_to_next_token()
+
+    return Loader
 
 
 class _FileReader:
@@ -156,7 +207,7 @@ class _FileReader:
             if event.value == PARAMETERS_KEY:
                 self._parameters_of(prefix, line)
                 continue
-            name = f"{prefix}/{event.value}" if prefix else event.value
+            name = f"{prefix.rstrip('/')}/{event.value}" if prefix else event.value
             kind, event, line = self._next()
             if kind == "SequenceStart":
                 message = f"Sequences can only be values and not keys in params. Error at line {line}\n"
@@ -174,25 +225,29 @@ class _FileReader:
             raise ParameterTextError(f"Cannot have a value before ros__parameters at line {line}", 812)
         self._parameters(self._found.setdefault(node, {}), "")
 
-    def _parameters(self, found: dict[str, Any], prefix: str) -> None:
+    def _parameters(self, found: dict[str, Any], prefix: str) -> bool:
+        """Read the parameters of one mapping; says whether there were any."""
+        any_found = False
         while True:
             kind, event, line = self._next()
             if kind == "MappingEnd":
-                return
+                return any_found
+            any_found = True
+            if kind == "SequenceStart":
+                raise ParameterTextError(f"Sequences cannot be key at line {line}", 829)
+            if kind == "MappingStart":
+                raise ParameterTextError(f"Internal error creating param namespace at line {line}", 681)
+            if event.value == "":
+                raise ParameterTextError(f"No key at line {line}", 619)
             name = prefix + event.value
             kind, event, line = self._next()
             if kind == "MappingStart":
-                before = len(found)
-                self._parameters(found, f"{name}.")
-                if len(found) == before:
-                    found[name] = None
+                if not self._parameters(found, f"{name}."):
+                    add_override(found, name, None)
             elif kind == "SequenceStart":
-                values = self._sequence(line)
-                found[name] = values or None
-            elif event.style is None and event.value == "":
-                raise ParameterTextError(f"No value at line {line}", 258)
+                add_override(found, name, self._sequence(line) or None)
             else:
-                found[name] = _scalar(event)
+                add_override(found, name, _scalar(event))
 
     def _sequence(self, line: int) -> list[Any]:
         values: list[Any] = []
@@ -201,7 +256,7 @@ class _FileReader:
             if kind == "SequenceEnd":
                 return values
             if kind == "SequenceStart":
-                values += self._sequence(line)
+                values = self._sequence(line)
             elif kind == "Scalar":
                 values.append(_scalar(event))
                 _check_same_type(values, line)
@@ -210,7 +265,9 @@ class _FileReader:
 def _check_node_pattern(name: str) -> None:
     from day6_tui.core.graph import names
 
-    for part in name.strip("/").split("/"):
+    if "//" in name:
+        raise ParameterTextError("// contains repeated forward slash", 557)
+    for part in name.removeprefix("/").split("/"):
         flaw = None if part in ("*", "**") else names.flaw_of_node_name(part)
         if flaw is not None:
             raise ParameterTextError(flaw.message, 490)

@@ -40,9 +40,8 @@ def expand(name: str, node_name: str, namespace: str) -> str:
     try:
         return names.expand(name, node_name, namespace)
     except names.UnknownSubstitution as error:
-        raise ValueError(
-            f"topic name '{name}' is invalid: {error}, at /project/src/rcl/expand_topic_name.c:164"
-        ) from None
+        text = f"topic name '{name}' is invalid: {error}, at /project/src/rcl/expand_topic_name.c:164"
+    raise ValueError(text)
 
 
 def require_text(name: object) -> None:

@@ -6,11 +6,15 @@ Numbers in the texts are rcl's lexeme types; they are part of what a user of rea
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import NamedTuple, NoReturn
 
 from day6_tui.core.graph.names import RemapRule
 
 NONE, EOF, TILDE_SLASH, URL_SERVICE, URL_TOPIC, COLON, NODE, NS, SEPARATOR = range(9)
+BACKREFERENCE = 9
+"""The first of nine: `\\1` to `\\9`."""
 TOKEN, FORWARD_SLASH, WILD_ONE, WILD_MULTI, DOT = range(18, 23)
 
 _LEXEMES: tuple[tuple[int, re.Pattern[str]], ...] = tuple(
@@ -21,19 +25,25 @@ _LEXEMES: tuple[tuple[int, re.Pattern[str]], ...] = tuple(
         (TILDE_SLASH, r"~/"),
         (SEPARATOR, r":="),
         (COLON, r":"),
-        (NODE, r"__(node|name)(?![A-Za-z0-9_])"),
-        (NS, r"__ns(?![A-Za-z0-9_])"),
-        (TOKEN, r"[A-Za-z_][A-Za-z0-9_]*"),
+        (NODE, r"__(node|name)"),
+        (NS, r"__ns"),
+        # A second underscore in a row begins another token, and none begins with two.
+        (TOKEN, r"(?!__)[A-Za-z_](?:[A-Za-z0-9]|(?<!_)_)*"),
         (FORWARD_SLASH, r"/"),
         (WILD_MULTI, r"\*\*"),
         (WILD_ONE, r"\*"),
         (DOT, r"\."),
+        (BACKREFERENCE, r"\\[1-9]"),
     )
 )
 
 
 class RuleError(ValueError):
-    """A rule that rcl would refuse; the text is what it puts after `Error: `."""
+    """A rule that rcl would refuse; the text is what it puts after `Error: `, `warning` what it logs before that."""
+
+    def __init__(self, message: str, warning: str = "") -> None:
+        super().__init__(message)
+        self.warning = warning
 
 
 class _Lexeme(NamedTuple):
@@ -99,9 +109,24 @@ class _Reader:
             return name
         return None
 
-    def matched_token(self, wildcard_lines: tuple[int, int, int]) -> None:
-        if self.accept(TOKEN, NODE, NS) is not None:
-            return
+    def matched_token(self) -> None:
+        if self.accept(TOKEN, NODE, NS) is None:
+            self._refuse_wildcard((1215, 1218, 1221))
+
+    def parameter_token(self) -> None:
+        """Take what stands between two dots of a parameter's name: tokens and slashes in any order."""
+        if self.accept(TOKEN, FORWARD_SLASH) is None:
+            self._refuse_wildcard((1321, 1324, 1327))
+        while self.accept(TOKEN, FORWARD_SLASH) is not None:
+            pass
+
+    def replacement_token(self) -> None:
+        if self.peek().kind == BACKREFERENCE:
+            raise _error_at(1110, "Backreferences are not implemented")
+        if self.accept(TOKEN) is None:
+            raise RuleError("error not set")
+
+    def _refuse_wildcard(self, wildcard_lines: tuple[int, int, int]) -> NoReturn:
         kind = self.peek().kind
         one, many, other = wildcard_lines
         if kind == WILD_ONE:
@@ -109,6 +134,14 @@ class _Reader:
         if kind == WILD_MULTI:
             raise _error_at(many, "Wildcard '**' is not implemented")
         raise _error_at(other, "Expecting token or wildcard")
+
+
+@contextmanager
+def _warning(text: str) -> Iterator[None]:
+    try:
+        yield
+    except RuleError as error:
+        raise RuleError(str(error), text) from None
 
 
 def read_remap_rule(text: str) -> RemapRule:
@@ -120,37 +153,36 @@ def read_remap_rule(text: str) -> RemapRule:
     if kind == NODE:
         reader.expect(NODE)
         reader.expect(SEPARATOR)
-        name = reader.expect(TOKEN)
+        with _warning(f"Node name not remapped to invalid name: '{text[reader.place :]}'"):
+            name = reader.expect(TOKEN)
         reader.expect(EOF)
         return RemapRule("node", "__node", name, node)
     if kind == NS:
         reader.expect(NS)
         reader.expect(SEPARATOR)
-        begin = reader.place
-        reader.expect(FORWARD_SLASH)
-        if reader.peek().kind != EOF:
-            reader.expect(TOKEN)
-        while reader.peek().kind != EOF:
+        namespace = text[reader.place :]
+        with _warning(f"Namespace not remapped to a fully qualified name (found: {namespace})"):
             reader.expect(FORWARD_SLASH)
-            reader.expect(TOKEN)
-        return RemapRule("namespace", "__ns", text[begin:], node)
+            # A slash at the end passes here; the name is refused when a node is made.
+            while reader.accept(TOKEN) is not None and reader.accept(FORWARD_SLASH) is not None:
+                pass
+            reader.expect(EOF)
+        return RemapRule("namespace", "__ns", namespace, node)
     scheme = reader.accept(URL_SERVICE, URL_TOPIC) or ""
     reader.accept(TILDE_SLASH, FORWARD_SLASH)
-    reader.matched_token((1215, 1218, 1221))
+    reader.matched_token()
     while reader.peek().kind != SEPARATOR:
         reader.expect(FORWARD_SLASH)
-        reader.matched_token((1215, 1218, 1221))
+        reader.matched_token()
     match = text[start + len(scheme) : reader.place]
     reader.expect(SEPARATOR)
     replacement = text[reader.place :]
     if reader.accept(TILDE_SLASH, FORWARD_SLASH) is None and not replacement:
         raise RuleError("error not set")
-    if reader.accept(TOKEN, NODE, NS) is None:
-        raise RuleError("error not set")
+    reader.replacement_token()
     while reader.peek().kind != EOF:
         reader.expect(FORWARD_SLASH)
-        if reader.accept(TOKEN, NODE, NS) is None:
-            raise RuleError("error not set")
+        reader.replacement_token()
     return RemapRule("name", scheme + match, replacement, node)
 
 
@@ -159,16 +191,23 @@ def read_parameter_rule(text: str) -> tuple[str, str, str]:
     reader = _Reader(text)
     node = reader.node_prefix() or "/**"
     start = reader.place
-    reader.accept(FORWARD_SLASH)
-    reader.matched_token((1321, 1324, 1327))
+    reader.parameter_token()
     while reader.peek().kind != SEPARATOR:
-        if reader.accept(FORWARD_SLASH) is None:
-            reader.expect(DOT)
-            reader.accept(FORWARD_SLASH)
-        reader.matched_token((1321, 1324, 1327))
+        reader.expect(DOT)
+        reader.parameter_token()
     name = text[start : reader.place]
     reader.expect(SEPARATOR)
     value = text[reader.place :]
     if not value:
         raise RuleError("error not set")
     return node, name, value
+
+
+def read_level_rule(text: str) -> str:
+    """Check `logger:=level`; returns the word for the level. Raises RuleError."""
+    reader = _Reader(text)
+    reader.place = text.index(":=")
+    reader.expect(SEPARATOR)
+    level = reader.expect(TOKEN)
+    reader.expect(EOF)
+    return level

@@ -89,7 +89,8 @@ class MultiThreadedExecutor(Executor):
                 "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.",
                 stacklevel=1,
             )
-        self._failures: deque[BaseException] = deque()
+        self._failed: deque[Future[Any]] = deque()
+        """what callbacks raised and nobody has been told"""
         self._executor = ThreadPoolExecutor(num_threads)
 
     def _work_on(self, item: Entity | Task[Any]) -> None:
@@ -98,30 +99,34 @@ class MultiThreadedExecutor(Executor):
                 self._run_task(item)
             else:
                 self._execute(item)
-        except BaseException as error:
-            self._failures.append(error)
-            self.wake()
+        except Exception as error:
+            # Others, as SystemExit, are lost in the pool, as with the real one.
+            failed: Future[Any] = Future()
+            failed.set_exception(error)
+            self._failed.append(failed)
 
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE
     ) -> None:
-        def stop() -> bool:
-            return bool(self._failures) or wait_condition()
-
         try:
-            item = self._next(nanoseconds(timeout_sec), stop, (timeout_sec, wait_condition))
+            item = self._next(nanoseconds(timeout_sec), wait_condition, (timeout_sec, wait_condition))
         except ExternalShutdownException:
+            return
+        if item is None:
             return
         if isinstance(item, Client):
             # Only sets a future; a thread for that would cost more than the work.
             self._work_on(item)
-        elif item is not None:
+        else:
             self._executor.submit(self._work_on, item)
-        if self._failures:
-            raise self._failures.popleft()
+        if self._failed:
+            self._failed.popleft().result()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Hand one callback to a thread, or wait for one until `timeout_sec`; raises what earlier callbacks raised."""
+        """Hand one callback to a thread, or wait for one until `timeout_sec`.
+
+        Raises then what an earlier callback raised: as in real rclpy that stays unseen until the next callback is due.
+        """
         self._spin_once_impl(timeout_sec)
 
     def _spin_once_until_future_complete(

@@ -52,6 +52,11 @@ def get_logger_level(name: str) -> LoggingSeverity:
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     """Return the level of a name in any case; RuntimeError if there is none."""
+    if not isinstance(log_severity, str):
+        raise TypeError(
+            "rclpy_logging_severity_level_from_string(): incompatible function arguments. "
+            f"The following argument types are supported:\n    1. (arg0: str) -> int\n\nInvoked with: {log_severity!r}"
+        )
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:

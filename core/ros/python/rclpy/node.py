@@ -16,7 +16,7 @@ from rclpy._logging_settings import LoggingSettings
 from rclpy._node_declarations import NodeDeclarations
 from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph
-from rclpy._node_names import NodeNames, checked_namespace
+from rclpy._node_names import NodeNames, checked_namespace, require_remapped
 from rclpy._node_parameters import NodeParameters
 from rclpy._own_services import HASHES, LOG, PARAMETER_EVENT, copy_any
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError
@@ -144,6 +144,7 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
         rules = [rule for each in arguments for rule in each.rules]
         if rules:
             node_name, namespace = names.remap_node(node_name, namespace, rules)
+            require_remapped(namespace)
         full_name = names.full_name(namespace, node_name)
         overrides: dict[str, Any] = {}
         for each in reversed(arguments):

@@ -88,6 +88,8 @@ class Publisher(EventSource, Generic[MsgT]):
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008
         """Wait until every subscription has every message: they have it when `publish` returns."""
         self._handle.check_publisher("Failed to wait for all acknowledged")
+        if not isinstance(timeout, Duration):
+            raise AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'")
         return True
 
     def _process(self) -> Any:

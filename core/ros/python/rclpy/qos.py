@@ -73,7 +73,7 @@ class _OldName:
 
     def __get__(self, instance: object, owner: type[_Policy]) -> _Policy:
         name = owner.__name__
-        warnings.warn(f"{name}.{self._old} is deprecated. Use {name}.{self._new} instead.", stacklevel=2)
+        warnings.warn(f"{name}.{self._old} is deprecated. Use {name}.{self._new} instead.", stacklevel=1)
         return owner[self._new]
 
 

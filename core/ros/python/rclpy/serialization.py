@@ -13,6 +13,8 @@ __getattr__ = also(__name__, "Msg")
 
 def serialize_message(message: Any) -> bytes:
     """Return a message as CDR bytes, with the 4 bytes that name the encoding."""
+    if isinstance(message, type):
+        raise AttributeError("type object 'type' has no attribute '_TYPE_SUPPORT'")
     check_for_type_support(type(message))
     from day6_tui.core.interfaces import serialize
 
@@ -22,6 +24,11 @@ def serialize_message(message: Any) -> bytes:
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
     """Return the message of CDR bytes; RMWError for bytes that are none of that type."""
     check_for_type_support(message_type)
+    if not isinstance(serialized_message, bytes):
+        raise TypeError(
+            "rclpy_deserialize(): incompatible function arguments. The following argument types are supported:\n"
+            f"    1. (arg0: bytes, arg1: object) -> object\n\nInvoked with: {serialized_message!r}, {message_type!r}"
+        )
     from day6_tui.core.interfaces import DeserializationError, deserialize, type_name
 
     try:

@@ -64,6 +64,11 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
     Python allows this only in the main thread; elsewhere nothing is installed (real rclpy can).
     """
     global _current
+    if not isinstance(options, SignalHandlerOptions):
+        raise TypeError(
+            "install_signal_handlers(): incompatible function arguments. The following argument types are supported:\n"
+            f"    1. (arg0: rclpy::SignalHandlerOptions) -> None\n\nInvoked with: {options!r}"
+        )
     if threading.current_thread() is not threading.main_thread():
         return
     wanted = int(options)

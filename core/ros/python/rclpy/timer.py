@@ -8,7 +8,7 @@ from collections.abc import Callable, Coroutine
 from types import FunctionType, MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
-from rclpy._callables import is_coroutine_function
+from rclpy._callables import is_coroutine_function, lacks_self
 from rclpy._entity import NOTHING, TIMER, Entity
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError, TimerCancelledError
@@ -31,6 +31,7 @@ _INVALID_CONTEXT = (
     "failed to create timer: the given context is not valid, either rcl_init() was not called or "
     "rcl_shutdown() was called., at /project/src/rcl/guard_condition.c:65"
 )
+_NO_CALLBACK = "cannot access local variable 'arg_name' where it is not associated with a value"
 
 
 class TimerInfo:
@@ -159,7 +160,8 @@ class Timer(Entity):
         self._schedule()
         callback = self._callback
         if callback is None:
-            return None
+            # What real rclpy dies of where a program wrote `create_timer(1.0, self.tick())`.
+            raise UnboundLocalError(_NO_CALLBACK)
         if self._plain:
             callback()
             return None
@@ -196,7 +198,7 @@ class Timer(Entity):
 
     @property
     def callback(self) -> Any:
-        """The function that is called; None calls nothing."""
+        """The function that is called. With None spinning raises UnboundLocalError, as in rclpy 9."""
         return self._callback
 
     @callback.setter
@@ -207,6 +209,7 @@ class Timer(Entity):
             isinstance(plain, FunctionType)
             and not is_coroutine_function(plain)
             and TimerInfo not in plain.__annotations__.values()
+            and not lacks_self(value)
         )
 
     # what programs use

@@ -94,11 +94,13 @@ def _number_map(values: dict[int, int]) -> bytes:
 
 
 def schema_record(schema: Schema) -> bytes:
+    """The text of a message type."""
     head = schema.id.to_bytes(2, "little") + text(schema.name) + text(schema.encoding)
     return record(SCHEMA, head + len(schema.data).to_bytes(4, "little") + schema.data)
 
 
 def channel_record(channel: Channel) -> bytes:
+    """A topic: its type, its QoS among the metadata."""
     body = struct.pack("<HH", channel.id, channel.schema_id) + text(channel.topic) + text(channel.encoding)
     return record(CHANNEL, body + text_map(channel.metadata))
 
@@ -110,30 +112,36 @@ def message_index_record(channel_id: int, entries: list[tuple[int, int]]) -> byt
 
 
 def chunk_record(start_ns: int, end_ns: int, size: int, crc: int, compression: str, data: bytes) -> bytes:
+    """Packed records; `size` and `crc` are those of the unpacked ones."""
     body = struct.pack("<QQQI", start_ns, end_ns, size, crc) + text(compression) + len(data).to_bytes(8, "little")
     return record(CHUNK, body + data)
 
 
 def chunk_index_record(index: ChunkIndex) -> bytes:
+    """Where a chunk is and what is in it."""
     body = struct.pack("<QQQQ", index.start_ns, index.end_ns, index.offset, index.length)
     body += _number_map(index.index_offsets) + index.index_length.to_bytes(8, "little") + text(index.compression)
     return record(CHUNK_INDEX, body + _PAIR.pack(index.compressed_size, index.size))
 
 
 def statistics_record(found: Statistics) -> bytes:
+    """Counts and times of the whole file."""
     body = struct.pack("<QHIIII", *found[:3], 0, *found[3:5])
     return record(STATISTICS, body + _PAIR.pack(found.start_ns, found.end_ns) + _number_map(found.counts))
 
 
 def metadata_record(name: str, values: dict[str, str]) -> bytes:
+    """Named texts."""
     return record(METADATA, text(name) + text_map(values))
 
 
 def metadata_index_record(offset: int, length: int, name: str) -> bytes:
+    """Where a metadata record is."""
     return record(METADATA_INDEX, _PAIR.pack(offset, length) + text(name))
 
 
 def summary_offset_record(kind: int, start: int, length: int) -> bytes:
+    """Where the records of one kind are in the summary."""
     return record(SUMMARY_OFFSET, struct.pack("<BQQ", kind, start, length))
 
 
@@ -177,16 +185,19 @@ class Body:
 
 
 def read_schema(data: bytes) -> Schema:
+    """Read what `schema_record` writes."""
     body = Body(data)
     return Schema(body.number(2), body.text(), body.text(), body.take(body.number(4)))
 
 
 def read_channel(data: bytes) -> Channel:
+    """Read what `channel_record` writes."""
     body = Body(data)
     return Channel(body.number(2), body.number(2), body.text(), body.text(), body.text_map())
 
 
 def read_chunk_index(data: bytes) -> ChunkIndex:
+    """Read what `chunk_index_record` writes."""
     body = Body(data)
     start, end, offset, length = (body.number(8) for _ in range(4))
     offsets, index_length, compression = body.number_map(), body.number(8), body.text()
@@ -194,6 +205,7 @@ def read_chunk_index(data: bytes) -> ChunkIndex:
 
 
 def read_statistics(data: bytes) -> Statistics:
+    """Read what `statistics_record` writes."""
     body = Body(data)
     messages, schemas, channels = body.number(8), body.number(2), body.number(4)
     body.number(4)
@@ -214,5 +226,6 @@ def chunk_crc(data: bytes) -> int:
 
 
 def read_metadata_record(data: bytes) -> tuple[str, dict[str, str]]:
+    """Return the name and the texts."""
     body = Body(data)
     return body.text(), body.text_map()

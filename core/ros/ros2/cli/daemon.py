@@ -69,6 +69,7 @@ def start(session: Session) -> bool:
         return False
     from rclpy.context import Context
     from rclpy.node import Node
+    from rclpy.parameter import Parameter
 
     context = Context._for_session(session.graph, session.clock)
     node = Node(
@@ -76,6 +77,7 @@ def start(session: Session) -> bool:
         context=context,
         cli_args=[],
         start_parameter_services=False,
+        parameter_overrides=[Parameter("start_type_description_service", value=False)],
     )
     _daemons[session.graph] = _Daemon(context, node)
     return True

@@ -1,4 +1,4 @@
-"""`ros2 doctor`: checks what can go wrong with a graph. What a real one looks up about the machine's ROS is not here."""
+"""`ros2 doctor`: checks what can go wrong with a graph, and reports what this machine is. It asks nothing of the internet."""
 
 from __future__ import annotations
 
@@ -40,8 +40,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 async def main(session: Session, args: Namespace) -> None:
     async with graph_node(session) as node:
         if args.report:
-            for title in REPORTS:
-                _print_report(session, node, title)
+            for title, (category, _) in REPORTS.items():
+                if category != "package" or not args.exclude_packages:
+                    _print_report(session, node, title)
             return
         failed: list[str] = []
         for category, check in CHECKS.items():
@@ -69,8 +70,8 @@ def _warn(session: Session, complaint: Complaint) -> None:
 
 
 def _print_report(session: Session, node: Node, title: str) -> None:
-    rows = list(REPORTS[title][1](node))
-    longest = max(len(name) for name, _ in rows)
+    rows = list(REPORTS[title][1](session, node))
+    longest = max((len(name) for name, _ in rows), default=0)
     width = longest + 4 if longest >= 8 else 8
     session.print(f"\n   {title}")
     for name, value in rows:
@@ -118,7 +119,37 @@ def _pairs(node: Node) -> Iterator[tuple[str, Any, Any, Any, str]]:
                 yield topic, publisher, subscription, compatibility, reason
 
 
-def _report_platform(node: Node) -> Iterator[tuple[str, object]]:
+def _report_network(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    from day6_tui.core.ros.ros2.doctor._network import interfaces
+
+    for interface in interfaces():
+        yield from ((name, value) for name, value in interface.items() if value)
+
+
+def _report_packages(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    """What is installed; which version is the newest one only the internet knows, and this machine may have none."""
+    from pathlib import Path
+    from xml.etree import ElementTree
+
+    from day6_tui.core.ros.ros2.pkg._index import packages, prefix_of
+
+    for name in packages(session):
+        manifest = Path(prefix_of(session, name) or "", "share", name, "package.xml")
+        try:
+            version = ElementTree.parse(manifest).findtext("version", "").strip()
+        except (OSError, ElementTree.ParseError):
+            version = ""
+        yield name, f"latest=N/A, local={version}"
+
+
+def _report_distribution(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    name = session.env.get("ROS_DISTRO", "")
+    if name:
+        yield "distribution name", name.lower()
+        yield "distribution type", f"ros{session.env.get('ROS_VERSION', '2')}"
+
+
+def _report_platform(session: Session, node: Node) -> Iterator[tuple[str, object]]:
     import platform
 
     yield "system", platform.system()
@@ -129,7 +160,7 @@ def _report_platform(node: Node) -> Iterator[tuple[str, object]]:
     yield "processor", platform.processor()
 
 
-def _report_qos(node: Node) -> Iterator[tuple[str, object]]:
+def _report_qos(session: Session, node: Node) -> Iterator[tuple[str, object]]:
     from rclpy.qos import QoSCompatibility
 
     found = False
@@ -143,13 +174,13 @@ def _report_qos(node: Node) -> Iterator[tuple[str, object]]:
         yield "compatibility status", "No publisher/subscriber pairs found"
 
 
-def _report_middleware(node: Node) -> Iterator[tuple[str, object]]:
+def _report_middleware(session: Session, node: Node) -> Iterator[tuple[str, object]]:
     from rclpy.utilities import get_rmw_implementation_identifier
 
     yield "middleware name", get_rmw_implementation_identifier()
 
 
-def _report_topics(node: Node) -> Iterator[tuple[str, object]]:
+def _report_topics(session: Session, node: Node) -> Iterator[tuple[str, object]]:
     topics = [topic for topic, _ in node.get_topic_names_and_types() if topic not in _SKIPPED]
     for topic in topics or ["none"]:
         yield "topic", topic
@@ -164,10 +195,13 @@ CHECKS: dict[str, Callable[[Node], Iterator[Complaint]]] = {
 }
 """By category: what `Failed modules:` names."""
 
-REPORTS: dict[str, tuple[str, Callable[[Node], Iterator[tuple[str, object]]]]] = {
+REPORTS: dict[str, tuple[str, Callable[[Session, Node], Iterator[tuple[str, object]]]]] = {
+    "NETWORK CONFIGURATION": ("network", _report_network),
+    "PACKAGE VERSIONS": ("package", _report_packages),
     "PLATFORM INFORMATION": ("platform", _report_platform),
     "QOS COMPATIBILITY LIST": ("middleware", _report_qos),
     "RMW MIDDLEWARE": ("middleware", _report_middleware),
+    "ROS 2 INFORMATION": ("platform", _report_distribution),
     "TOPIC LIST": ("topic", _report_topics),
 }
 """By title: the category they belong to, and what gives their rows."""

@@ -19,7 +19,6 @@ class Display(Property):
     """One display. Its value is whether it is enabled; `type` is the last part of the class name in .rviz files."""
 
     type = ""
-    description_key = ""
     message_type = ""
     """The type of the messages it shows, for Add by topic."""
 

@@ -179,7 +179,7 @@ class Property:
             return tuple(max(0, min(255, int(_finite(part)))) for part in parts)
         if self.kind == ENUM:
             options = self.options
-            if options and str(value) not in options:
+            if options and str(value) not in options and value != self.default:
                 raise BadValue("rviz.bad.enum", options=", ".join(options))
         return str(value)
 

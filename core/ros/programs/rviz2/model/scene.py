@@ -81,6 +81,14 @@ class Image:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Overlay:
+    """A picture that lies on the view: `pixels` is rows x columns x 3 (0..255), row 0 highest."""
+
+    name: str
+    pixels: Any
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Label:
     """A text at a place; it always faces the viewer."""
 
@@ -100,6 +108,7 @@ class Scene:
     triangles: list[Triangles] = field(default_factory=list)
     images: list[Image] = field(default_factory=list)
     labels: list[Label] = field(default_factory=list)
+    overlays: list[Overlay] = field(default_factory=list)
 
     def axes(self, pose: Transform, length: float, radius: float, alpha: float = 1.0, grey: float = 0.0) -> None:
         """The three axes of a frame: x red, y green, z blue; `grey` 1 takes all their colour."""

@@ -8,4 +8,5 @@ from launch.event import Event
 
 
 def event_named(name: str) -> Callable[[Event], bool]:
+    """Return a matcher for the events of that name."""
     return lambda event: event.name == name

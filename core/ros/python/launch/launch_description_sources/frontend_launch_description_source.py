@@ -12,6 +12,8 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 
 
 class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
+    """A launch file in XML or YAML."""
+
     def __init__(
         self,
         launch_file_path: SomeSubstitutionsType,

@@ -11,6 +11,8 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 
 
 class PythonLaunchDescriptionSource(LaunchDescriptionSource):
+    """A launch file in Python: its `generate_launch_description()` is called."""
+
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, "interpreted python launch file")
 

@@ -26,6 +26,8 @@ def truth(context: LaunchContext, value: Sequence[Substitution]) -> bool:
 
 @expose_substitution("not")
 class NotSubstitution(Substitution):
+    """`$(not value)`: true or false, the other way round."""
+
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__()
         self.__value = normalize_to_list_of_substitutions(value)
@@ -73,6 +75,8 @@ class _Pair(Substitution):
 
 @expose_substitution("and")
 class AndSubstitution(_Pair):
+    """`$(and left right)`."""
+
     def perform(self, context: LaunchContext) -> str:
         left, right = truth(context, self.left), truth(context, self.right)
         return str(left and right).lower()
@@ -80,6 +84,8 @@ class AndSubstitution(_Pair):
 
 @expose_substitution("or")
 class OrSubstitution(_Pair):
+    """`$(or left right)`."""
+
     def perform(self, context: LaunchContext) -> str:
         left, right = truth(context, self.left), truth(context, self.right)
         return str(left or right).lower()
@@ -104,11 +110,15 @@ class _Several(Substitution):
 
 @expose_substitution("any")
 class AnySubstitution(_Several):
+    """`$(any …)`: whether one of them is true."""
+
     def perform(self, context: LaunchContext) -> str:
         return str(any(truth(context, each) for each in self.args)).lower()
 
 
 @expose_substitution("all")
 class AllSubstitution(_Several):
+    """`$(all …)`: whether every one of them is true."""
+
     def perform(self, context: LaunchContext) -> str:
         return str(all(truth(context, each) for each in self.args)).lower()

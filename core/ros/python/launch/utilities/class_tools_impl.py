@@ -7,6 +7,7 @@ from typing import Any
 
 
 def isclassinstance(obj: Any) -> bool:
+    """Say whether `obj` is an object of a class, as in Python everything is."""
     return hasattr(obj, "__class__")
 
 

@@ -9,6 +9,7 @@ from launch.some_entities_type import SomeEntitiesType
 
 
 def normalize_to_list_of_entities(entities: Iterable[SomeEntitiesType]) -> list[LaunchDescriptionEntity]:
+    """Return all entities, those in lists too, one after the other."""
     flat: list[LaunchDescriptionEntity] = []
     for each in entities:
         if isinstance(each, LaunchDescriptionEntity):

@@ -12,4 +12,5 @@ if TYPE_CHECKING:
 
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
+    """Return their texts put together; SubstitutionFailure if one has none."""
     return "".join([context.perform_substitution(each) for each in subs])

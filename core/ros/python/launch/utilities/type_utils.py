@@ -193,6 +193,7 @@ def _kind(item: Any, items: list[Any]) -> Any:
 
 
 def is_normalized_substitution(x: Any) -> bool:
+    """Say whether `x` is a list of substitutions and not empty."""
     return isinstance(x, list) and len(x) > 0 and all(isinstance(each, Substitution) for each in x)
 
 

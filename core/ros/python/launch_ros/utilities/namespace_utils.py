@@ -4,10 +4,12 @@ from __future__ import annotations
 
 
 def is_root_namespace(ns: str) -> bool:
+    """Say whether it is `/`."""
     return ns == "/"
 
 
 def is_namespace_absolute(ns: str) -> bool:
+    """Say whether it begins with `/`."""
     return ns.startswith("/")
 
 
@@ -25,4 +27,5 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
 
 
 def make_namespace_absolute(ns: str | None) -> str | None:
+    """Return it with a `/` in front; None for nothing."""
     return ns if ns is None or is_namespace_absolute(ns) else f"/{ns}"

@@ -19,4 +19,5 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
 
 
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterator[RemapRule]:
+    """Do that for many."""
     yield from map(normalize_remap_rule, remap_rules)

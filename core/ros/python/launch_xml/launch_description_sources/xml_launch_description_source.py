@@ -9,5 +9,7 @@ from launch_xml.parser import Parser
 
 
 class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """A launch file in XML."""
+
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(launch_file_path, method="interpreted XML launch file", parser=Parser)

@@ -9,5 +9,7 @@ from launch_yaml.parser import Parser
 
 
 class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """A launch file in YAML."""
+
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(launch_file_path, method="interpreted YAML launch file", parser=Parser)

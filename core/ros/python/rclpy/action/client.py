@@ -304,7 +304,9 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         `feedback_callback(message)` is called for each feedback message until the result is there.
         """
         self._check_goal(goal)
-        self._handle.check()
+        if self._handle.destroyed:
+            reason = "action client pointer is invalid, at /project/src/rcl_action/action_client.c:493"
+            raise RCLError(f"Failed to send goal request: {reason}")
         goal_id = self._generate_random_uuid() if goal_uuid is None else goal_uuid
         request = self._handle.implementation.SendGoalService.Request(goal_id=goal_id, goal=goal)
         key = bytes(goal_id.uuid)
@@ -360,8 +362,11 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
     def server_is_ready(self) -> bool:
         """Say whether a server of the action exists."""
         self._node.handle.check()
+        failed = "Failed to check if action server is available"
+        if self._handle.destroyed:
+            raise RCLError(f"{failed}: rcl node pointer is invalid, at /project/src/rcl/node.c:386")
         if not self._node.context._valid:
-            raise RCLError(f"Failed to check if action server is available: {INVALID_NODE}")
+            raise RCLError(f"{failed}: {INVALID_NODE}")
         return self._has_server()
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:

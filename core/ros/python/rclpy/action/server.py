@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 _ERROR_UNKNOWN_GOAL_ID = 2
 _ERROR_GOAL_TERMINATED = 3
 
+_INVALID = "feedback publisher is invalid, at /project/src/rcl_action/action_server.c:1040"
+
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
 
 
@@ -289,7 +291,13 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
 
     # goals
 
+    def _check_context(self, failed: str) -> None:
+        # This is what ends a goal that is still being executed after Ctrl-C.
+        if not self._node.context._valid:
+            raise RCLError(f"{failed}: {_INVALID}")
+
     def _publish_status(self) -> None:
+        self._check_context("Failed get goal status array")
         from action_msgs.msg import GoalStatus
 
         message = self._handle.implementation.GoalStatusMessage()
@@ -301,6 +309,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             self._status_pub.publish(message)
 
     def _publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+        self._check_context("Failed to publish feedback with an action server")
         if not self._handle.destroyed:
             message = self._handle.implementation.FeedbackMessage(goal_id=goal_id, feedback=feedback)
             self._feedback_pub.publish(message)

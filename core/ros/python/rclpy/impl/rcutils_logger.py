@@ -193,7 +193,7 @@ class RcutilsLogger:
         """Return the logger `<this name>.<name>`; ValueError for an empty name."""
         if not name:
             raise ValueError("Child logger name must not be empty.")
-        logger = RcutilsLogger._of_node(f"{self.name}.{name}" if self.name else name, self._settings)
+        logger = RcutilsLogger._of_node(self.name + "." + name if self.name else name, self._settings)
         publisher = self._settings.publishers.get(self.name) if self.name else None
         if publisher is not None and logger.name not in self._settings.publishers:
             self._settings.publishers[logger.name] = publisher

@@ -174,7 +174,38 @@ def _line(key: Key) -> str:
     return f"{key[0]}/{key[1]}"
 
 
-class MarkerDisplay(FilteredDisplay):
+class _MarkerDisplay(TopicDisplay):
+    """A display of markers, however they come."""
+
+    def build(self) -> None:
+        super().build()
+        self.markers = Markers(self)
+
+    def reset(self) -> None:
+        super().reset()
+        self.markers.clear()
+
+    def refresh(self) -> None:
+        super().refresh()
+        self.markers.refresh()
+
+    @property
+    def fading(self) -> bool:
+        return self.markers.mortal
+
+    def draw(self, scene: Scene) -> None:
+        self.markers.draw(scene)
+
+    def save_extras(self) -> dict[str, Any]:
+        return {"Namespaces": {each.name: each.value for each in self.markers.namespaces.children}}
+
+    def load_extras(self, config: dict[str, Any]) -> None:
+        saved = config.get("Namespaces")
+        for name, on in saved.items() if isinstance(saved, dict) else ():
+            self.markers.wanted[str(name)] = bool(on)
+
+
+class MarkerDisplay(_MarkerDisplay, FilteredDisplay):
     """Markers one by one; `<topic>_array` is heard too."""
 
     type = "Marker"
@@ -183,7 +214,6 @@ class MarkerDisplay(FilteredDisplay):
 
     def build(self) -> None:
         super().build()
-        self.markers = Markers(self)
         self._array: Any = None
 
     def _subscribe(self) -> None:
@@ -207,65 +237,13 @@ class MarkerDisplay(FilteredDisplay):
     def show(self, message: Any) -> None:
         self.markers.take(message)
 
-    def reset(self) -> None:
-        super().reset()
-        self.markers.clear()
 
-    def refresh(self) -> None:
-        super().refresh()
-        self.markers.refresh()
-
-    @property
-    def fading(self) -> bool:
-        return self.markers.mortal
-
-    def draw(self, scene: Scene) -> None:
-        self.markers.draw(scene)
-
-    def save_extras(self) -> dict[str, Any]:
-        return {"Namespaces": {each.name: each.value for each in self.markers.namespaces.children}}
-
-    def load_extras(self, config: dict[str, Any]) -> None:
-        _load_namespaces(self.markers, config)
-
-
-class MarkerArrayDisplay(TopicDisplay):
+class MarkerArrayDisplay(_MarkerDisplay):
     """Markers by the array."""
 
     type = "MarkerArray"
     message_type = "visualization_msgs/msg/MarkerArray"
     default_topic = "visualization_marker_array"
 
-    def build(self) -> None:
-        super().build()
-        self.markers = Markers(self)
-
     def process(self, message: Any) -> None:
         self.markers.take_array(message)
-
-    def reset(self) -> None:
-        super().reset()
-        self.markers.clear()
-
-    def refresh(self) -> None:
-        super().refresh()
-        self.markers.refresh()
-
-    @property
-    def fading(self) -> bool:
-        return self.markers.mortal
-
-    def draw(self, scene: Scene) -> None:
-        self.markers.draw(scene)
-
-    def save_extras(self) -> dict[str, Any]:
-        return {"Namespaces": {each.name: each.value for each in self.markers.namespaces.children}}
-
-    def load_extras(self, config: dict[str, Any]) -> None:
-        _load_namespaces(self.markers, config)
-
-
-def _load_namespaces(markers: Markers, config: dict[str, Any]) -> None:
-    saved = config.get("Namespaces")
-    for name, on in saved.items() if isinstance(saved, dict) else ():
-        markers.wanted[str(name)] = bool(on)

@@ -8,6 +8,8 @@ from launch.events.process.process_io import ProcessIO
 
 
 class ProcessStderr(ProcessIO):
+    """Bytes that a process wrote to its standard error."""
+
     name = "launch.events.process.ProcessStderr"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:

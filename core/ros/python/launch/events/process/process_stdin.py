@@ -8,6 +8,8 @@ from launch.events.process.process_io import ProcessIO
 
 
 class ProcessStdin(ProcessIO):
+    """Bytes for the standard input of a process."""
+
     name = "launch.events.process.ProcessStdin"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:

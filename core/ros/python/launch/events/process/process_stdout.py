@@ -8,6 +8,8 @@ from launch.events.process.process_io import ProcessIO
 
 
 class ProcessStdout(ProcessIO):
+    """Bytes that a process wrote to its standard output."""
+
     name = "launch.events.process.ProcessStdout"
 
     def __init__(self, *, text: bytes, **kwargs: Any) -> None:

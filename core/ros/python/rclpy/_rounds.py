@@ -63,7 +63,8 @@ class ExecutorRounds:
         """Called when something becomes ready: while a thread waits here it opens the gate."""
         self._asked: tuple[Any, Any] | None = None
         """Timeout and condition of the `spin_once` that the round was put together for."""
-        self._waiting = False
+        self._waiting = 0
+        """Threads that wait here: two where a program spins one executor twice."""
 
     # nodes come and go
 
@@ -196,7 +197,7 @@ class ExecutorRounds:
 
     def _wait(self, until: int | None) -> None:
         """Block until something is ready, the next timer is due or `until` (ns, steady) has come."""
-        self._waiting = True
+        self._waiting += 1
         self._hook = self._open_gate
         try:
             if self._inbox or self._tasks or self._woken or self._new_nodes:
@@ -213,8 +214,17 @@ class ExecutorRounds:
                     left = min(left, _LONGEST_WAIT_NS)
                 self._gate.acquire(timeout=left / S_TO_NS)
         finally:
-            self._hook = self._wake_callback
-            self._waiting = False
+            self._waiting -= 1
+            if self._waiting == 0:
+                self._hook = self._wake_callback
+            else:
+                self._leave_to_others()
+
+    def _leave_to_others(self) -> None:
+        """Keep awake for another thread that waits here too what would have woken both."""
+        self._hook = self._open_gate
+        if self._inbox or self._tasks or self._woken or self._new_nodes or not self._context._valid:
+            self._open_gate()
 
     def _open_gate(self) -> None:
         self._hook = None

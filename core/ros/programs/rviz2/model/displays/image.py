@@ -1,0 +1,172 @@
+"""Image (rviz_default_plugins/displays/image): the picture of a camera, in a corner of the view."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Any
+
+from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, INT, Property, floats
+from day6_tui.core.ros.programs.rviz2.model.scene import Overlay, Scene
+from day6_tui.core.ros.programs.rviz2.model.status import ERROR
+from day6_tui.core.ros.programs.rviz2.model.topics import TopicDisplay
+
+MOST_PIXELS = 640
+"""An image that is wider or higher is kept with every second, third … pixel only: no terminal shows more."""
+
+_COLOURED = {
+    "rgb8": (3, (0, 1, 2)),
+    "rgba8": (4, (0, 1, 2)),
+    "bgra8": (4, (2, 1, 0)),
+    "8UC4": (4, (2, 1, 0)),
+    "8SC4": (4, (2, 1, 0)),
+    "bgr8": (3, (2, 1, 0)),
+    "8UC3": (3, (2, 1, 0)),
+    "8SC3": (3, (2, 1, 0)),
+}
+"""Encoding -> bytes of a pixel, and which of them are red, green and blue."""
+_GREY = {"mono8": "u1", "8UC1": "u1", "8SC1": "u1"}
+_MEASURED = {"mono16": "u2", "16UC1": "u2", "16SC1": "u2", "32FC1": "f4"}
+"""Encodings of distances and the like, which have no natural black and white."""
+_VIDEO = {"uyvy": (1, 0, 2), "yuyv": (0, 1, 3)}
+"""Two pixels in four bytes: where the first brightness is, and the two colour differences."""
+
+
+class UnsupportedEncoding(ValueError):
+    """An image in an encoding that RViz does not show."""
+
+    def __init__(self, encoding: str) -> None:
+        super().__init__(f"Unsupported image encoding [{encoding}]")
+
+
+class ImageDisplay(TopicDisplay):
+    """The newest image of a topic; where its frame is does not matter."""
+
+    type = "Image"
+    message_type = "sensor_msgs/msg/Image"
+
+    def build(self) -> None:
+        super().build()
+        changed = self._switched
+        self.normalize = self.add(Property("Normalize Range", BOOL, True, on_change=changed))
+        self.least = self.add(floats("Min Value", 0, on_change=changed))
+        self.most = self.add(floats("Max Value", 1, on_change=changed))
+        self.window = self.add(Property("Median window", INT, 5, low=1, on_change=changed))
+        self._message: Any = None
+        self._measured = False
+        self._overlay: Overlay | None = None
+        self._bounds: deque[tuple[float, float]] = deque()
+        self._hide()
+
+    def _switched(self) -> None:
+        self._hide()
+        if self._message is not None:
+            self._read(self._message)
+        self.changed()
+
+    def _hide(self) -> None:
+        self.normalize.hidden = not self._measured
+        self.least.hidden = self.most.hidden = not self._measured or bool(self.normalize.value)
+        self.window.hidden = not self._measured or not self.normalize.value
+
+    def reset(self) -> None:
+        super().reset()
+        self._message = self._overlay = None
+        self._bounds.clear()
+
+    def process(self, message: Any) -> None:
+        measured = message.encoding in _MEASURED
+        if measured != self._measured:
+            self._measured = measured
+            self._hide()
+            self.rviz.tree_changed()
+        if len(message.data):
+            self._message = message
+            self._read(message)
+
+    def _read(self, message: Any) -> None:
+        try:
+            pixels = self._pixels(message)
+        except UnsupportedEncoding as error:
+            self.put_status(ERROR, "Image", str(error))
+            return
+        except ValueError as error:
+            self.rviz.log_error(f"Error loading image: {error}")
+            return
+        self.drop_status("Image")
+        self._overlay = Overlay(self.name, pixels)
+
+    def _pixels(self, message: Any) -> Any:
+        """Rows x columns x 3 (0..255). UnsupportedEncoding, or ValueError for too few data."""
+        import numpy as np
+
+        encoding = message.encoding
+        thin = max(1, math.ceil(max(message.width, message.height) / MOST_PIXELS))
+        if encoding in _COLOURED:
+            size, order = _COLOURED[encoding]
+            return _rows(message, "u1", size)[::thin, ::thin, list(order)]
+        if encoding in _GREY or encoding.startswith("bayer"):
+            return np.repeat(_rows(message, "u1", 1)[::thin, ::thin], 3, axis=2)
+        if encoding in _MEASURED:
+            values = _rows(message, _MEASURED[encoding], 1)[::thin, ::thin].astype(np.float64)
+            return np.repeat(self._normalised(values), 3, axis=2)
+        if encoding in _VIDEO:
+            return _video(_rows(message, "u1", 2), *_VIDEO[encoding])[::thin, ::thin]
+        raise UnsupportedEncoding(encoding)
+
+    def _normalised(self, values: Any) -> Any:
+        """Numbers as greys: between the least and the most there are (medians of the last images), or between those set."""
+        import numpy as np
+
+        least, most = self.least.value, self.most.value
+        finite = values[np.isfinite(values)]
+        if self.normalize.value and len(finite):
+            self._bounds.append((float(finite.min()), float(finite.max())))
+            while len(self._bounds) > self.window.value:
+                self._bounds.popleft()
+            middle = len(self._bounds) // 2
+            least = sorted(low for low, _ in self._bounds)[middle]
+            most = sorted(high for _, high in self._bounds)[middle]
+        part = np.nan_to_num((values - least) / ((most - least) or 1.0), nan=0.0, posinf=1.0, neginf=0.0)
+        return (np.clip(part, 0, 1) * 255).astype(np.uint8)
+
+    @property
+    def picture_size(self) -> str:
+        """The size of the image as `640x480`; '' without one."""
+        message = self._message
+        return f"{message.width}x{message.height}" if message is not None and self._overlay is not None else ""
+
+    def draw(self, scene: Scene) -> None:
+        if self._overlay is not None:
+            if self._overlay.name != self.name:
+                self._overlay = Overlay(self.name, self._overlay.pixels)
+            scene.overlays.append(self._overlay)
+
+
+def _rows(message: Any, format_: str, channels: int) -> Any:
+    """The data as rows x columns x channels; `step` may be longer than a row. ValueError for too few."""
+    import numpy as np
+
+    kind = np.dtype((">" if message.is_bigendian else "<") + format_)
+    width = message.width * channels * kind.itemsize
+    step = message.step if message.step >= width else width
+    data = np.frombuffer(message.data, np.uint8)
+    if not width or len(data) < step * (message.height - 1) + width:
+        raise ValueError(f"{len(data)} bytes are too few for {message.width}x{message.height} pixels")
+    padded = np.zeros(step * message.height, np.uint8)
+    padded[: min(len(data), len(padded))] = data[: len(padded)]
+    rows = np.ascontiguousarray(padded.reshape(message.height, step)[:, :width])
+    return rows.view(kind).reshape(message.height, message.width, channels)
+
+
+def _video(pairs: Any, bright: int, blue_at: int, red_at: int) -> Any:
+    """YUV in which two pixels share their colour differences, with RViz's whole-number factors."""
+    import numpy as np
+
+    height, width = pairs.shape[0], pairs.shape[1] // 2 * 2
+    quads = pairs[:, :width].reshape(height, width // 2, 4).astype(np.int32)
+    blue, red = (np.repeat(quads[..., at] - 128, 2, axis=1) for at in (blue_at, red_at))
+    luma = quads[..., [bright, bright + 2]].reshape(height, width)
+    # Towards zero, as C divides.
+    parts = [np.trunc(part / 1000) for part in (1403 * red, 344 * blue - 714 * red, 1770 * blue)]
+    return (luma[..., None] + np.stack(parts, axis=2)).clip(0, 255).astype(np.uint8)

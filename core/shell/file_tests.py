@@ -1,0 +1,63 @@
+"""Questions that `test`, `[` and `[[` ask: about files, texts and whole numbers."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+UNARY = frozenset("-" + letter for letter in "abcdefghknoprstuvwxzGLNOS")
+INTEGER: dict[str, Callable[[int, int], bool]] = {
+    "-eq": operator.eq,
+    "-ne": operator.ne,
+    "-lt": operator.lt,
+    "-le": operator.le,
+    "-gt": operator.gt,
+    "-ge": operator.ge,
+}
+FILES = frozenset({"-nt", "-ot", "-ef"})
+
+
+def unary(question: str, text: str, cwd: Path) -> bool:
+    """Answer a question about a text, or about the file of that name. ValueError (bash's text) for an unknown question."""
+    path = cwd / text
+    checks: dict[str, Callable[[], bool]] = {
+        "-z": lambda: not text,
+        "-n": lambda: bool(text),
+        "-a": path.exists,
+        "-e": path.exists,
+        "-f": path.is_file,
+        "-d": path.is_dir,
+        "-h": path.is_symlink,
+        "-L": path.is_symlink,
+        "-s": lambda: path.exists() and path.stat().st_size > 0,
+        "-r": lambda: os.access(path, os.R_OK),
+        "-w": lambda: os.access(path, os.W_OK),
+        "-x": lambda: os.access(path, os.X_OK),
+        "-p": path.is_fifo,
+        "-S": path.is_socket,
+        "-b": path.is_block_device,
+        "-c": path.is_char_device,
+    }
+    if question not in checks:
+        raise ValueError(f"{question}: unary operator expected")
+    return (bool(text) or question in ("-z", "-n")) and checks[question]()
+
+
+def integers(left: str, comparison: str, right: str) -> bool:
+    """Compare two whole numbers. ValueError (bash's text) for what is none."""
+    for text in (left, right):
+        if not text.strip().lstrip("+-").isdigit():
+            raise ValueError(f"{text}: integer expression expected")
+    return INTEGER[comparison](int(left), int(right))
+
+
+def files(left: str, comparison: str, right: str, cwd: Path) -> bool:
+    """`-nt`, `-ot` (a file that is not there is older than any) and `-ef`."""
+    first, second = cwd / left, cwd / right
+    if comparison == "-ef":
+        return first.exists() and second.exists() and first.samefile(second)
+    if comparison == "-ot":
+        first, second = second, first
+    return first.exists() and (not second.exists() or first.stat().st_mtime_ns > second.stat().st_mtime_ns)

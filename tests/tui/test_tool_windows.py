@@ -1,0 +1,113 @@
+"""The windows of tools: nothing of their controls is cut, and a click does what the key does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from fakes import FakeDesk
+from screens import opened, screen_lines, screen_text, step
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+
+
+def _place(app: Any, text: str) -> tuple[int, int]:
+    """Column and row of a text on the screen."""
+    for row, line in enumerate(screen_lines(app)):
+        if text in line:
+            return line.index(text), row
+    raise AssertionError(f"{text!r} is not on the screen:\n{screen_text(app)}")
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (100, 30)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+async def test_every_check_box_of_rqt_graph_can_be_read(desk: FakeDesk, tmp_path: Path, size: Any, lang: str) -> None:
+    async with opened(desk, *size, lang=lang, scene="empty") as (app, pilot):
+        desk.display.open("rqt_graph", "rqt_graph", RqtGraph(None, Graph(0), tmp_path))  # type: ignore[arg-type]
+        await step(app, pilot)
+        await step(app, pilot)
+        for label in ("Dead sinks(s)", "Leaf topics(l)", "Debug(d)", "tf(f)", "Unreachable(u)", "Params(p)"):
+            assert label in screen_text(app)
+        if size[1] == 40:
+            for label in ("Namespaces(n)", "Actions(1)", "Images(3)", "Highlight(h)", "Fit(v)"):
+                assert label in screen_text(app)
+
+
+async def test_a_click_on_a_check_box_of_rqt_graph_is_its_key(desk: FakeDesk, tmp_path: Path) -> None:
+    model = RqtGraph(None, Graph(0), tmp_path)  # type: ignore[arg-type]
+    desk.display.open("rqt_graph", "rqt_graph", model)
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        for expected in (False, True):
+            await step(app, pilot)
+            await step(app, pilot)
+            x, y = _place(app, "Debug(d)")
+            await pilot.click(offset=(x, y))
+            await step(app, pilot)
+            assert model.options.hide_debug is expected
+        assert "[x] Debug(d)" in screen_text(app)
+
+
+class _Topics:
+    """A topic monitor with two topics, one of which is listened to."""
+
+    def __init__(self) -> None:
+        self.version = 1
+        self.topics = [self._topic("/chatter", True), self._topic("/rosout", False)]
+
+    def _topic(self, name: str, monitored: bool) -> Any:
+        ends = [SimpleNamespace(node="/talker", qos="RELIABLE VOLATILE")]
+        return SimpleNamespace(
+            name=name, types=["std_msgs/msg/String"], publishers=ends, subscriptions=[], monitored=monitored, count=3,
+            rate=2.0, bandwidth=60.0, bars=[1.0, 2.0], problem="",
+        )  # fmt: skip
+
+    def last_message(self, name: str) -> None:
+        return None
+
+    def toggle(self, name: str) -> None:
+        topic = next(topic for topic in self.topics if topic.name == name)
+        topic.monitored = not topic.monitored
+        self.version += 1
+
+
+async def test_the_topic_monitor_names_its_columns_and_marks_the_whole_line(desk: FakeDesk) -> None:
+    model = _Topics()
+    window = desk.display.open("topics", "Topic Monitor", model)
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        await step(app, pilot)
+        pane = app.desktop.panes[window.number]
+        app.desktop.focus_pane(pane)
+        await step(app, pilot)
+        assert app.screen.focused is pane
+        await step(app, pilot)
+        lines = screen_lines(app)
+        assert lines[2].split()[1:4] == ["topic", "pub", "▸"] and "/chatter" in lines[3]
+        strip = pane._strip(2)
+        assert {segment.style for segment in list(strip)[1:-1]} == {app.look.colours.choice}
+        x, y = _place(app, "[ ] /rosout")
+        await pilot.click(offset=(x + 1, y))
+        await step(app, pilot)
+        assert pane.chosen == "/rosout" and model.topics[1].monitored
+
+
+@pytest.mark.parametrize(("size", "told"), [((40, 10), False), ((80, 24), True), ((120, 40), True)])
+async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_knowing(
+    desk: FakeDesk, size: Any, told: bool
+) -> None:
+    line = SimpleNamespace(level="info", id="car.stays", parameters=())
+    snapshot = SimpleNamespace(robot=None, status=[line], rate=None)
+    window = desk.display.open("car", "car_view", SimpleNamespace(snapshot=lambda: snapshot))
+    async with opened(desk, *size, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        app.desktop.focus_pane(app.desktop.panes[window.number])
+        await step(app, pilot)
+        await step(app, pilot)
+        assert ("why does the car stay?" in screen_text(app)) is told
+        line.level, line.id, line.parameters = "error", "car.no_transform", (("link", "left"), ("frame", "base"))
+        app.desktop.panes[window.number].restyle()
+        await step(app, pilot)
+        assert "no transform from left to base" in screen_text(app)
