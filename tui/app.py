@@ -41,6 +41,7 @@ from day6_tui.tui.pane import Piece
 from day6_tui.tui.scenes import SCENES, Player
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.welcome import WelcomePane
+from day6_tui.tui.windows import WindowPane
 
 chops.install()
 _log = logging.getLogger(__name__)
@@ -51,6 +52,8 @@ LINK_SECONDS = 0.4
 
 BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}
 """Kind of a window -> what the top bar calls the desk while there is one."""
+
+ARROWS = ("up", "down", "left", "right")
 
 WAITING_OUTPUT = 3
 """Writes the terminal has not taken yet from which the next frame is put off."""
@@ -348,9 +351,18 @@ class Day6App(AppActions, App[None]):
             self.queued_keys.clear()
         self.frames.wake()
 
+    def on_key(self, event: events.Key) -> None:
+        """A key that no pane wanted."""
+        pane = self.desktop.focused_pane()
+        if event.key in ARROWS and isinstance(pane, WindowPane) and pane.window.kind == "turtlesim":
+            self.tell_where_arrows_drive()
+
     def key_before(self, event: events.Key) -> bool:
         """Keys where a scene types: Esc stops it, others wait until it has finished, which is then at once."""
         if self.player is None or (self.stage is not None and self.terminals.view is not self.stage):
+            view = self.terminals.view
+            if event.key in ARROWS and view is not None and view.only_echoes:
+                self.tell_where_arrows_drive()
             return False
         if event.key == "escape":
             self.player = None

@@ -95,11 +95,19 @@ class AppActions:
             return stops[(stops.index(here) + step) % len(stops)]
         return stops[0] if stops else here
 
-    def key_to_terminal(self) -> str:
-        """The key that leads from here to the terminal that is shown."""
-        shown = (self.terminals, self.terminals.active)
+    def key_to_terminal(self, index: int | None = None) -> str:
+        """The key that leads from here to a terminal, without an index to the one that is shown."""
+        wanted = (self.terminals, self.terminals.active if index is None else index)
         keys = {1: actions.BY_ID["next"].label, -1: actions.BY_ID["previous"].label}
-        return next((key for step, key in keys.items() if self._stop(step) == shown), actions.BY_ID["windows"].label)
+        return next((key for step, key in keys.items() if self._stop(step) == wanted), actions.BY_ID["windows"].label)
+
+    def tell_where_arrows_drive(self) -> None:
+        """An arrow key was pressed where it drives nothing: name the terminal in which it would, if there is one."""
+        for index, view in enumerate(self.terminals.views):
+            if view.reading_keys and "teleop" in view.terminal.title:
+                key = self.key_to_terminal(index)
+                self.say(self.look.texts("terminal.arrows", number=index + 1, key=key))
+                return
 
     def do_windows(self) -> None:
         from day6_tui.tui.menu import Entry, Menu

@@ -27,8 +27,8 @@ class HelpOverlay(TextOverlay):
         found.append(("overlay_strong", texts("help.everywhere")))
         for action in ACTIONS:
             if action.label:
-                name = f"{texts('action.' + action.id)}: {texts('help.action.' + action.id)}"
-                found.append(("overlay", f"{action.label}\t{name}"))
+                name = texts("list.head", name=texts("action." + action.id))
+                found.append(("overlay", f"{action.label}\t{name}{texts('help.action.' + action.id)}"))
         if self._page != "desk":
             found += [("overlay", ""), ("overlay", texts("help.desk"))]
         return found

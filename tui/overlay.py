@@ -124,7 +124,7 @@ def page_of(text: str) -> list[tuple[str, str]]:
     return [("overlay_key" if "\t" in line else "overlay", line) for line in text.split("\n")]
 
 
-KEY_WIDTH = 11
+KEY_WIDTH = 12
 """Cells for the keys in a list of them."""
 
 

@@ -152,6 +152,12 @@ class TerminalView:
         return self.terminal.busy and front is not None and front.is_raw
 
     @property
+    def only_echoes(self) -> bool:
+        """Whether a command runs that reads no single keys: they are only shown, as ^[[A for an arrow."""
+        front = self.terminal.discipline.front
+        return self.terminal.busy and front is not None and not front.is_raw and front.receiver is None
+
+    @property
     def cursor(self) -> tuple[int, int] | None:
         """Column and line of the cursor in the view; None while it is hidden or scrolled out of sight."""
         cursor = self.terminal.screen.cursor

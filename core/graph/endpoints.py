@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, LeaseWatch, Watch
 from day6_tui.core.graph.events import EventKind as EventKind
 from day6_tui.core.graph.events import EventStatus as EventStatus
+from day6_tui.core.graph.open_policies import is_open, settled_for_publisher, settled_for_subscription
 from day6_tui.core.graph.qos import Durability, Liveliness, QoS, is_finite
 
 if TYPE_CHECKING:
@@ -122,6 +123,10 @@ class Publisher(Endpoint):
     def __init__(
         self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None, copy: Copier
     ) -> None:
+        if is_open(qos):
+            qos = settled_for_publisher(
+                qos, [each.qos for each in node.graph.endpoints(EndpointKind.SUBSCRIPTION, topic=topic)]
+            )
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.copy = copy
         self.matched: tuple[Subscription, ...] = ()
@@ -210,6 +215,10 @@ class Subscription(Endpoint):
     kind = EndpointKind.SUBSCRIPTION
 
     def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None) -> None:
+        if is_open(qos):
+            qos = settled_for_subscription(
+                qos, [each.qos for each in node.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)]
+            )
         super().__init__(node, topic, type_name, type_hash, qos, gid)
         self.queue: deque[Sample] = deque(maxlen=self.qos.capacity)
         self.matched: tuple[Publisher, ...] = ()

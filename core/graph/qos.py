@@ -87,13 +87,19 @@ class QoS(NamedTuple):
     avoid_ros_namespace_conventions: bool = False
 
     def resolved(self) -> QoS:
-        """Return the profile an endpoint really has: Fast DDS's choice where the program left one open."""
+        """Return the profile an endpoint really has, where the program left a policy open and the kind does not matter.
+
+        For publishers and subscriptions it does: `open_policies` comes first.
+        """
+        reliable = self.reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE)
+        volatile = self.durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE)
+        automatic = self.liveliness in (Liveliness.SYSTEM_DEFAULT, Liveliness.BEST_AVAILABLE)
         return self._replace(
             history=History.KEEP_LAST if self.history == History.SYSTEM_DEFAULT else self.history,
             depth=self.depth if self.depth > 0 else 1,
-            reliability=Reliability.RELIABLE if self.reliability == Reliability.SYSTEM_DEFAULT else self.reliability,
-            durability=Durability.VOLATILE if self.durability == Durability.SYSTEM_DEFAULT else self.durability,
-            liveliness=Liveliness.AUTOMATIC if self.liveliness == Liveliness.SYSTEM_DEFAULT else self.liveliness,
+            reliability=Reliability.RELIABLE if reliable else self.reliability,
+            durability=Durability.VOLATILE if volatile else self.durability,
+            liveliness=Liveliness.AUTOMATIC if automatic else self.liveliness,
         )
 
     @property

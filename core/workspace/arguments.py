@@ -270,6 +270,7 @@ def parse(session: Session, words: list[str]) -> Namespace:
     """Parse what stands behind `colcon`. Raises ParserExit (see the parser of `ros2`)."""
     parser = build_parser(session)
     # The options that take several values take those that begin with a dash too where the real one lets them.
+    args: Namespace
     args, strangers = parser.parse_known_args(words)
     if strangers:
         for option in ("--packages-select", "--packages-skip", "--packages-up-to", "--base-paths", "--paths"):

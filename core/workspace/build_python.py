@@ -143,6 +143,7 @@ class _PythonBuild:
         if not setup.is_file():
             if self.package.type == "ros.ament_python":
                 self._check_data_files(_Described({}))
+            self.library.mkdir(parents=True, exist_ok=True)
             ignored = [word for what in _IGNORED for word in ("-W", f"ignore:{what}")]
             command = [sys.executable, *ignored, "setup.py", "--help-commands"]
             reason = f"can't open file '{setup}': [Errno 2] No such file or directory"
@@ -189,8 +190,8 @@ class _PythonBuild:
         if answer is None:
             raise _failed(self.work, subprocess.CalledProcessError(status, [sys.executable, "setup.py", "--dry-run"]))
         try:
-            # colcon reads what setup.py says of itself from the same stream: a print() of the student's spoils it.
-            ast.literal_eval("".join(self._first_output) + "{}")
+            # colcon reads what setup.py says of itself from the same stream, where a print() of the student's comes after it.
+            ast.literal_eval("{}" + "".join(self._first_output))
         except (SyntaxError, ValueError) as error:
             raise _failed(self.work, error) from None
         described: dict[str, Any] = json.loads(answer)

@@ -1,7 +1,4 @@
-"""Against an implementation of others: zenoh-ros2-sdk (PyPI), which was written from rmw_zenoh and knows nothing of us.
-
-Needs a Python that has it: the one that DAY6_ZSDK_PYTHON names, or this one.
-"""
+"""Against an implementation of others: zenoh-ros2-sdk (PyPI), which was written from rmw_zenoh and knows nothing of us."""
 
 from __future__ import annotations
 
@@ -17,15 +14,9 @@ import pytest
 from link_harness import World, until
 
 
-def _python_with_sdk() -> str | None:
-    named = os.environ.get("DAY6_ZSDK_PYTHON")
-    if named:
-        return named
-    return sys.executable if importlib.util.find_spec("zenoh_ros2_sdk") is not None else None
-
-
-PYTHON = _python_with_sdk()
-pytestmark = pytest.mark.skipif(PYTHON is None, reason="zenoh-ros2-sdk is not installed")
+pytestmark = pytest.mark.skipif(
+    importlib.util.find_spec("zenoh_ros2_sdk") is None, reason="zenoh-ros2-sdk is not installed (the test extra has it)"
+)
 
 STRING = "std_msgs/msg/String"
 START = """
@@ -42,9 +33,8 @@ class Stranger:
     """A program that uses the SDK; prints lines, ends with its standard input."""
 
     def __init__(self, port: int, source: str) -> None:
-        assert PYTHON is not None
         self.process = subprocess.Popen(
-            [PYTHON, "-c", START + source, str(port)],
+            [sys.executable, "-c", START + source, str(port)],
             env={**os.environ, "PYTHONPATH": "", "ZENOH_CONFIG_OVERRIDE": 'listen/endpoints=["tcp/127.0.0.1:0"]'},
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

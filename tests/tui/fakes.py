@@ -26,7 +26,7 @@ class FakeTerminal:
         self.closed = False
         self.has_more = False
         self.has_news = False
-        self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True))
+        self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True, receiver=None))
 
     def write(self, text: str) -> None:
         self.screen.feed(text.replace("\n", "\r\n"))

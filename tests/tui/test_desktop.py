@@ -449,6 +449,33 @@ async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) 
             assert f"click or {key} " in screen_text(app)
 
 
+async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_teleop(desk) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
+        await pilot.press("f2", "f2")
+        told = "Arrow keys drive only in terminal 2: Shift+F3 leads there"
+        await pilot.press("up")
+        await step(app, pilot)
+        assert told not in screen_text(app)  # at a prompt they are the history's
+        desk.terminals[1].busy, desk.terminals[1].title = True, "ros2 run turtlesim turtle_teleop_key"
+        desk.terminals[2].busy, desk.terminals[2].title = True, "ros2 topic echo /turtle1/cmd_vel"
+        desk.terminals[2].discipline.front.is_raw = False
+        await pilot.press("left")
+        await step(app, pilot)
+        assert told in screen_text(app) and desk.terminals[2].sent.endswith("\x1b[D")
+        app.say("")
+        app.desktop.focus_pane(app.desktop.panes[window.number])
+        await pilot.press("up")
+        await step(app, pilot)
+        assert "Arrow keys drive only in terminal 2: F4 leads there" in screen_text(app)
+        app.say("")
+        app.terminals.activate(1)
+        app.desktop.focus_pane(app.terminals)
+        await pilot.press("up")
+        await step(app, pilot)
+        assert "Arrow keys drive only" not in screen_text(app)
+
+
 async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> None:
     async with opened(desk, 40, 10, lang="en", scene="empty") as (app, pilot):
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

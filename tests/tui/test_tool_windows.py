@@ -8,10 +8,22 @@ from typing import Any
 
 import pytest
 from fakes import FakeDesk
+from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+from day6_tui.tui.actions import ACTIONS
+from day6_tui.tui.locale import LANGUAGES, catalogue
+from day6_tui.tui.overlay import KEY_WIDTH
+
+
+def test_no_key_is_cut_on_a_help_page() -> None:
+    keys = [action.label for action in ACTIONS]
+    for language in LANGUAGES:
+        texts = [text for key, text in catalogue(language).items() if key.startswith("help.")]
+        keys += [line.partition("\t")[0] for text in texts for line in text.split("\n") if "\t" in line]
+    assert [key for key in keys if cell_len(key) >= KEY_WIDTH] == []
 
 
 def _place(app: Any, text: str) -> tuple[int, int]:
@@ -29,6 +41,8 @@ async def test_every_check_box_of_rqt_graph_can_be_read(desk: FakeDesk, tmp_path
         desk.display.open("rqt_graph", "rqt_graph", RqtGraph(None, Graph(0), tmp_path))  # type: ignore[arg-type]
         await step(app, pilot)
         await step(app, pilot)
+        pane = next(iter(app.desktop.panes.values()))
+        assert all(cell_len(key) < KEY_WIDTH for key, _ in (*pane.key_hints(), *pane.more_key_hints()))
         for label in ("Dead sinks(s)", "Leaf topics(l)", "Debug(d)", "tf(f)", "Unreachable(u)", "Params(p)"):
             assert label in screen_text(app)
         if size[1] == 40:

@@ -84,6 +84,7 @@ TEXTS = {
     "window.hidden": "{title} is open: {key} shows it",
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
     "terminal.hint": "Arrow keys work only in here: click or {key}",
+    "terminal.arrows": "Arrow keys drive only in terminal {number}: {key} leads there",
     "terminal.scrolled": "{count} lines further down · any key goes there",
     "terminal.copied": "Copied",
     # welcome
@@ -401,6 +402,7 @@ TEXTS = {
     # help
     "help.title": "Help",
     "help.keys": "↑ ↓ scroll   Esc back",
+    "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",
     "help.desk": (
         "This is the desk of a small Ubuntu computer with ROS 2. On it are terminals, in which you type commands, and the "

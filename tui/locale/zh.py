@@ -84,6 +84,7 @@ TEXTS = {
     "window.hidden": "{title} 打开了：按 {key} 去看",
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
     "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
+    "terminal.arrows": "方向键只在终端 {number}（遥控）里有用：按 {key} 切换过去",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
     "terminal.copied": "已复制",
     # welcome
@@ -399,6 +400,7 @@ TEXTS = {
     # help
     "help.title": "帮助",
     "help.keys": "↑ ↓ 滚动   Esc 返回",
+    "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",
     "help.desk": (
         "这是一台装了 ROS 2 的小 Ubuntu 电脑的桌面。桌面上有终端，你在里面输入命令；还有程序打开的窗口。\n\n"

@@ -188,7 +188,9 @@ class RqtConsolePane(WindowPane):
     def _switches(self, width: int) -> Line:
         """The severities with their boxes: a ticked one is left out, as in the real window's list."""
         colours, choice = self.look.colours, self.console.choice
-        line: Line = [Segment(f" {self.look.texts('console.exclude')}: ", colours.muted)]
+        line: Line = [
+            Segment(" " + self.look.texts("list.head", name=self.look.texts("console.exclude")), colours.muted)
+        ]
         for key, level in _LEVEL_OF_KEY.items():
             word, on = SEVERITIES[level], level in choice.levels
             line.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
@@ -197,10 +199,12 @@ class RqtConsolePane(WindowPane):
             line.append(Segment(f"{word[len(key) :]} ", colours.strong if on else colours.text))
         for title, text in (("console.containing", choice.text), ("console.highlighted", choice.highlight)):
             if text:
-                line.append(Segment(f" {self.look.texts(title)}: ", colours.muted))
+                line.append(Segment(" " + self.look.texts("list.head", name=self.look.texts(title)), colours.muted))
                 line.append(Segment(clip(text, 20, self.look.glyphs.ellipsis), colours.accent))
         if choice.nodes:
-            line.append(Segment(f" {self.look.texts('console.nodes')}: ", colours.muted))
+            line.append(
+                Segment(" " + self.look.texts("list.head", name=self.look.texts("console.nodes")), colours.muted)
+            )
             line.append(Segment(clip(", ".join(sorted(choice.nodes)), 30, self.look.glyphs.ellipsis), colours.accent))
         return line
 

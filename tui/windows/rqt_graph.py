@@ -242,8 +242,9 @@ class RqtGraphPane(WindowPane):
         state = (self.graph.options, width, most, texts.language)
         if state == self._controls_for:
             return self._controls
-        lines = flowing(texts("rqt.hide"), HIDE, self.graph.options, width)
-        more = flowing(texts("rqt.group"), (NAMESPACES, *GROUP, *VIEW), self.graph.options, width)
+        lines = flowing(texts("list.head", name=texts("rqt.hide")), HIDE, self.graph.options, width)
+        group = texts("list.head", name=texts("rqt.group"))
+        more = flowing(group, (NAMESPACES, *GROUP, *VIEW), self.graph.options, width)
         self._controls_for = state
         self._controls = [*lines, *more] if len(lines) + len(more) <= most else lines[:most]
         return self._controls

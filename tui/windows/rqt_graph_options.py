@@ -64,10 +64,10 @@ class Control(NamedTuple):
     on: bool = False
 
 
-def flowing(name: str, switches: Sequence[Switch], options: Options, width: int) -> list[list[Control]]:
-    """The controls behind `name`, in as many lines of at most `width` cells as they need, each ready to be drawn."""
-    indent = " " * (cell_len(name) + 2)
-    lines = [[Control(f"{name}: ")]]
+def flowing(head: str, switches: Sequence[Switch], options: Options, width: int) -> list[list[Control]]:
+    """The controls behind `head`, in as many lines of at most `width` cells as they need, each ready to be drawn."""
+    indent = " " * cell_len(head)
+    lines = [[Control(head)]]
     room = width - len(indent)
     for switch in switches:
         value = getattr(options, switch.option)

@@ -161,13 +161,13 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
         from rclpy._rosout import RosoutPublisher
 
         graph_node = self.__node.node
-        publisher = RosoutPublisher(graph_node, HASHES[LOG], qos.get_c_qos_profile(), self._context.ok)
-        graph_node.graph.add_endpoint(publisher)
         settings: LoggingSettings = self._context._logging
         name = self._logger.name
         if name in settings.publishers:
             settings.emit(30, "rcl.logging_rosout", _SHARED_NAME.format(graph_node.name, name), "", "", 0)
         else:
+            publisher = RosoutPublisher(graph_node, HASHES[LOG], qos.get_c_qos_profile(), self._context.ok)
+            graph_node.graph.add_endpoint(publisher)
             settings.publishers[name] = publisher
         self._rosout_name = name
 
