@@ -192,14 +192,14 @@ class Desktop(Container):
         self.close_overlay()
         self.overlay = overlay
         self.mount(overlay)
-        overlay.focus(scroll_visible=False)
+        self._give_keyboard(overlay)
 
     def close_overlay(self) -> None:
         """Take it away; the pane that had the keyboard gets it back."""
         if self.overlay is not None:
             overlay, self.overlay = self.overlay, None
             overlay.remove()
-            self.focused_pane().focus(scroll_visible=False)
+            self._give_keyboard(self.focused_pane())
 
     # -- focus and size ------------------------------------------------------------------------------------------------
 
@@ -222,7 +222,15 @@ class Desktop(Container):
         if self.enlarged is not None:
             self.enlarged = "terminal" if pane is self.terminals else "window"
         self.rearrange()
-        pane.focus(scroll_visible=False)
+        self._give_keyboard(pane)
+
+    def _give_keyboard(self, pane: Pane) -> None:
+        """At once: `Widget.focus` would wait until quick keys that are meant for `pane` have gone to another one."""
+        target = pane.focus_target
+        if target.is_attached:
+            self.screen.set_focus(target, scroll_visible=False)
+        else:
+            target.focus(scroll_visible=False)
 
     def focused_pane(self) -> Pane:
         """The pane that has the keyboard, or had it before an overlay."""

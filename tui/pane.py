@@ -70,6 +70,11 @@ class Pane(Widget, can_focus=True):
         """The segments of line `y` of the inside; shorter than `width` is filled up."""
         return ()
 
+    @property
+    def focus_target(self) -> Widget:
+        """The widget that takes the keys when the pane gets the keyboard."""
+        return self
+
     def pull(self, now: float) -> bool:
         """Look at the model and touch what changed; `now` is the monotonic time. True asks for another frame."""
         return False

@@ -47,7 +47,9 @@ def lazy_interfaces(module: str) -> tuple[Callable[[str], Any], Callable[[], lis
     def getattr_(name: str) -> Any:
         if name == "__all__":
             return exported()
-        found = _find(package, kind, name)
+        # Goals, results and feedback are only in the action's own module, and in its class.
+        part = name[name.index("_") :] if kind == "action" and "_" in name else ""
+        found = None if part and part not in _EXPORTED_PARTS[kind] else _find(package, kind, name)
         if found is None:
             raise AttributeError(f"module '{module}' has no attribute '{name}'")
         setattr(sys.modules[module], name, found)

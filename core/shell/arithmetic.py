@@ -75,6 +75,8 @@ class _Sum:
         self.variables = variables
         self.depth = depth
         self.quiet = 0
+        self.last = ""
+        """The operator that was read last, for messages."""
 
     def next_is(self, *texts: str) -> bool:
         return bool(self.tokens) and self.tokens[0] in texts
@@ -120,7 +122,7 @@ class _Sum:
             precedence = _BINARY.get(self.tokens[0], (-1, operator.add))[0]
             if precedence < lowest:
                 break
-            name = self.tokens.pop(0)
+            name = self.last = self.tokens.pop(0)
             decided = (name == "&&" and not value) or (name == "||" and bool(value))
             step = precedence if name == "**" else precedence + 1
             right = self.skipping(decided, partial(self.binary, step))
@@ -134,7 +136,7 @@ class _Sum:
 
     def operand(self) -> int:
         if not self.tokens:
-            raise ValueError("syntax error: operand expected")
+            raise ValueError(f'syntax error: operand expected (error token is "{self.last}")')
         token = self.tokens.pop(0)
         if token[0].isdigit():
             return _number(token)

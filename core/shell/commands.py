@@ -25,6 +25,10 @@ MODULES: dict[str, tuple[str, ...]] = {
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
         "search": "grep egrep fgrep",
+        "paths": "ln readlink realpath pushd popd dirs",
+        "repeated": "xargs watch",
+        "download": "wget curl",
+        "machine": "nproc lsb_release locale",
         "display": "tput dircolors lesspipe",
         "find": "find",
         "columns": "cut tr sed diff",
@@ -42,7 +46,7 @@ MODULES: dict[str, tuple[str, ...]] = {
 
 _MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
 
-_ALSO_BUILTIN = "jobs fg bg wait kill disown echo printf help type command true false : test ["
+_ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown echo printf help type command true false : test ["
 SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
 """What is part of bash itself; all others have a place in /usr/bin or /opt/ros."""
 

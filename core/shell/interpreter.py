@@ -7,6 +7,7 @@ background work on a copy.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Awaitable, Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -159,7 +160,23 @@ class Shell(ShellState):
         if self.interactive:
             streams.stderr.write(f"[{job.number}] {programs[-1].pid}\n")
 
+    async def _timed(self, node: syntax.Pipeline, streams: Streams) -> None:
+        """`time …`: how long it took, by this machine's clock, and what the processor did meanwhile."""
+        began, before = self.desk.clock.now_ns(), os.times()
+        try:
+            await self._pipeline(replace(node, timed=False), streams)
+        finally:
+            after = os.times()
+            user = after.user + after.children_user - before.user - before.children_user
+            system = after.system + after.children_system - before.system - before.children_system
+            seconds = (self.desk.clock.now_ns() - began) / 1e9
+            for name, value in (("\nreal", seconds), ("user", user), ("sys", system)):
+                streams.stderr.write(f"{name}\t{int(value // 60)}m{value % 60:.3f}s\n")
+
     async def _pipeline(self, node: syntax.Pipeline, streams: Streams) -> None:
+        if node.timed:
+            await self._timed(node, streams)
+            return
         command = node.commands[0]
         if len(node.commands) > 1:
             front = replace(streams, stdin=streams.stdin.fork())

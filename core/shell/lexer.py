@@ -6,6 +6,7 @@ expansion knows later what may be split and globbed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -50,6 +51,8 @@ OPERATORS = (
 REDIRECTIONS = frozenset({">", ">>", "<", "<<", "<<-", "<<<", ">&", "<&", ">|", "&>", "&>>"})
 _WORD_END = frozenset(" \t\n|&;()<>")
 _SPECIAL_NAMES = frozenset("?!$#@*-0123456789")
+_BACKQUOTED = re.compile(r"`((?:[^`\\]|\\.)*)`", re.DOTALL)
+_ESCAPED_IN_BACKQUOTES = re.compile(r"\\([`$\\])")
 _BEFORE_A_COMMAND = frozenset({"then", "do", "else", "elif", "if", "while", "until", "!", "{"})
 
 
@@ -232,9 +235,11 @@ class Lexer:
     def _dollar(self, quoted: bool) -> Part:
         source, start = self.source, self.at
         if source[start] == "`":
-            end = self._closing("`", start + 1)
-            self.at = end + 1
-            return Substitution(source[start + 1 : end], quoted)
+            match = _BACKQUOTED.match(source, start)
+            if match is None:
+                raise Incomplete("unexpected EOF while looking for matching ``'")
+            self.at = match.end()
+            return Substitution(_ESCAPED_IN_BACKQUOTES.sub(r"\1", match[1]), quoted)
         follow = source[start + 1 : start + 2]
         if source.startswith("$((", start):
             end = _end_of_sum(source, start + 3)

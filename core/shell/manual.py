@@ -72,6 +72,26 @@ _PAGES: dict[str, Page] = {
     ),
     "history": Page("history", "the lines typed so far", "看以前输入过的命令"),
     "alias": Page("alias NAME='COMMAND'", "a short name for a command", "给命令起一个短名字"),
+    "watch": Page(
+        "watch [-n SECONDS] COMMAND",
+        "run a command again and again and show what it prints; Ctrl-C ends it",
+        "反复执行一个命令并显示它的输出；按 Ctrl-C 结束",
+        ("watch -n 1 ros2 topic list",),
+    ),
+    "xargs": Page(
+        "xargs [-n COUNT] [-I TEXT] COMMAND",
+        "make arguments of a command from the words that come in",
+        "把输入的单词变成一个命令的参数",
+        ("find src -name '*.py' | xargs grep import",),
+    ),
+    "ln": Page(
+        "ln -s TARGET [NAME]", "make a link: another name for a file or folder", "建立链接：给文件或文件夹另一个名字"
+    ),
+    "wget": Page(
+        "wget [-O FILE] ADDRESS",
+        "save a file of the web, if this machine is on the internet",
+        "把网上的一个文件保存下来（需要能上网）",
+    ),
     "jobs": Page("jobs", "what runs in the background here", "这个终端的后台任务"),
     "kill": Page("kill [-SIGNAL] %JOB|PID", "end a program", "结束一个程序", ("kill %1",)),
     "sleep": Page("sleep SECONDS", "wait", "等待几秒"),

@@ -142,17 +142,19 @@ class Parser:
 
     def pipeline(self) -> Pipeline:
         start = self.token.start
-        negated = False
-        while self.is_keyword("!"):
-            self.take()
-            negated = not negated
+        negated = timed = False
+        while self.is_keyword("!", "time"):
+            word = self.take().text
+            negated, timed = negated != (word == "!"), timed or word == "time"
+            if timed and self.is_keyword("-p"):
+                self.take()
         commands = [self.command()]
         while self.is_op("|", "|&"):
             if self.take().text == "|&":
                 commands[-1].redirections.append(Redirection(2, ">&", Word((Text("1"),), "1")))
             self.skip_newlines()
             commands.append(self.command())
-        return Pipeline(commands, negated, self.slice(start))
+        return Pipeline(commands, negated, self.slice(start), timed)
 
     def slice(self, start: int) -> str:
         return self.source[start : self.tokens[self.index - 1].end].strip()

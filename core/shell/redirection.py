@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.streams import FileInput, FileOutput, InputStream, OutputStream, TextInput
 from day6_tui.core.shell import syntax
 from day6_tui.core.shell.expansion import expand_text
+from day6_tui.core.shell.outside import agreed, is_outside, keys_of
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.interpreter import Shell
@@ -50,7 +52,10 @@ async def redirect(
             stream = _open_input(shell.cwd / target, target)
             opened.callback(stream.close)
         else:
-            stream = _open_output(shell.cwd / target, target, append=operator in (">>", "&>>"))
+            path = shell.cwd / target
+            if not await _may_write(path, shell, streams):
+                raise OSError(errno.ECANCELED, "not changed", target)
+            stream = _open_output(path, target, append=operator in (">>", "&>>"))
             opened.callback(stream.close)
         table[fd] = stream
         if operator in ("&>", "&>>") or (operator == ">&" and redirection.fd is None and not target.isdigit()):
@@ -63,6 +68,18 @@ async def redirect(
     ):
         raise OSError(9, "Bad file descriptor", str(fd))
     return Streams(stdin, stdout, stderr)
+
+
+async def _may_write(path: Path, shell: Shell, streams: Streams) -> bool:
+    """Ask, as the shell, before a file outside the home folder is written."""
+    keys = keys_of(streams.stdin)
+    if keys is None or not is_outside(path, Path(shell.environment.get("HOME", "/"))):
+        return True
+    keys.focus()  # the command that would have them does not run yet
+    try:
+        return await agreed(shell.name, [path], keys, streams.stderr, shell.environment)
+    finally:
+        keys.unfocus()
 
 
 def _open_input(path: Path, name: str) -> InputStream:

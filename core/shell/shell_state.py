@@ -33,6 +33,8 @@ class ShellState:
         """Of `shopt`."""
         self.hidden: list[dict[str, str | None]] = []
         """For each running function, the values that its `local` variables had before (None: not set)."""
+        self.folders: list[str] = []
+        """What `pushd` remembers, the last one first."""
         self.status = 0
         self.pid = pid
         self.last_background = 0
@@ -86,6 +88,7 @@ class ShellState:
         self.zero = parent.zero
         self.options = set(parent.options)
         self.aliases = dict(parent.aliases)
+        self.folders = list(parent.folders)
         self.functions = dict(parent.functions)
         self.hidden = [dict(each) for each in parent.hidden]
         self.status = parent.status

@@ -138,6 +138,8 @@ class Pipeline:
     commands: list[Command]
     negated: bool
     source: str
+    timed: bool = False
+    """Whether `time` stands before it."""
 
 
 @dataclass

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 
 from day6_tui.core.workspace import build_cmake, build_python
 from day6_tui.core.workspace.jobs import Work
@@ -24,6 +27,40 @@ _TASKS: dict[str, Task] = {
 }
 
 
+_LOGGERS = {
+    "python": "colcon.colcon_core.task.python.build",
+    "ros.ament_python": "colcon.colcon_ros.task.ament_python.build",
+}
+_CMAKE_LOGGER = "colcon.colcon_cmake.task.cmake.build"
+
+
 def find_task(package: Package) -> Task | None:
     """Return what builds a package, None where its build type is unknown."""
-    return _TASKS.get(package.type)
+    task = _TASKS.get(package.type)
+    return None if task is None else partial(_build_if_possible, task)
+
+
+def _build_if_possible(task: Task, package: Package, settings: Settings, work: Work) -> int:
+    """Build a package unless what it needs of the workspace was never built; returns an exit status."""
+    missing = {
+        name: script
+        for name in settings.needs.get(package.name, ())
+        if not (script := settings.prefix(name) / "share" / name / "package.sh").is_file()
+        and not _is_underneath(name, settings)
+    }
+    if not missing:
+        return task(package, settings, work)
+    files = "".join(f"\n- {script}" for script in missing.values())
+    names = "".join(f"\n- {name}" for name in missing)
+    settings.warn(
+        _LOGGERS.get(package.type, _CMAKE_LOGGER),
+        f"Failed to find the following files:{files}\nCheck that the following packages have been built:{names}",
+        "ERROR",
+    )
+    return 1
+
+
+def _is_underneath(name: str, settings: Settings) -> bool:
+    """Say whether a workspace that was sourced before has the package."""
+    prefixes = settings.environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
+    return any(Path(prefix, "share", name, "package.sh").is_file() for prefix in prefixes if prefix)

@@ -18,6 +18,20 @@ _TAGS = {
 }
 _TAGS[3] = _TAGS[2] | {"group_depend", "member_of_group"}
 _OTHER_TAGS = frozenset({"name", "version", "description", "maintainer", "license", "url", "author", "export"})
+_MEANT_BY = {
+    "build_depend": ("depend",),
+    "buildtool_depend": (),
+    "build_export_depend": ("depend", "run_depend"),
+    "buildtool_export_depend": (),
+    "exec_depend": ("depend", "run_depend"),
+    "test_depend": (),
+    "doc_depend": (),
+}
+"""Sorts of dependencies, and the tags that stand for several of them."""
+_UPDATE = (
+    ", please update catkin_pkg (e.g. on Ubuntu/Debian use: "
+    "sudo apt-get update && sudo apt-get install --only-upgrade python-catkin-pkg)"
+)
 _VERSION_LIMITS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 
 
@@ -68,7 +82,10 @@ def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> M
         return _Reader(root, environment).manifest()
     except _Fault as fault:
         named = bool(_SCHEMA.search(data.decode("utf-8", "replace")))
-        raise ManifestError(path, str(fault), named) from fault
+        told = ManifestError(path, str(fault), named)
+        if isinstance(fault, _BareFault):
+            told.args = (str(fault),)
+        raise told from fault
 
 
 def parse_xml(data: bytes) -> ElementTree.Element:
@@ -85,6 +102,10 @@ class _Fault(ValueError):
     pass
 
 
+class _BareFault(_Fault):
+    """One that catkin_pkg tells without the file's name."""
+
+
 class _Reader:
     def __init__(self, root: ElementTree.Element, environment: Mapping[str, str]) -> None:
         if root.tag != "package":
@@ -94,13 +115,15 @@ class _Reader:
         text = root.get("format", "1")
         self.format = int(text) if text.isdigit() else 0
         if self.format not in (1, 2, 3):
-            raise _Fault(f"Unable to handle package.xml format version '{text}'")
+            raise _BareFault(f"Unable to handle package.xml format version '{text}'{_UPDATE}")
 
     def manifest(self) -> Manifest:
         name, version = self._one("name"), self._one("version")
         description = self._one("description")
-        self._check_tags(name)
         people = [node for node in self.root if node.tag == "maintainer"]
+        if any(person.get("email") is None for person in people):
+            raise _BareFault('The "maintainer" tag must have the attribute "email"')
+        self._check_tags(name)
         manifest = Manifest(
             name,
             version,
@@ -210,12 +233,10 @@ class _Reader:
         if not people:
             errors.append(f"Package '{name}' must declare at least one maintainer")
         for person in people:
-            email = person.get("email")
-            if email is None:
-                raise _Fault('The "maintainer" tag must have the attribute "email"')
+            email = person.get("email") or ""
             if not email:
                 errors.append("Maintainers must have an email address")
-            elif not re.fullmatch(
+            if not re.fullmatch(
                 r"[-a-zA-Z0-9_%+]+(\.[-a-zA-Z0-9_%+]+)*@[-a-zA-Z0-9%]+(\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", email
             ):
                 errors.append(f'Invalid email "{email}" for person "{_text(person)}"')
@@ -224,11 +245,12 @@ class _Reader:
             errors.append('The package node must contain at least one "license" tag')
         if any(not each for each in licenses):
             errors.append("The license tag must neither be empty nor only contain whitespaces")
-        for node in self.root:
-            if isinstance(node.tag, str) and node.tag.endswith("depend") and _text(node) == name:
-                errors.append(
-                    f'The package "{name}" must not "{node.tag}" on a package with the same name as this package'
-                )
+        own = {node.tag for node in self.root if isinstance(node.tag, str) and _text(node) == name}
+        errors += [
+            f'The package "{name}" must not "{kind}" on a package with the same name as this package'
+            for kind, tags in _MEANT_BY.items()
+            if own & {kind, *tags}
+        ]
         if errors:
             raise _Fault("\n".join(errors))
 

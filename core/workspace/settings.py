@@ -9,12 +9,12 @@ from pathlib import Path
 
 @dataclass
 class Settings:
-    """Folders are absolute. `warn(logger, text)` prints a line of colcon's log, `print_error(text)` plain text."""
+    """Folders are absolute. `warn(logger, text[, level])` prints a line of colcon's log, `print_error(text)` plain text."""
 
     build_base: Path
     install_base: Path
     environment: Mapping[str, str]
-    warn: Callable[[str, str], None]
+    warn: Callable[..., None]
     print_error: Callable[[str], None]
     merge_install: bool = False
     symlink_install: bool = False

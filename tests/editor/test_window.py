@@ -302,6 +302,42 @@ def test_chinese_is_typed_found_and_named_by_its_line(tmp_path: Path) -> None:
     Bench(tmp_path).run(act, lang="zh")
 
 
+def test_a_file_outside_the_home_folder_is_saved_only_when_told_twice(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "scratch"))
+    (tmp_path / "talker.py").write_text("mine\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        bench.pane.editor.home = tmp_path / "home"
+        assert "outside your home folder" in await bench.press("x", "ctrl+s")
+        assert bench.path.read_text(encoding="utf-8") == "mine\n"
+        await bench.press("ctrl+s")
+        assert bench.path.read_text(encoding="utf-8") == "xmine\n"
+        await bench.press("y", "ctrl+s")  # told once is enough for a file
+        assert bench.path.read_text(encoding="utf-8") == "xymine\n"
+        await bench.press("ctrl+o", *"2", "enter")
+        assert not (tmp_path / "talker.py2").exists()
+        await bench.press("enter")
+        assert (tmp_path / "talker.py2").exists()
+
+    Bench(tmp_path).run(act)
+
+
+def test_asking_to_save_twice_is_not_asking_to_close(tmp_path: Path) -> None:
+    (tmp_path / "talker.py").write_text("mine\n", encoding="utf-8")
+
+    async def act(bench: Bench) -> None:
+        await bench.press("x")
+        bench.path.write_text("theirs, longer\n", encoding="utf-8")
+        bench.pane._looked = 0.0
+        assert "changed elsewhere" in await bench.press("ctrl+s")
+        assert "not saved" in await bench.press("ctrl+w")
+        assert bench.open and bench.path.read_text(encoding="utf-8").startswith("theirs")
+
+    Bench(tmp_path, name="gedit").run(act)
+
+
 def test_what_is_wrong_is_said_with_its_line(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         await bench.paste("def main()\n    pass\n")

@@ -258,3 +258,22 @@ def test_a_closed_link_leaves_nothing_of_the_engine_to_a_garbage_collection(worl
     assert {"Session", "Publisher", "AdvancedPublisher", "Subscriber", "Queryable", "Query"} <= engine_objects(link)
     leave(graph)
     assert engine_objects(link) == set()
+
+
+def test_no_python_of_ours_runs_inside_a_declaration_where_a_ctrl_c_would_be_lost(world: World) -> None:
+    # Zenoh tells a process of its own tokens on the thread that declares them, and swallows what is raised there.
+    here = world.here()
+    called: list[str] = []
+
+    def on_call(frame: types.FrameType, event: str, _: Any) -> None:
+        if event == "call" and frame.f_code.co_filename.endswith("engine_thread.py") and frame.f_code.co_name == "call":
+            called.append(frame.f_code.co_filename)
+
+    sys.setprofile(on_call)
+    try:
+        nodes = [here.node(f"node_{number}") for number in range(5)]
+        publisher = here.publisher(nodes[0], "/chatter")
+        here.destroy(publisher)
+    finally:
+        sys.setprofile(None)
+    assert called == []

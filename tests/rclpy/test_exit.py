@@ -1,4 +1,4 @@
-"""A program that just ends, without destroying anything: no object of ours complains while the interpreter goes down."""
+"""The end of programs: of one that destroys nothing (no object of ours may complain), and of one with a goal at work."""
 
 from __future__ import annotations
 
@@ -63,17 +63,58 @@ robot.parts[3].call_async(Trigger.Request())
 robot.parts[0].publish(String(data="left in a queue"))
 """
 
+GOAL_AT_SHUTDOWN = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient, ActionServer
+from rclpy.node import Node
+
+def tell(step):
+    try:
+        step()
+    except Exception as error:
+        print(f"{type(error).__name__}: {error}")
+
+def work(goal):
+    rclpy.shutdown()
+    tell(lambda: goal.publish_feedback(Fibonacci.Feedback()))
+    tell(goal.succeed)
+    print(goal.status)
+    return Fibonacci.Result()
+
+rclpy.init()
+node = Node("both")
+server = ActionServer(node, Fibonacci, "fibonacci", work)
+ActionClient(node, Fibonacci, "fibonacci").send_goal_async(Fibonacci.Goal(order=3))
+rclpy.spin(node)
+"""
+
 
 @pytest.mark.parametrize("program", [ACTION_IN_FLIGHT, EVERY_KIND_OF_ENDPOINT])
 @pytest.mark.parametrize("end", ["", "rclpy.shutdown()", "raise SystemExit(0)"])
 def test_a_program_that_just_ends_says_nothing_at_its_end(program: str, end: str, tmp_path: Path) -> None:
     # -X dev: also what Python says of files that are still open.
-    done = subprocess.run(
-        [sys.executable, "-X", "dev", "-c", f"{program}\n{end}\n"],
-        env={**program_environment(), "HOME": str(tmp_path)},
+    done = run(f"{program}\n{end}\n", tmp_path, "-X", "dev")
+    assert (done.stderr, done.returncode) == ("", 0)
+
+
+def test_a_goal_that_is_being_executed_learns_from_its_feedback_that_ros_is_over(tmp_path: Path) -> None:
+    # As recorded with the real rclpy: otherwise Ctrl-C would wait for the goal's end.
+    done = run(GOAL_AT_SHUTDOWN, tmp_path)
+    invalid = "feedback publisher is invalid, at /project/src/rcl_action/action_server.c:1040"
+    assert done.stdout.splitlines() == [
+        f"RCLError: Failed to publish feedback with an action server: {invalid}",
+        f"RCLError: Failed get goal status array: {invalid}",
+        "4",
+    ], done.stderr
+
+
+def run(program: str, home: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *options, "-c", program],
+        env={**program_environment(), "HOME": str(home)},
         capture_output=True,
         text=True,
         timeout=60,
         check=False,
     )
-    assert (done.stderr, done.returncode) == ("", 0)

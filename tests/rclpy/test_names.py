@@ -60,3 +60,19 @@ def test_what_is_ours_alone_begins_with_an_underscore(recorded: Table) -> None:
                 members = (member for member in each.get("members", ()) if not member.startswith("__"))
                 extra += [f"{module}.{name}.{member}" for member in members if member not in known["members"]]
     assert sorted(extra) == _INSTANCE_ATTRIBUTES
+
+
+def test_names_of_pythons_library_are_found_where_editors_take_them_from() -> None:
+    import threading
+    import time
+    import typing
+
+    import rclpy.executors
+    import rclpy.node
+
+    assert rclpy.Union is typing.Union
+    assert rclpy.node.Optional is typing.Optional
+    assert rclpy.executors.Lock is threading.Lock
+    assert rclpy.node.time is time
+    with pytest.raises(AttributeError, match=r"module 'rclpy\.node' has no attribute 'Lock'"):
+        _ = rclpy.node.Lock

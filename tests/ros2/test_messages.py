@@ -136,11 +136,27 @@ def test_interfaces_are_found_by_full_and_short_names():
 
 @pytest.mark.parametrize(
     "name",
-    ["std_msg/msg/String", "std_msgs/msg/Strng", "String", "std_srvs/srv/Empty", "", "/", "../x/y", "os/path/join"],
+    ["std_msg/msg/String", "std_msgs/msg/Strng", "String", "std_srvs/srv/Empty", "", "os/path/join", "std_msgs//String"],
 )
 def test_what_is_no_message_raises_one_of_three_errors(name):
     with pytest.raises((AttributeError, ModuleNotFoundError, ValueError)):
         get_message(name)
+
+
+@pytest.mark.parametrize("name", ["/", "/std_msgs/msg/String", "../x/y"])
+def test_a_name_that_begins_with_a_slash_or_dots_is_taken_for_a_relative_import(name):
+    with pytest.raises(TypeError, match="required to perform a relative import for '.*'"):
+        get_message(name)
+
+
+def test_an_action_s_parts_are_not_beside_it_but_in_its_own_module():
+    import test_msgs.action
+    from test_msgs.action._fibonacci import Fibonacci_Goal
+
+    assert test_msgs.action.Fibonacci.Goal is Fibonacci_Goal
+    assert hasattr(test_msgs.action, "Fibonacci_SendGoal_Request")
+    for part in ("Goal", "Result", "Feedback", "SendGoal", "FeedbackMessage"):
+        assert not hasattr(test_msgs.action, f"Fibonacci_{part}")
 
 
 def test_the_lists_of_interfaces_leave_parts_of_services_out():

@@ -153,6 +153,7 @@ MORE_AS_IN_BASH = [
         "f 'a b' c; set -- ; echo \"[$*]\""
     ),
     "trap 'echo bye' TERM; umask 022; echo $?; true; echo $? $$ | wc -w; false; echo $?; sleep 0 & wait $!; echo $?",
+    "echo `echo \\`echo deep\\` \\$HOME | wc -w`; echo \"`echo 'in quotes'`\" `echo a\\\\b`",
     "cat <<A; cat <<B\none\nA\ntwo $((1+1))\nB\necho three",
     'while true; do\n  read l || break\n  echo "<$l>"\ndone <<E\none\ntwo\nE',
     'x=$(cat <<E\nin $HOME\nE\n); echo "$x" | wc -l; if true; then cat <<E; fi\nbody\nE',
@@ -263,3 +264,11 @@ def test_arithmetic(source: str, value: int) -> None:
 def test_what_is_no_sum_is_an_error(source: str) -> None:
     with pytest.raises(ValueError, match=r"syntax error|operand|missing"):
         evaluate(source, {})
+
+
+def test_time_tells_how_long_a_pipeline_took_by_the_clock_of_the_machine(machine: Any) -> None:
+    done = machine.run("time sleep 61.5 | cat; echo $?; ! time false; echo $?", seconds=70.0)
+    assert done.out == "0\n0\n"
+    first, second = done.err.strip("\n").split("\n\n")
+    assert [line.split("\t")[0] for line in first.splitlines()] == ["real", "user", "sys"]
+    assert first.startswith("real\t1m1.5") and second.startswith("real\t0m0.0")

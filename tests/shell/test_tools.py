@@ -50,6 +50,15 @@ SAME_AS_THE_TOOLS = [
     "diff -q f g",
     "diff -u f g | tail -n +3",
     "diff g f",
+    "ln -s a/x.py link; cat link; readlink link; readlink f; echo $?; ln -s f link; echo $?; ln -sf f link; readlink link",
+    "ln f hard; echo more >> hard; tail -1 f; ln nope x; echo $?; ln -s ../f a; cat a/f; ln",
+    "ln -s a dir; realpath dir/b | sed 's|.*/a|a|'; readlink -f dir/x.py | sed 's|.*/a|a|'; realpath no/where; echo $?",
+    "printf 'a b\\nc\\n' | xargs; printf 'a b c\\n' | xargs -n 2 echo got; printf 'x y\\nz\\n' | xargs -I {} echo '<{}>'",
+    "find a -name '*.py' | xargs cat; printf '' | xargs echo none; printf '' | xargs -r echo never; echo f g | xargs wc -l",
+    "printf 'a\\0b c\\0' | xargs -0 -n1 echo; echo 1 | xargs false; echo $?; echo \"'a b' c\" | xargs -n1 echo",
+    "pushd a > /dev/null; pushd b > /dev/null; basename $PWD; popd > /dev/null; basename $PWD; popd > /dev/null; popd; echo $?",
+    "wc f g; wc -l f g; wc f; wc -lw f a/x.py; wc < f",
+    "pushd nowhere; echo $?; (cd a; pushd b | wc -l); dirs | wc -l",
 ]
 
 
@@ -122,3 +131,24 @@ def test_apt_install_says_what_a_package_is_here(machine: Any, package: str, ans
     """Sections 4.4 and 5.4 of the lesson and the page "rqt" of the official tutorials."""
     result = machine.run(f"sudo apt install {package}")
     assert result.status == 0 and answer in result.out
+
+
+def test_watch_shows_a_command_anew_until_ctrl_c(machine: Any) -> None:
+    machine.run("echo one > f")
+    program = machine.start("watch -n 5 cat f; echo no")
+    machine.go(1.0)
+    (machine.desk.home / "f").write_text("two\n")
+    machine.go(5.0)
+    assert machine.out.text == "Every 5.0s: cat f\n\none\nEvery 5.0s: cat f\n\ntwo\n"
+    program.interrupt()
+    machine.go()
+    assert program.status == 130 and "no" not in machine.out.text
+
+
+def test_the_machine_says_what_it_is(machine: Any) -> None:
+    import os
+
+    assert machine.run("id -u; id -un; [ $(id -u) -ge 1000 ] && id -gn").out == "1000\nstudent\nstudent\n"
+    assert machine.run("nproc").out == f"{os.cpu_count()}\n"
+    assert machine.run("lsb_release -a").out.startswith("Distributor ID:\t")
+    assert machine.run("LC_ALL=C.UTF-8 locale").out.endswith("LC_ALL=C.UTF-8\n")

@@ -449,6 +449,20 @@ async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) 
             assert f"click or {key} " in screen_text(app)
 
 
+async def test_keys_that_come_all_at_once_go_where_they_are_meant(desk) -> None:
+    """A slow machine hands over what was typed meanwhile in one piece."""
+    for title in ("First", "Second"):
+        desk.display.open("turtlesim", title, FakeSimulation())
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        for key in ("f3", "f3", "f3", "x", "f3", "y", "f3", "f3", "z", "f4", "S", "e", "c", "enter", "q"):
+            app.post_message(events.Key(key, key if len(key) == 1 else None))
+        await step(app, pilot)
+        await step(app, pilot)
+        assert desk.terminals[0].sent == "xz"
+        assert app.screen.focused.window.title == "Second" and app.desktop.overlay is None
+
+
 async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_teleop(desk) -> None:
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):

@@ -93,7 +93,10 @@ def test_ten_thousand_files_are_no_burden(tmp_path: Path) -> None:
         (
             "<license>MIT</license>",
             "<license>MIT</license><depend>one</depend>",
-            'The package "one" must not "depend" on a package with the same name as this package',
+            "\n".join(
+                f'The package "one" must not "{kind}_depend" on a package with the same name as this package'
+                for kind in ("build", "build_export", "exec")
+            ),
         ),
     ],
 )
@@ -108,6 +111,23 @@ def test_a_fault_of_the_manifest_is_told_in_catkin_pkgs_words(
         read_manifest(folder, "src/one", {})
     assert str(error.value) == f"Error(s) in package 'src/one/package.xml':\n{text}"
     assert error.value.schema_named
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        ('format="3"', 'format="9"', "Unable to handle package.xml format version '9', please update catkin_pkg"),
+        (' email="', ' mail="', 'The "maintainer" tag must have the attribute "email"'),
+    ],
+)
+def test_two_faults_are_told_without_the_name_of_the_file(tmp_path: Path, before: str, after: str, text: str) -> None:
+    folder = make(tmp_path / "one", "one")
+    file = folder / "package.xml"
+    assert before in file.read_text(encoding="utf-8")
+    file.write_text(file.read_text(encoding="utf-8").replace(before, after), encoding="utf-8")
+    with pytest.raises(ManifestError) as error:
+        read_manifest(folder, "src/one", {})
+    assert str(error.value).startswith(text)
 
 
 @pytest.mark.parametrize("data", [BOMB, b"", b"\xff\xfe\x00", b"<package>", "<包>".encode("gbk")])

@@ -221,6 +221,7 @@ TEXTS = {
     "editor.problem": "line {line}: {text}",
     "editor.recovered": "not saved last time, here it is again; ^R takes the file as on disk",
     "editor.outside": "the file was changed elsewhere; ^R takes that, ^S keeps this",
+    "editor.beyond": "outside your home folder: once more changes it all the same",
     "editor.overwrite": "the file was changed elsewhere: ^S again overwrites it",
     "editor.not_saved": "not saved: {reason}",
     "editor.not_kept": "no copy of the unsaved text: {reason}",

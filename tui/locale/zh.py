@@ -219,6 +219,7 @@ TEXTS = {
     "editor.problem": "第 {line} 行：{text}",
     "editor.recovered": "上次没有保存，已经找回来了；按 ^R 换成磁盘上的文件",
     "editor.outside": "文件在别处被改过；^R 读新的，^S 保留这里的",
+    "editor.beyond": "这个文件不在你的主目录里：再按一次才会改它",
     "editor.overwrite": "文件在别处被改过：再按一次 ^S 就覆盖它",
     "editor.not_saved": "没有保存：{reason}",
     "editor.not_kept": "没能留下未保存内容的副本：{reason}",

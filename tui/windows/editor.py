@@ -9,6 +9,7 @@ from pathlib import Path
 from rich.segment import Segment
 from textual import events
 from textual.app import ComposeResult
+from textual.widget import Widget
 from textual.widgets.text_area import Selection
 
 from day6_tui.core.session.display import Window
@@ -48,7 +49,10 @@ class EditorPane(WindowPane):
         self._outside = False
         self._said = ""
         self._sought = ""
-        self._leaving = False
+        self._again = ""
+        """What was asked for and will be done when it is asked for again: 'save', 'close', or ''."""
+        self._agreed: Path | None = None
+        """The file outside the home folder that may be written."""
 
     def compose(self) -> ComposeResult:
         yield self.area
@@ -165,7 +169,7 @@ class EditorPane(WindowPane):
 
         self._edited = time.monotonic()
         self._said = ""
-        self._leaving = False
+        self._again = ""
         self.touch_frame()
         self.look.wake()
 
@@ -201,9 +205,12 @@ class EditorPane(WindowPane):
         """Write the file; False (and a line that says why) if it could not be."""
         if self.editor.file is None:
             return False
-        if self._outside and not self._leaving:
-            self._leaving = True
-            self._said = self.look.texts("editor.overwrite")
+        path = self.editor.file.path
+        self._outside = self.editor.changed_outside()  # since the last look at the disk
+        beyond = self._agreed != path and self.editor.is_outside(path)
+        if (self._outside or beyond) and self._again != "save":
+            self._again = "save"
+            self._said = self.look.texts("editor.overwrite" if self._outside else "editor.beyond")
             self.touch_frame()
             return False
         try:
@@ -212,7 +219,8 @@ class EditorPane(WindowPane):
             self._said = self.look.texts("editor.not_saved", reason=error.strerror or error)
             self.touch_frame()
             return False
-        self._kept, self._outside, self._said, self._leaving = self.area.text, False, "", False
+        self._kept, self._outside, self._said, self._again = self.area.text, False, "", ""
+        self._agreed = path
         self.touch_frame()
         return True
 
@@ -221,8 +229,8 @@ class EditorPane(WindowPane):
         if self.changed and self._is_nano:
             self._ask_before_leaving()
             return
-        if self.changed and not self._leaving:
-            self._leaving = True
+        if self.changed and self._again != "close":
+            self._again = "close"
             self._said = self.look.texts("editor.unsaved")
             self.touch_frame()
             return
@@ -255,9 +263,10 @@ class EditorPane(WindowPane):
                     return self._said
             elif not name.strip():
                 return self.look.texts("editor.name")
-            elif path.exists() and name != asked:
+            elif name != asked and (path.exists() or self.editor.is_outside(path)):
                 asked = name
-                return self.look.texts("editor.exists", name=name)
+                beyond = self.editor.is_outside(path)
+                return self.look.texts("editor.beyond" if beyond else "editor.exists", name=name)
             else:
                 try:
                     self.editor.save_as(path, self.area.text)
@@ -353,9 +362,13 @@ class EditorPane(WindowPane):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
+    @property
+    def focus_target(self) -> Widget:
+        """The text, or the choice of files while there is none."""
+        return self.area if self.editor.file is not None and self.area.is_attached else self
+
     def focus(self, scroll_visible: bool = True) -> EditorPane:
-        """Give the keyboard to the text, or to the choice of files while there is none."""
-        if self.editor.file is not None and self.area.is_attached:
+        if self.focus_target is self.area:
             self.area.focus(scroll_visible)
         else:
             super().focus(scroll_visible)

@@ -23,6 +23,10 @@ Commands of this terminal (they work as on Ubuntu):
   Ctrl-C ends the running program, Ctrl-D the terminal, Tab completes, Up brings back the last line."""
 
 
+_KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while", "until", "do", "done", "case", "esac",
+                       "function", "{", "}", "[[", "]]", "!", "time"})  # fmt: skip
+
+
 async def help_(session: Session) -> int:
     from day6_tui.core.shell.commands import command_names
 
@@ -60,6 +64,8 @@ async def type_(session: Session) -> int:
     for name in session.argv[1:]:
         if name in session.shell.aliases:
             session.print(f"{name} is aliased to `{session.shell.aliases[name]}'")
+        elif name in _KEYWORDS:
+            session.print(f"{name} is a shell keyword")
         elif name in session.shell.functions:
             session.print(f"{name} is a function\n{session.shell.functions[name].source}")
         elif name in SHELL_BUILTINS:
@@ -95,7 +101,12 @@ async def whoami(session: Session) -> int:
 
 
 async def id_(session: Session) -> int:
-    session.print("uid=1000(student) gid=1000(student) groups=1000(student)")
+    """`id`; `id -u`, `-g` and `-G` are numbers, with `-n` names."""
+    letters = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
+    if set(letters) & set("ugG"):
+        session.print("student" if "n" in letters else "1000")
+    else:
+        session.print("uid=1000(student) gid=1000(student) groups=1000(student)")
     return 0
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of, unescape
+from day6_tui.core.shell.outside import agreed, keys_of
 
 # -- cut ---------------------------------------------------------------------------------------------------------------
 
@@ -136,6 +137,10 @@ async def sed(session: Session) -> int:
         complain(session, f"-e expression #1, char {len(script)}: {error}")
         return 1
     if "i" in options:
+        keys = keys_of(session.stdin, session.stdout, session.stderr)
+        paths = [session.cwd / name for name in names]
+        if not await agreed(session.name, paths, keys, session.stderr, session.env):
+            return 1
         return _in_place(session, names, steps, "n" in options)
     problems: list[str] = []
     lines = [line async for _, line in lines_of(session, names, problems)]

@@ -20,7 +20,9 @@ async def edit(session: Session) -> int:
         session.print_error(f"{session.name}: there is no screen to edit on; the desktop of day6-tui has one")
         return 1
     path = session.cwd / (words[0] if words else ".")
-    model = Editor(path if path.is_dir() else path.parent, _state_folder(), session.name)
+    model = Editor(
+        path if path.is_dir() else path.parent, _state_folder(), session.name, Path(session.env.get("HOME", "/"))
+    )
     if not path.is_dir():
         try:
             model.open(path)

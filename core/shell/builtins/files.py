@@ -10,6 +10,7 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileOutput
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of
+from day6_tui.core.shell.outside import asking
 
 
 async def cat(session: Session) -> int:
@@ -247,14 +248,18 @@ def _new_mode(text: str, now: int) -> int:
     return mode
 
 
+def _all(names: list[str]) -> list[str]:
+    return names
+
+
 COMMANDS: dict[str, Main] = {
     "cat": cat,
-    "mkdir": mkdir,
-    "rmdir": rmdir,
-    "touch": touch,
-    "rm": rm,
-    "cp": cp,
-    "mv": mv,
-    "tee": tee,
-    "chmod": chmod,
+    "mkdir": asking(mkdir, _all),
+    "rmdir": asking(rmdir, _all),
+    "touch": asking(touch, _all),
+    "rm": asking(rm, _all),
+    "cp": asking(cp, lambda names: names[-1:]),
+    "mv": asking(mv, _all),
+    "tee": asking(tee, _all),
+    "chmod": asking(chmod, lambda names: names[1:]),
 }

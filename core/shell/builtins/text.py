@@ -200,6 +200,7 @@ async def wc(session: Session) -> int:
     wanted = [letter for letter in "lwmc" if letter in options] or ["l", "w", "c"]
     problems: list[str] = []
     rows: list[tuple[list[int], str]] = []
+    size = 0
     for name in names or ["-"]:
         found = dict.fromkeys("lwmc", 0)
         already = len(problems)
@@ -208,6 +209,7 @@ async def wc(session: Session) -> int:
             found["w"] += len(line.split())
             found["m"] += len(line)
             found["c"] += len(line.encode("utf-8", "surrogateescape"))
+        size += found["c"]
         if len(problems) == already:
             rows.append(([found[letter] for letter in wanted], "" if not names else name))
     if len(names) > 1:
@@ -217,8 +219,12 @@ async def wc(session: Session) -> int:
                 "total",
             )
         )
-    widest = max((len(str(count)) for counts, _ in rows for count in counts), default=1)
-    width = (widest if names else 7) if len(wanted) > 1 or len(names) > 1 else 1
+    # GNU wc makes room for the bytes of all files, whatever it counts.
+    width = (
+        (len(str(size)) if names or isinstance(session.stdin, FileInput) else 7)
+        if len(wanted) > 1 or len(names) > 1
+        else 1
+    )
     for counts, name in rows:
         session.print(" ".join(f"{count:>{width}}" for count in counts) + (f" {name}" if name else ""))
     return 1 if problems else 0

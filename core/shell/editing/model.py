@@ -9,6 +9,7 @@ from pathlib import Path
 
 from day6_tui.core.shell.editing.checks import Problem, check
 from day6_tui.core.shell.editing.file import CannotEdit, TextFile
+from day6_tui.core.shell.outside import is_outside
 
 _SKIPPED = {"build", "install", "log", "__pycache__", "node_modules"}
 MOST_FILES = 500
@@ -22,7 +23,7 @@ class Editor:
     on the disk as it was last read or written here; `text` what the window begins with.
     """
 
-    def __init__(self, folder: Path, state: Path, name: str) -> None:
+    def __init__(self, folder: Path, state: Path, name: str, home: Path | None = None) -> None:
         self.folder = folder
         self.name = name
         self.file: TextFile | None = None
@@ -32,6 +33,8 @@ class Editor:
         """Whether `text` is an unsaved text of an earlier time."""
         self.version = 0
         """Grows when another file was opened."""
+        self.home = home
+        """The folder outside which a file is not the lesson's; None where everything is."""
         self._state = state
         self._typed: deque[str] = deque()
 
@@ -66,6 +69,10 @@ class Editor:
         self.recovered = kept is not None and kept != saved
         self.text = kept if kept is not None and self.recovered else saved
         self.version += 1
+
+    def is_outside(self, path: Path) -> bool:
+        """Say whether `path` lies where a lesson changes nothing without being told so twice."""
+        return self.home is not None and is_outside(path, self.home)
 
     def save(self, text: str) -> None:
         """Write the text. Raises OSError."""

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import rclpy.callback_groups
 import rclpy.exceptions
 import rclpy.impl  # noqa: F401
+from rclpy._incidental import also
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
 from rclpy.qos import QoSProfile as QoSProfile
@@ -54,13 +55,15 @@ _WITH_NODE = frozenset(
     )
 )
 
+_also = also(__name__)
+
 
 def __getattr__(name: str) -> Any:
     if name in _WITH_NODE and "rclpy.node" in sys.modules:
         from importlib import import_module
 
         return import_module(f"rclpy.{name}")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _also(name)
 
 
 class InitContextManager:

@@ -66,13 +66,20 @@ _SOURCES = {
 _SOURCE = {name: module for module, names in _SOURCES.items() for name in names.split()}
 
 
-def also(module: str, names: str) -> Callable[[str], Any]:
-    """Return a module's `__getattr__` that finds these names (separated by blanks) where they are defined."""
+def also(module: str, names: str = "") -> Callable[[str], Any]:
+    """Return a module's `__getattr__` that finds these names (separated by blanks) where they are defined.
+
+    It finds those of Python's own library too that the module has in real rclpy.
+    """
     known = frozenset(names.split())
 
     def find(name: str) -> Any:
         if name in known:
             return getattr(import_module(_SOURCE[name]), name)
-        raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        if name.startswith("__"):
+            raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        from rclpy._standard_names import standard_name
+
+        return standard_name(module, name)
 
     return find

@@ -7,8 +7,13 @@ from collections import deque
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
+
 if TYPE_CHECKING:
     from rclpy._entity import Entity
+
+
+__getattr__ = also(__name__)
 
 
 class CallbackGroup:

@@ -15,6 +15,7 @@ from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import Graph, graph_for_domain
+from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
 from rclpy._time_source import MACHINE_TIME, Gate, TimeSource
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from rclpy._log_file import LogFile
     from rclpy.executors import Executor
     from rclpy.node import Node
+
+__getattr__ = also(__name__)
 
 _Callback = Callable[[], None]
 

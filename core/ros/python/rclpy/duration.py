@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMW_DURATION_INFINITE
 from rclpy.constants import S_TO_NS
 
 if TYPE_CHECKING:
     import builtin_interfaces.msg
+
+
+__getattr__ = also(__name__)
 
 
 class Duration:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
 from rclpy._rclpy_pybind11 import TimerCancelledError as TimerCancelledError
 
 if TYPE_CHECKING:
     from rclpy.parameter import Parameter
+
+
+__getattr__ = also(__name__)
 
 
 class NotInitializedException(Exception):

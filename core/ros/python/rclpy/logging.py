@@ -5,10 +5,13 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from rclpy._incidental import also
 from rclpy._log_file import logging_directory
 from rclpy._logging_settings import PROCESS
 from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.rcutils_logger import RcutilsLogger
+
+__getattr__ = also(__name__)
 
 _root_logger = RcutilsLogger()
 

@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
 
+from rclpy._incidental import also
+
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
     from rcl_interfaces.msg import ParameterValue
@@ -32,6 +34,8 @@ AllowableParameterValueT = TypeVar("AllowableParameterValueT")
 # Made when asked for, so that a program that needs no message of them is spared the work.
 _MESSAGES = {"ParameterMsg": "Parameter", "ParameterType": "ParameterType", "ParameterValue": "ParameterValue"}
 
+_also = also(__name__)
+
 
 def __getattr__(name: str) -> Any:
     if name in _MESSAGES:
@@ -39,7 +43,7 @@ def __getattr__(name: str) -> Any:
 
         value = globals()[name] = getattr(rcl_interfaces.msg, _MESSAGES[name])
         return value
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _also(name)
 
 
 class Parameter(Generic[AllowableParameterValueT]):

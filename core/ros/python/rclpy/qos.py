@@ -8,9 +8,12 @@ from typing import Any, TypeVar
 
 from day6_tui.core.graph import QoS
 from day6_tui.core.graph import qos as graph_qos
+from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMW_QOS_DEADLINE_BEST_AVAILABLE, RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE
 from rclpy._rclpy_pybind11 import QoSCompatibility as QoSCompatibility
 from rclpy.duration import Duration
+
+__getattr__ = also(__name__)
 
 
 class QoSPolicyKind(IntEnum):

@@ -11,9 +11,12 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._callables import is_coroutine_function
+from rclpy._incidental import also
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
+
+__getattr__ = also(__name__)
 
 T = TypeVar("T")
 

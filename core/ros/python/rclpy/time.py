@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, overload
 
+from rclpy._incidental import also
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
 
 if TYPE_CHECKING:
     import builtin_interfaces.msg
+
+__getattr__ = also(__name__)
 
 _LIMIT = 2**63
 

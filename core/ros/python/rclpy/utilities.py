@@ -7,8 +7,11 @@ import sys
 import threading
 from collections.abc import Sequence
 
+from rclpy._incidental import also
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
+
+__getattr__ = also(__name__)
 
 g_default_context: Context | None = None
 g_context_lock = threading.RLock()

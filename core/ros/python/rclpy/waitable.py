@@ -5,12 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._entity import NOTHING, WAITABLE, Entity
+from rclpy._incidental import also
 
 if TYPE_CHECKING:
     from rclpy._entity import Scope
     from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.task import Future
+
+__getattr__ = also(__name__)
 
 T = TypeVar("T")
 

@@ -90,12 +90,12 @@ def _parts(identifier: str, default_kind: str | None) -> _Name:
 def _imported(parts: _Name) -> Any:
     from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 
-    if parts.namespaces and not parts.namespaces[0]:
-        package = ".".join(parts.namespaces)
+    package = ".".join(parts.namespaces)
+    if package.startswith("."):
         raise TypeError(f"the 'package' argument is required to perform a relative import for '{package}'")
     if parts.namespaces and not all(part.isidentifier() for part in parts.namespaces):
         # `import_module` would take '..x' and dotted names for what they mean in Python.
-        raise ModuleNotFoundError(f"No module named {'.'.join(parts.namespaces)!r}")
+        raise ModuleNotFoundError(f"No module named {package!r}")
     return import_message_from_namespaced_type(parts)
 
 

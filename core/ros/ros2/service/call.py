@@ -83,10 +83,13 @@ def _service_class(type_name: str) -> tuple[str, Any]:
     parts = type_name.split("/")
     if len(parts) == 2:
         parts.insert(1, "srv")
+    package = ".".join(parts[:-1])
+    if package.startswith("."):
+        raise TypeError(f"the 'package' argument is required to perform a relative import for '{package}'")
     try:
         if not all(part.isidentifier() for part in parts[:-1]):
             raise ValueError(type_name)
-        kind = getattr(import_module(".".join(parts[:-1])), parts[-1])
+        kind = getattr(import_module(package), parts[-1])
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError("The passed service type is invalid") from None
     if not (hasattr(kind, "Request") and hasattr(kind, "Response")):

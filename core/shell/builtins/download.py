@@ -1,0 +1,191 @@
+"""wget and curl: a file of the web, as tutorials fetch their examples. Only what the user names is asked for."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+from urllib.parse import urlsplit
+
+from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.task import Signal
+from day6_tui.core.shell.builtins.options import UsageError, parse
+from day6_tui.core.shell.outside import asking
+
+MOST_BYTES = 200_000_000
+PATIENCE = 20.0
+"""Wall seconds without an answer after which a server is given up."""
+
+
+class Answer(NamedTuple):
+    """What came: `status` of HTTP (0 for none), the bytes, and in words what went wrong before there was an answer."""
+
+    status: int
+    reason: str
+    body: bytes
+    problem: str = ""
+    unknown_host: bool = False
+
+
+async def _fetch(session: Session, url: str) -> Answer:
+    """Ask a server on a thread of its own; Ctrl-C gives up waiting."""
+    done = Signal()
+    answers: list[Answer] = []
+    given_up = threading.Event()
+
+    def ask() -> None:
+        answers.append(_ask(url, given_up))
+        done.set()
+
+    session.defer(given_up.set)
+    threading.Thread(target=ask, name="day6-download", daemon=True).start()
+    await session.wait(done)
+    return answers[0]
+
+
+def _ask(url: str, given_up: threading.Event) -> Answer:
+    from http.client import HTTPException
+    from urllib.error import HTTPError, URLError
+    from urllib.request import Request, urlopen
+
+    body = bytearray()
+    try:
+        with urlopen(Request(url, headers={"User-Agent": "day6-tui"}), timeout=PATIENCE) as source:
+            while not given_up.is_set() and (piece := source.read(65536)):
+                body += piece
+                if len(body) > MOST_BYTES:
+                    return Answer(0, "", b"", f"more than {MOST_BYTES} bytes")
+            return Answer(source.status, source.reason, bytes(body))
+    except HTTPError as error:
+        with error:
+            return Answer(error.code, str(error.reason), error.read())
+    except URLError as error:
+        unknown = isinstance(error.reason, socket.gaierror)
+        return Answer(0, "", b"", getattr(error.reason, "strerror", None) or str(error.reason), unknown)
+    except (OSError, HTTPException, ValueError) as error:
+        return Answer(0, "", b"", str(error) or type(error).__name__)
+
+
+def _address(text: str) -> str | None:
+    """The address with its scheme, as these tools complete it; None for what they do not fetch here."""
+    url = text if "://" in text else f"http://{text}"
+    parts = urlsplit(url)
+    return url if parts.scheme in ("http", "https") and parts.hostname else None
+
+
+def _save(place: Path, body: bytes) -> None:
+    """Write all of it or nothing. Raises OSError."""
+    half = place.with_name(place.name + ".part")
+    half.write_bytes(body)
+    os.replace(half, place)
+
+
+async def wget(session: Session) -> int:
+    """`wget [-q] [-O FILE] [-P FOLDER] ADDRESS …`."""
+    try:
+        options, urls = parse(
+            session.argv, "qcN", "OP", {"--quiet": "q", "--output-document": "O", "--no-check-certificate": "c"}
+        )
+    except UsageError as error:
+        session.print_error(f"wget: {error}")
+        return 2
+    if not urls:
+        session.print_error("wget: missing URL\nUsage: wget [OPTION]... [URL]...")
+        return 1
+    say = _silence if "q" in options else session.print_error
+    status = 0
+    for text in urls:
+        url = _address(text)
+        if url is None:
+            say(f"{text}: Unsupported scheme.")
+            status = 1
+            continue
+        say(time.strftime(f"--%Y-%m-%d %H:%M:%S--  {url.replace('%', '%%')}"))
+        answer = await _fetch(session, url)
+        name = options.get("O") or os.path.join(
+            options.get("P", ""), os.path.basename(urlsplit(url).path) or "index.html"
+        )
+        status = _wget_end(session, url, name, answer, say) or status
+    return status
+
+
+def _silence(text: object) -> None:
+    """What `wget -q` says."""
+
+
+def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Callable[[object], None]) -> int:
+    if answer.unknown_host:
+        session.print_error(f"wget: unable to resolve host address ‘{urlsplit(url).hostname}’")
+        return 4
+    if answer.problem:
+        tell(f"failed: {answer.problem}.")
+        return 4
+    tell(f"HTTP request sent, awaiting response... {answer.status} {answer.reason}")
+    if answer.status >= 400:
+        tell(time.strftime(f"%Y-%m-%d %H:%M:%S ERROR {answer.status}: {answer.reason}.\n"))
+        return 8
+    if name == "-":
+        session.stdout.write(answer.body.decode("utf-8", "replace"))
+        return 0
+    try:
+        _save(session.cwd / name, answer.body)
+    except OSError as error:
+        session.print_error(f"{name}: {error.strerror}")
+        return 3
+    tell(f"Saving to: ‘{name}’\n")
+    tell(time.strftime(f"%Y-%m-%d %H:%M:%S - ‘{name}’ saved [{len(answer.body)}]\n"))
+    return 0
+
+
+async def curl(session: Session) -> int:
+    """`curl [-sSLf] [-o FILE | -O] ADDRESS`."""
+    try:
+        options, urls = parse(
+            session.argv, "sSLfOIk", "oH", {"--output": "o", "--location": "L", "--silent": "s", "--fail": "f"}
+        )
+    except UsageError as error:
+        session.print_error(f"curl: {str(error).splitlines()[0]}\ncurl: try 'curl --help' for more information")
+        return 2
+    if not urls:
+        session.print_error("curl: (2) no URL specified")
+        return 2
+    quiet = "s" in options and "S" not in options
+    for text in urls:
+        url = _address(text)
+        if url is None:
+            return _curl_fails(session, 1, f'Protocol "{text.partition("://")[0]}" not supported', quiet)
+        answer = await _fetch(session, url)
+        host = urlsplit(url).hostname
+        if answer.unknown_host:
+            return _curl_fails(session, 6, f"Could not resolve host: {host}", quiet)
+        if answer.problem:
+            return _curl_fails(session, 7, f"Failed to connect to {host}: {answer.problem}", quiet)
+        if answer.status >= 400 and "f" in options:
+            return _curl_fails(session, 22, f"The requested URL returned error: {answer.status}", quiet)
+        name = options.get("o") or (os.path.basename(urlsplit(url).path) if "O" in options else "")
+        if not name:
+            session.stdout.write(answer.body.decode("utf-8", "replace"))
+            continue
+        try:
+            _save(session.cwd / name, answer.body)
+        except OSError as error:
+            return _curl_fails(session, 23, f"Failure writing output to destination: {name}: {error.strerror}", quiet)
+    return 0
+
+
+def _curl_fails(session: Session, number: int, text: str, quiet: bool) -> int:
+    if not quiet:
+        session.print_error(f"curl: ({number}) {text}")
+    return number
+
+
+def _saved(names: list[str]) -> list[str]:
+    """Where files may come: the folder one is in, and what is named that is no address."""
+    return [".", *(name for name in names if "://" not in name)]
+
+
+COMMANDS: dict[str, Main] = {"wget": asking(wget, _saved), "curl": asking(curl, _saved)}
