@@ -119,9 +119,12 @@ class Pane(Widget, can_focus=True):
         return True
 
     def touch(self) -> None:
-        """Everything has to be drawn again."""
+        """Everything has to be drawn again.
+
+        What can be clicked stays as it is seen until then: pressing the button may give the focus, and with it the touch, before
+        it is let go.
+        """
         self._strips.clear()
-        self._hits.clear()
         self.refresh()
 
     def restyle(self) -> None:

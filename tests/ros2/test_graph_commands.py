@@ -202,6 +202,7 @@ def test_the_daemon_is_a_hidden_node_that_commands_start_where_it_can_live(machi
     assert machine.ros2("daemon", "start").stdout == "The daemon is already running\n"
     assert machine.ros2("node", "list", "-a").stdout.startswith("/_ros2cli_daemon_0_")
     assert machine.ros2("node", "list").stdout == ""
+    assert machine.ros2("service", "list", "--include-hidden-services").stdout == "", "it serves nothing"
     assert machine.ros2("daemon", "stop").stdout == "The daemon has been stopped\n"
     assert machine.ros2("daemon", "stop").stdout == "The daemon is not running\n"
     assert machine.ros2("daemon", "start").stdout == "The daemon has been started\n"

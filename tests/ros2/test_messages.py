@@ -136,7 +136,15 @@ def test_interfaces_are_found_by_full_and_short_names():
 
 @pytest.mark.parametrize(
     "name",
-    ["std_msg/msg/String", "std_msgs/msg/Strng", "String", "std_srvs/srv/Empty", "", "os/path/join", "std_msgs//String"],
+    [
+        "std_msg/msg/String",
+        "std_msgs/msg/Strng",
+        "String",
+        "std_srvs/srv/Empty",
+        "",
+        "os/path/join",
+        "std_msgs//String",
+    ],
 )
 def test_what_is_no_message_raises_one_of_three_errors(name):
     with pytest.raises((AttributeError, ModuleNotFoundError, ValueError)):
@@ -145,7 +153,7 @@ def test_what_is_no_message_raises_one_of_three_errors(name):
 
 @pytest.mark.parametrize("name", ["/", "/std_msgs/msg/String", "../x/y"])
 def test_a_name_that_begins_with_a_slash_or_dots_is_taken_for_a_relative_import(name):
-    with pytest.raises(TypeError, match="required to perform a relative import for '.*'"):
+    with pytest.raises(TypeError, match=r"required to perform a relative import for '.*'"):
         get_message(name)
 
 

@@ -120,6 +120,8 @@ def test_a_dump_can_be_loaded_again(machine, node):
         ("/other:\n  ros__parameters:\n    speed: 4\n", "Param file does not contain any valid parameters\n"),
         ("/robot:\n  speed: 4\n", "KeyError: 'ros__parameters'\n"),
         ("/robot: [\n", 'in "p.yaml", line 2, column 1\n'),
+        ("", "AttributeError: 'NoneType' object has no attribute 'keys'\n"),
+        ("speed\n", "AttributeError: 'str' object has no attribute 'keys'\n"),
     ],
 )
 def test_wrong_parameter_files(machine, node, text, error):
@@ -132,7 +134,7 @@ def test_wrong_parameter_files(machine, node, text, error):
 def test_a_missing_parameter_file_is_named(machine, node):
     result = machine.ros2("param", "load", "/robot", "nope.yaml")
     assert result.status == 1
-    assert "nope.yaml" in result.stderr
+    assert result.stderr.endswith("FileNotFoundError: [Errno 2] No such file or directory: 'nope.yaml'\n")
 
 
 def test_a_node_that_comes_late_is_waited_for(machine):

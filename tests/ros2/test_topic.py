@@ -134,6 +134,21 @@ def test_an_unknown_topic_is_warned_of_and_is_an_error_without_a_type(machine):
     )
 
 
+def test_echo_may_be_launched_together_with_the_node_that_publishes(machine):
+    echo = machine.start("topic", "echo", "--once", "/latched")
+    echo.step(0.5)
+    assert (echo.status, echo.stdout) == (None, "")
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+    def build(node):
+        node.latched = node.create_publisher(String, "latched", latched)
+        node.latched.publish(String(data="here"))
+
+    machine.node("maker", build)
+    echo.step(1.0)
+    assert (echo.status, echo.stdout) == (0, "data: here\n---\n")
+
+
 def test_with_a_type_echo_waits_for_the_publisher_to_come(machine):
     echo = machine.start("topic", "echo", "--once", "/chatter", "std_msgs/msg/String")
     echo.step(1.0)

@@ -416,6 +416,22 @@ async def test_when_nothing_changed_nothing_is_refreshed(desk) -> None:
         assert refreshed == []
 
 
+async def test_a_click_on_the_cross_closes_a_window_that_had_not_the_keyboard(desk) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        pane = app.desktop.panes[window.number]
+        app.desktop.focus_pane(app.terminals)
+        await step(app, pilot)
+        x, y = screen_lines(app)[1].index(" × ") + 1, 1
+        assert pane.hit(x - pane.region.x, y - pane.region.y) is not None
+        pane.touch()  # as the focus does, between pressing the button and letting it go
+        assert pane.hit(x - pane.region.x, y - pane.region.y) is not None
+        await pilot.click(offset=(x, y))
+        await step(app, pilot)
+        assert window.closed
+
+
 async def test_quitting_leaves_no_frame_behind(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         await pilot.press("ctrl+q")

@@ -59,7 +59,7 @@ class Entity(BaseEntity):
             raise ValueError(f"Unexpected key(s) found in `{self.__type_name}`: {keys}")
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        if not isinstance(self.__element, dict) or name not in self.__element:
+        if name not in self.__element:
             if optional:
                 return None
             raise AttributeError(f"Can not find attribute '{name}' in Entity '{self.__type_name}'")

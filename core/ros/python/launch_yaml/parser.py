@@ -24,8 +24,8 @@ class Parser(BaseParser):
         tree = yaml.safe_load(file)
         if len(tree) != 1:
             raise RuntimeError("Expected only one root")
-        name, content = next(iter(tree.items()))
-        return Entity(content, name), cls()
+        name = next(iter(tree.keys()))
+        return Entity(tree[name], name), cls()
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:

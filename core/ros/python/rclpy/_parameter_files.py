@@ -292,22 +292,27 @@ def parameters_of_nodes(
     with open(path, encoding="utf-8") as file:
         content = yaml.safe_load(file)
     merged: dict[str, Any] = {}
-    if use_wildcard and "/**" in content:
+    if use_wildcard and "/**" in _keys(content):
         merged.update(_checked(content["/**"], "wildcard(/**)"))
     for name in target_nodes or ():
         if not name:
             continue
         full = name if name.startswith("/") else f"/{name}"
-        if full in content:
+        if full in _keys(content):
             merged.update(_checked(content[full], f"node {full}"))
         outer, base = full.rsplit("/", 1)
-        if not outer and base in content:
+        if not outer and base in _keys(content):
             merged.update(_checked(content[base], f"node {base}"))
-        elif outer in content and base in content[outer]:
+        elif outer in _keys(content) and base in _keys(content[outer]):
             merged.update(_checked(content[outer][base], f"namespace {outer} node {base}"))
     if not merged:
         raise RuntimeError("Param file does not contain any valid parameters")
     return _flatten(namespace, merged)
+
+
+def _keys(mapping: Any) -> Any:
+    """Return the keys; AttributeError for a file that is no mapping, as a user of rclpy sees it too."""
+    return mapping.keys()
 
 
 def _checked(value: Any, subject: str) -> dict[str, Any]:

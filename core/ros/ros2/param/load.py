@@ -60,7 +60,11 @@ def parameters_of_file(session: Session, file_name: str, node_name: str, *, wild
     """
     import yaml
 
-    stream = io.StringIO((session.cwd / file_name).read_text(encoding="utf-8"))
+    try:
+        stream = io.StringIO((session.cwd / file_name).read_text(encoding="utf-8"))
+    except OSError as error:
+        error.filename = file_name
+        raise
     stream.name = file_name  # errors of YAML name the file as the user did
     content = yaml.safe_load(stream)
     name, namespace = split_name(node_name)
@@ -73,12 +77,13 @@ def parameters_of_file(session: Session, file_name: str, node_name: str, *, wild
 
 
 def _sections(content: Any, full_name: str, name: str, namespace: str, wildcard: bool) -> list[Any]:
-    sections = [content["/**"]] if wildcard and "/**" in content else []
-    if full_name in content:
+    known = content.keys()  # AttributeError for a file that is no mapping, as the real command ends with it
+    sections = [content["/**"]] if wildcard and "/**" in known else []
+    if full_name in known:
         sections.append(content[full_name])
-    if not namespace and name in content:
+    if not namespace and name in known:
         sections.append(content[name])
-    elif namespace in content and name in content[namespace]:
+    elif namespace in known and name in content[namespace]:
         sections.append(content[namespace][name])
     return sections
 

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 SUMMARY = "Output messages from a topic"
 CLEAR = "\x1b[H\x1b[2J"
+START_SECONDS = 1.0
+"""How long a topic may take to appear: the real command itself needs that long to start, and launch files count on it."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -66,18 +68,19 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     from day6_tui.core.ros.ros2.topic._qos import profile_for_echo
-    from day6_tui.core.ros.ros2.topic._types import class_of_topic, message_class, warn_unpublished
+    from day6_tui.core.ros.ros2.topic._types import POLL_SECONDS, class_of_topic, message_class, warn_unpublished
 
     echo = _Echo(session, args)
     async with graph_node(session, args) as asked:
+        kind = message_class(args.message_type) if args.message_type is not None else None
+        waited = 0.0
+        while kind is None and (kind := class_of_topic(asked, args.topic_name)) is None and waited < START_SECONDS:
+            await session.sleep(POLL_SECONDS)
+            waited += POLL_SECONDS
         profile = profile_for_echo(session, asked, args)
-        if args.message_type is not None:
-            kind = message_class(args.message_type)
-        else:
-            kind = class_of_topic(asked, args.topic_name)
-            if kind is None:
-                warn_unpublished(session, args.topic_name)
-                raise RuntimeError("Could not determine the type for the passed topic")
+        if kind is None:
+            warn_unpublished(session, args.topic_name)
+            raise RuntimeError("Could not determine the type for the passed topic")
     node = await direct_node(session, args, args.node_name)
     if args.timeout is not None:
         node.create_timer(args.timeout, echo.time_out)

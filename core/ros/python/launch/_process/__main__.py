@@ -74,8 +74,9 @@ def show_arguments(path: str) -> None:
     """`ros2 launch --show-args`."""
     from launch.launch_description_sources import get_launch_description_from_any_launch_file
 
-    arguments = get_launch_description_from_any_launch_file(path).get_launch_arguments()
+    description = get_launch_description_from_any_launch_file(path)
     print("Arguments (pass arguments as '<name>:=<value>'):")
+    arguments = description.get_launch_arguments()
     for argument in arguments:
         mark = "*" if argument._conditionally_included else ""
         print(f"\n    '{argument.name}':{mark}\n        {argument.description}")

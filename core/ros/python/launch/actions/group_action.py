@@ -65,7 +65,9 @@ class GroupAction(Action):
     def get_sub_entities(self) -> Sequence[LaunchDescriptionEntity]:
         if self.__all is None:
             settings = [SetLaunchConfiguration(name, value) for name, value in self.__launch_configurations.items()]
-            inside = [*settings, *self.__actions] if self.__forwarding or not self.__scoped else [*self.__actions]
+            inside = list(self.__actions)
+            if self.__forwarding or not self.__scoped:
+                inside = [*settings, *inside]
             if self.__scoped:
                 start: list[LaunchDescriptionEntity] = [PushLaunchConfigurations(), PushEnvironment()]
                 if not self.__forwarding:

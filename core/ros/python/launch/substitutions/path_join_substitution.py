@@ -20,7 +20,8 @@ class PathJoinSubstitution(Substitution):
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:
         super().__init__()
-        self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
+        parts = [part if isinstance(part, Iterable) else [part] for part in substitutions]
+        self.__substitutions = [normalize_to_list_of_substitutions(part) for part in parts]
 
     @property
     def substitutions(self) -> list[list[Substitution]]:
