@@ -26,7 +26,7 @@ from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.screen import Screen
 
-from day6_tui.tui import actions, chops
+from day6_tui.tui import actions, chops, output
 from day6_tui.tui.app_actions import AppActions
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.colours import colours
@@ -44,6 +44,7 @@ from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import WindowPane
 
 chops.install()
+output.install()
 _log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 30.0

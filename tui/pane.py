@@ -257,6 +257,7 @@ class Pane(Widget, can_focus=True):
         action = self.hit(event.x, event.y)
         if action is not None:
             event.stop()
+            event.prevent_default()  # Textual calls this once more for a subclass that has called it itself
             action()
 
     def on_resize(self, event: events.Resize) -> None:

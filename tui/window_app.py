@@ -32,7 +32,7 @@ from textual.screen import Screen
 from textual.widget import Widget
 
 from day6_tui.core.session.local import Foreground
-from day6_tui.tui import chops
+from day6_tui.tui import chops, output
 from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
 from day6_tui.tui.arrangement import Place
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
@@ -45,6 +45,7 @@ from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()
+output.install()
 _log = logging.getLogger(__name__)
 
 _STAMP = re.compile(r"(?<=^\[[A-Z]{4}\] )\[[0-9.]+\] |(?<=^\[[A-Z]{5}\] )\[[0-9.]+\] ")

@@ -125,3 +125,16 @@ async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_
         app.desktop.panes[window.number].restyle()
         await step(app, pilot)
         assert "no transform from left to base" in screen_text(app)
+
+
+async def test_a_click_on_the_type_in_the_title_of_rqt_graph_changes_it_by_one(desk: FakeDesk, tmp_path: Path) -> None:
+    model = RqtGraph(None, Graph(0), tmp_path)  # type: ignore[arg-type]
+    desk.display.open("rqt_graph", "rqt_graph", model)
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        seen = []
+        for _ in range(4):
+            await step(app, pilot)
+            await step(app, pilot)
+            seen.append(model.options.graph_type)
+            await pilot.click(offset=_place(app, seen[-1].value))
+        assert seen[0] == seen[3] and len(set(seen)) == 3

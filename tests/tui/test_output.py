@@ -1,0 +1,49 @@
+"""A terminal that goes away does not keep the desktop."""
+
+from __future__ import annotations
+
+import errno
+import io
+import threading
+
+from textual.drivers._writer_thread import MAX_QUEUED_WRITES, WriterThread
+
+from day6_tui.tui import output
+
+
+class _HungUp(io.StringIO):
+    """A terminal that is closed after the first text."""
+
+    def write(self, text: str) -> int:
+        if self.tell():
+            raise OSError(errno.EIO, "Input/output error")
+        return super().write(text)
+
+
+def test_nobody_waits_for_a_terminal_that_is_gone() -> None:
+    output.install()
+    file = _HungUp()
+    writer = WriterThread(file)
+    writer.start()
+
+    def talk() -> None:
+        for number in range(3 * MAX_QUEUED_WRITES):
+            writer.write(f"frame {number}")
+        writer.stop()
+
+    talking = threading.Thread(target=talk, daemon=True)
+    talking.start()
+    talking.join(10)
+    assert not talking.is_alive()
+    assert file.getvalue() == "frame 0"
+
+
+def test_what_is_written_arrives_whole_and_in_order() -> None:
+    output.install()
+    file = io.StringIO()
+    writer = WriterThread(file)
+    writer.start()
+    for number in range(100):
+        writer.write(f"{number} ")
+    writer.stop()
+    assert file.getvalue().split() == [str(number) for number in range(100)]
