@@ -199,6 +199,7 @@ class Day6App(AppActions, App[None]):
                 for unseen in self.desktop.show_windows(windows):
                     self.say(self.look.texts("window.hidden", title=unseen.label, key=key))
             self._bury_ended_terminals()
+            self._show_opened_terminals()
             shown = self.desktop.shown()
             for pane in (self.terminals, *self.desktop.panes.values()):
                 if pane is self.terminals or pane in shown:
@@ -254,6 +255,13 @@ class Day6App(AppActions, App[None]):
             threading.Thread(target=view.terminal.close, name="day6-close-terminal", daemon=True).start()
         if not self.terminals.views and self.is_running and self.machine.desk is not None:
             self.new_terminal()
+
+    def _show_opened_terminals(self) -> None:
+        """Show the terminals that programs have opened (`xterm -e …`)."""
+        for terminal in list(self.machine.desk.terminals):
+            if terminal not in self.terminals.known:
+                self.terminals.add(terminal)
+                self.desktop.focus_pane(self.terminals)
 
     # -- bars ----------------------------------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
@@ -42,6 +43,8 @@ class TerminalPane(Pane):
         self.on_key_before: Callable[[events.Key], bool] = lambda event: False
         self._early_keys: list[events.Key] = []
         """Asked first about every key; True if it was used."""
+        self.known: weakref.WeakSet[Any] = weakref.WeakSet()
+        """All terminals that were ever shown here."""
         self._size_told: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
         self._shown_hint = ""
@@ -58,6 +61,7 @@ class TerminalPane(Pane):
         """Show another terminal and make it the active one."""
         view = TerminalView(terminal)
         self.views.append(view)
+        self.known.add(terminal)
         self.activate(len(self.views) - 1)
         return view
 

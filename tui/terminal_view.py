@@ -341,6 +341,10 @@ def _whole(row: Row, x: int) -> str:
 def tab_name(command: str) -> str:
     """A short name for what runs: of `ros2 run turtlesim turtle_teleop_key` the executable, of `ros2 topic echo /x` 'echo /x'."""
     words = [word for word in command.split() if not word.startswith("-")]
+    if words[:2] == ["ros2", "launch"] and len(words) > 2 and "." in words[2]:
+        return words[2].rpartition("/")[2]
+    if words and "/lib/" in words[0]:
+        return words[0].rpartition("/")[2]  # an executable of a package by its path, as launch calls it
     if words[:2] in (["ros2", "run"], ["ros2", "launch"]) and len(words) > 3:
         return words[3]
     if words[:1] == ["ros2"] and len(words) > 2:

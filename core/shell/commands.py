@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.programs import load, named_by
 from day6_tui.core.session.session import Main, Session
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "pager": "less more man",
         "packages": "sudo apt apt-get rosdep pip pip3",
         "edit": "nano gedit vim vi code mousepad gnome-text-editor",
+        "terminals": "xterm gnome-terminal x-terminal-emulator",
         "times": "sleep timeout date",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
@@ -92,6 +94,9 @@ def _file(name: str, shell: Shell) -> Main:
     ours = place_of(path.name)
     if ours == name or (name.startswith(("/bin/", "/usr/bin/")) and ours.startswith("/usr/bin/")):
         return builtin(path.name) or _nothing
+    program = named_by(path)
+    if program is not None:
+        return load(*program)
     if path.is_dir():
         return _saying(f"{shell.name}: {name}: Is a directory", 126)
     if not path.exists():

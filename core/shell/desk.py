@@ -156,9 +156,11 @@ class Desk:
         )
         return env
 
-    def shell(self, *, interactive: bool = False, cwd: Path | None = None) -> Shell:
-        """A new shell, as after login."""
-        env = self.environment()
+    def shell(
+        self, *, interactive: bool = False, cwd: Path | None = None, env: Mapping[str, str] | None = None
+    ) -> Shell:
+        """A new shell, as after login; with `env` as started by a program that has these variables."""
+        env = self.environment() if env is None else dict(env)
         folder = self.home if cwd is None else cwd
         env["PWD"] = str(folder)
         return Shell(self, env=env, cwd=folder, interactive=interactive)
@@ -233,11 +235,19 @@ class Desk:
 
     # -- terminals -----------------------------------------------------------------------------------------------------
 
-    def open_terminal(self, columns: int = 80, rows: int = 24, *, cwd: Path | None = None) -> Terminal:
-        """Open a terminal with its own shell."""
+    def open_terminal(
+        self,
+        columns: int = 80,
+        rows: int = 24,
+        *,
+        cwd: Path | None = None,
+        env: Mapping[str, str] | None = None,
+        command: str = "",
+    ) -> Terminal:
+        """Open a terminal with its own shell; with a `command` it runs that, with `env`, and ends."""
         from day6_tui.core.shell.terminal import Terminal
 
-        terminal = Terminal(self, columns, rows, cwd=cwd)
+        terminal = Terminal(self, columns, rows, cwd=cwd, env=env, command=command)
         self.terminals.append(terminal)
         return terminal
 

@@ -58,6 +58,20 @@ async def login(session: Session, terminal: Terminal) -> int:
         streams.stdout.flush()
 
 
+async def run_command(session: Session, terminal: Terminal, command: str) -> int:
+    """The program of a terminal that was opened for one command."""
+    shell = terminal.shell
+    session.on_interrupt = shell.interrupt
+    try:
+        await _run(shell, command, terminal)
+        return shell.status
+    except ExitShell as end:
+        return end.status
+    finally:
+        for job in shell.jobs.jobs:
+            job.send(1)
+
+
 async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) -> str:
     """Read lines until they make whole commands; '' after Ctrl-C. Raises EndOfLines at the end of the input."""
     source = ""

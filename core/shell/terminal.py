@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import threading
 from collections import deque
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -39,8 +40,17 @@ SLOW_PER_UPDATE = 24 * 1024
 class Terminal:
     """One terminal with its own shell. Made by `Desk.open_terminal`."""
 
-    def __init__(self, desk: Desk, columns: int, rows: int, *, cwd: Path | None = None) -> None:
-        from day6_tui.core.shell.login import login
+    def __init__(
+        self,
+        desk: Desk,
+        columns: int,
+        rows: int,
+        *,
+        cwd: Path | None = None,
+        env: Mapping[str, str] | None = None,
+        command: str = "",
+    ) -> None:
+        from day6_tui.core.shell.login import login, run_command
 
         self.desk = desk
         self.columns = columns
@@ -63,14 +73,14 @@ class Terminal:
         self._lock = threading.Lock()
         self._room = threading.Event()
         self._room.set()
-        self.shell = desk.shell(interactive=True, cwd=cwd)
+        self.shell = desk.shell(interactive=True, cwd=cwd, env=env)
         self.discipline = Discipline(self)
         stdin = self.discipline.root
         stdout = TtyOutput(self)
         self.streams = Streams(stdin, stdout, stdout)
         self.program: Program = desk.start_program(
             ["bash"],
-            lambda session: login(session, self),
+            lambda session: run_command(session, self, command) if command else login(session, self),
             self.streams,
             env=self.shell.environment,
             cwd=self.shell.cwd,

@@ -198,3 +198,32 @@ def test_closing_the_terminal_window_ends_the_desktop_and_its_programs(place: Pl
         screen.wait_lines("idle now")
     # Leaving the block closes the pty, as a window manager does.
     until(lambda: place.processes() == {})
+
+
+XTERM_LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    teleop = Node(package='turtlesim', executable='turtle_teleop_key', prefix='xterm -e', output='screen')
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node'), teleop])
+"""
+
+
+def test_a_launched_teleop_with_xterm_gets_a_terminal_of_its_own(place: Place) -> None:
+    file = place.file("drive.launch.py", XTERM_LAUNCH)
+    with place.desktop("--scene", "empty", columns=120, rows=40, lang="en") as screen:
+        screen.wait("student@day6:~$")
+        screen.line(f"ros2 launch {file}")
+        screen.wait("2 turtle_teleop_key", "Use arrow keys to move the turtle.", "╭ TurtleSim")
+        screen.press("Up")
+        screen.wait("x 7.56")
+        screen.send("q")
+        screen.wait("[xterm-2]: process has finished cleanly", "1 drive.launch.py")
+        screen.press("Ctrl-C")
+        screen.wait("student@day6:~$")
+        screen.line("clear; xterm -e bash -c 'echo in th''ere; sleep 30' & sleep 1; kill -INT %1; wait; echo en''ded")
+        screen.wait("in there")
+        screen.wait_lines("ended")
+        screen.wait_gone("2 bash")

@@ -253,3 +253,9 @@ def test_a_script_without_ros_loads_nothing_heavy(tmp_path: Path) -> None:
     )
     result = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert result.stdout == "hi\n[]\n", result.stderr
+
+
+def test_without_a_screen_no_terminal_opens(tmp_path: Path) -> None:
+    result = day6("exec", "-c", "xterm -e ls; echo $?; gnome-terminal -- ls; echo $?", cwd=tmp_path)
+    assert result.stdout == "1\n1\n"
+    assert result.stderr.startswith("xterm: Xt error: Can't open display: \n")

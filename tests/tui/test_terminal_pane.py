@@ -57,6 +57,8 @@ def test_programs_that_ask_for_it_get_application_cursor_keys() -> None:
         ("ros2 run turtlesim turtle_teleop_key", "turtle_teleop_key"),
         ("ros2 topic echo /turtle1/pose", "echo /turtle1/pose"),
         ("ros2 launch day6_publisher day6_display.launch.py", "day6_display.launch.py"),
+        ("ros2 launch src/day6/go.launch.py speed:=2", "go.launch.py"),
+        ("/opt/ros/kilted/lib/turtlesim/turtle_teleop_key --ros-args -r __ns:=/a", "turtle_teleop_key"),
         ("python3 src/day6/talker.py --loud", "talker.py"),
         ("~/ros2_ws", "~/ros2_ws"),
         ("", ""),

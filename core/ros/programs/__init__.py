@@ -45,6 +45,14 @@ def executables(package: str) -> list[str]:
     return sorted(file.stem for file in folder.glob("[!_]*.py") if _MAIN.search(file.read_text(encoding="utf-8")))
 
 
+def named_by(path: Path) -> tuple[str, str] | None:
+    """Return package and name of the executable whose "file", `<our prefix>/lib/<package>/<name>`, a path names, else None."""
+    folder = path.parent
+    if folder.parent != _HERE.parent / "lib" or path.name not in executables(folder.name):
+        return None
+    return folder.name, path.name
+
+
 def load(package: str, executable: str) -> Main:
     """Return the `main` of an executable. Raises LookupError when there is no such package or executable."""
     if executable not in executables(package):

@@ -51,7 +51,7 @@ def what_runs(cmd: Sequence[str], shell: bool, *, hosted: bool) -> Ours | Foreig
         return Ours("line", [line]) if hosted else Foreign(_with_our_commands(line), True)
     if built_in(cmd[0]) is not None:
         return _ours("program", list(cmd), hosted)
-    if is_command(cmd[0]):
+    if is_command(cmd[0]) or (hosted and _opens_a_terminal(cmd[0])):
         return _ours("command", list(cmd), hosted)
     return Foreign(_with_our_python(list(cmd)), False)
 
@@ -78,15 +78,9 @@ def _with_our_commands(line: str) -> str:
 
 def built_in(path: str) -> tuple[str, str] | None:
     """Return package and name of the executable of ours whose "file" a path names, None for any other path."""
-    from ament_index_python.search_paths import BUILT_IN_PREFIX
+    from day6_tui.core.ros.programs import named_by
 
-    folder, name = os.path.split(path)
-    lib, package = os.path.split(folder)
-    if lib != os.path.join(BUILT_IN_PREFIX, "lib"):
-        return None
-    from day6_tui.core.ros.programs import executables
-
-    return (package, name) if name in executables(package) else None
+    return named_by(Path(path))
 
 
 def is_command(word: str) -> bool:
@@ -97,6 +91,13 @@ def is_command(word: str) -> bool:
     from day6_tui.core.shell.commands import place_of
 
     return place_of(name).startswith("/opt/ros/")
+
+
+def _opens_a_terminal(word: str) -> bool:
+    """Say whether a word is a terminal, which the desktop has of its own; where there is a display it is a real one."""
+    from day6_tui.core.shell.commands import MODULES
+
+    return word.rpartition("/")[2] in MODULES["terminals"] and "DISPLAY" not in os.environ
 
 
 def which(name: str) -> str | None:

@@ -1,0 +1,70 @@
+"""xterm, gnome-terminal: another terminal of the desktop, also as the `prefix` of a node in a launch file."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from day6_tui.core.session.session import Main, Session
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.terminal import Terminal
+
+_XTERM_VALUES = {f"-{name}" for name in "T title n name geometry fn fa fs bg fg cr sl xrm class tn display".split()}
+"""Options of xterm that take a value; how it is to look is the desktop's affair."""
+
+
+async def xterm(session: Session) -> int:
+    """`xterm [-hold] [-e COMMAND …]`: runs until the command, or the shell, in the new terminal has ended."""
+    words = session.argv[1:]
+    command: list[str] = []
+    while words:
+        word = words.pop(0)
+        if word == "-e":
+            command, words = words, []
+        elif word in _XTERM_VALUES and words:
+            words.pop(0)
+    if session.display is None:
+        session.print_error("xterm: Xt error: Can't open display: \nxterm: DISPLAY is not set")
+        return 1
+    terminal = _open(session, command)
+    # Ctrl-C for xterm closes its window; the desktop ends what still runs in it.
+    session.defer(terminal.program.terminate)
+    await terminal.program.wait()
+    return 0
+
+
+async def gnome_terminal(session: Session) -> int:
+    """`gnome-terminal [-- COMMAND …]`: opens the terminal and does not wait for it."""
+    words = session.argv[1:]
+    command: list[str] = []
+    for number, word in enumerate(words):
+        if word in ("--", "-x"):
+            command = words[number + 1 :]
+            break
+        if word in ("-e", "--command"):
+            command = words[number + 1 : number + 2]
+            break
+        if word.startswith(("-e=", "--command=")):
+            command = [word.partition("=")[2]]
+            break
+    if session.display is None:
+        session.print_error("# Failed to open display: ")
+        return 1
+    _open(session, command)
+    return 0
+
+
+def _open(session: Session, command: Sequence[str]) -> Terminal:
+    """Open a terminal; one word is a line for the shell, several are a command and its arguments."""
+    line = command[0] if len(command) == 1 else shlex.join(command)
+    terminal: Terminal = session.shell.desk.open_terminal(cwd=session.cwd, env=session.env, command=line)
+    return terminal
+
+
+COMMANDS: dict[str, Main] = {
+    "xterm": xterm,
+    "gnome-terminal": gnome_terminal,
+    "x-terminal-emulator": xterm,
+}
