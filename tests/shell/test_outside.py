@@ -69,3 +69,13 @@ def test_a_link_that_leads_outside_is_outside(seat: Any, theirs: Path) -> None:
 def test_a_script_is_not_asked(machine: Any, theirs: Path) -> None:
     assert machine.run(f"echo new > {theirs}; rm {theirs}").status == 0
     assert not theirs.exists()
+
+
+@pytest.mark.parametrize("command", ["colcon build", "ros2 pkg create --build-type ament_python day6_car"])
+def test_nothing_is_built_or_created_outside_unasked(seat: Any, theirs: Path, command: str) -> None:
+    seat.line(f"cd {theirs.parent}")
+    seat.line("clear")
+    question = f"{theirs.parent} is outside your home folder. Change it? [y/N]"
+    assert question in seat.line(command).replace("\n", "")
+    seat.type("\r")
+    assert sorted(path.name for path in theirs.parent.iterdir()) == ["homework"]

@@ -8,6 +8,7 @@ from day6_tui.core.ros import programs
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.interpreter import Shell, subshell_main
+from day6_tui.core.shell.outside import asking
 from day6_tui.core.shell.redirection import Streams
 
 
@@ -76,8 +77,8 @@ async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]
 COMMANDS: dict[str, Main] = {
     "python3": python3,
     "python": python3,
-    "ros2": ros2,
-    "colcon": colcon,
+    "ros2": asking(ros2, lambda words: ["."] if words[:2] == ["pkg", "create"] else []),
+    "colcon": asking(colcon, lambda words: ["."] if words[:1] in (["build"], ["test"]) else []),
     **{name: _program(*place) for name, place in programs.COMMANDS.items()},
     "bash": bash,
     "sh": bash,

@@ -11,7 +11,7 @@ from day6_tui.core.session.session import Main, Session
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
-_XTERM_VALUES = {f"-{name}" for name in "T title n name geometry fn fa fs bg fg cr sl xrm class tn display".split()}
+_XTERM_VALUES = ("-T", "-title", "-n", "-name", "-geometry", "-fn", "-fa", "-fs", "-bg", "-fg", "-sl", "-xrm", "-class")
 """Options of xterm that take a value; how it is to look is the desktop's affair."""
 
 

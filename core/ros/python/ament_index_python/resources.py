@@ -1,0 +1,93 @@
+"""The resource index: files `share/ament_index/resource_index/<type>/<name>` below every prefix.
+
+Of the packages that came with day6-tui the type `packages` is answered from their package.xml; they have no markers.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
+from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
+
+
+class InvalidResourceTypeNameError(ValueError):
+    """Raised for a resource type that holds a path separator."""
+
+
+class InvalidResourceNameError(ValueError):
+    """Raised for a resource name that holds a path separator."""
+
+
+def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
+    """Return (content, prefix) of a resource.
+
+    Raises LookupError if there is none, OSError if it cannot be read, AssertionError for an empty and
+    InvalidResource(Type)NameError for an impossible name.
+    """
+    prefix = has_resource(resource_type, resource_name)
+    if not prefix:
+        raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
+    file = Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
+    if _is_ours(prefix, resource_type) and not file.is_file():
+        return "", prefix
+    try:
+        return file.read_text(encoding="utf-8"), prefix
+    except OSError as error:
+        problem = f"Could not open the resource '{resource_name}' of type '{resource_type}':\n{error}"
+        raise OSError(problem) from error
+
+
+def get_resources(resource_type: str) -> dict[str, str]:
+    """Return `{name: prefix}` of all resources of a type; where two prefixes have one, the first wins. Raises as above."""
+    _check_type(resource_type)
+    found: dict[str, str] = {}
+    for prefix in get_search_paths():
+        for name in _names(prefix, resource_type):
+            found.setdefault(name, prefix)
+    return found
+
+
+def get_resource_types() -> set[str]:
+    """Return the types of which there are resources."""
+    found = {"packages"}
+    for prefix in get_search_paths():
+        index = Path(prefix, RESOURCE_INDEX_SUBFOLDER)
+        if index.is_dir():
+            found.update(folder.name for folder in index.iterdir() if folder.is_dir() and folder.name[0] != ".")
+    return found
+
+
+def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
+    """Return the prefix of a resource, False if there is none. Raises as above."""
+    _check_type(resource_type)
+    assert resource_name, "The resource name must not be empty"
+    if _is_no_name(resource_name):
+        raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
+    return next((prefix for prefix in get_search_paths() if resource_name in _names(prefix, resource_type)), False)
+
+
+def _check_type(resource_type: str) -> None:
+    assert resource_type, "The resource type must not be empty"
+    if _is_no_name(resource_type):
+        raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' is invalid")
+
+
+def _is_no_name(name: str) -> bool:
+    return "/" in name or "\\" in name
+
+
+def _is_ours(prefix: str, resource_type: str) -> bool:
+    return prefix == BUILT_IN_PREFIX and resource_type == "packages"
+
+
+def _names(prefix: str, resource_type: str) -> Iterator[str]:
+    if _is_ours(prefix, resource_type):
+        yield from sorted(path.parent.name for path in Path(prefix, "share").glob("*/package.xml"))
+        return
+    folder = Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type)
+    if folder.is_dir():
+        yield from sorted(name for name in os.listdir(folder) if name[0] != "." and not (folder / name).is_dir())
