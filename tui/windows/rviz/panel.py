@@ -12,9 +12,12 @@ from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, COLOUR, GROUP, Property
 from day6_tui.core.ros.programs.rviz2.model.status import COLOURS, OK, Status
-from day6_tui.tui.cells import fit
+from day6_tui.tui.cells import cell_len, fit
 from day6_tui.tui.colours import Colours, background_of, pixel_style
 from day6_tui.tui.look import Look
+
+NARROWEST_VALUE = 9
+"""Cells that a value has beside the longest name."""
 
 MOST_LINES = 5000
 """A robot of thousands of links must not make the panel slow."""
@@ -69,13 +72,15 @@ def zones(line: Line, width: int) -> Zones:
     """The zones of a line of the panel."""
     indent = line.depth * 2
     is_box = line.prop.kind == BOOL
-    box = indent + 2 if isinstance(line.prop, Display) else value_column(width) if is_box else None
-    return Zones(indent, box, value_column(width))
+    box = indent + 2 if isinstance(line.prop, Display) else value_column(line, width) if is_box else None
+    return Zones(indent, box, value_column(line, width))
 
 
-def value_column(width: int) -> int:
-    """Where the right column begins."""
-    return max(10, width * 11 // 20)
+def value_column(line: Line, width: int) -> int:
+    """Where the right column begins: a little right of the middle, further right if the name needs it and room is left."""
+    mark = 2 if (level := _level(line.prop)) is not None and level > OK else 0
+    wanted = line.depth * 2 + 2 + mark + cell_len(line.prop.name) + 1
+    return max(10, width * 11 // 20, min(wanted, width - NARROWEST_VALUE))
 
 
 def segments_of(line: Line, width: int, look: Look, chosen: bool, focused: bool) -> list[Segment]:
@@ -94,7 +99,7 @@ def segments_of(line: Line, width: int, look: Look, chosen: bool, focused: bool)
         name += "[x] " if prop.enabled else "[ ] "
     name += _mark(prop, look) + name_of(prop, look)
     value = _value(prop)
-    split = value_column(width)
+    split = value_column(line, width)
     if not value:
         return [Segment(fit(name, width, look.glyphs.ellipsis), name_style)]
     segments = [Segment(fit(name, split - 1, look.glyphs.ellipsis) + " ", name_style)]
