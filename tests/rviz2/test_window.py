@@ -90,7 +90,7 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             await at.settle()
             (robot,) = [display for display in machine.rviz.displays if display.type == "RobotModel"]
             assert at.pane.prop is robot
-            assert "Description Topic could be /robot_description" in " ".join(at.screen().split())
+            assert "Enter on Description Topic lets you choose: /robot_description" in " ".join(at.screen().split())
             for _ in range(20):
                 if at.pane.prop is not robot.topic:
                     await at.press("down")
