@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import weakref
 from collections.abc import Callable
 from types import FunctionType, TracebackType
@@ -296,9 +297,10 @@ class Node(NodeParameters, NodeGraph, NodeEntities):
             self._rosout_name = None
         self.__node.destroy_when_not_in_use()
 
-    def __del__(self) -> None:
-        # A node that nobody holds any more disappears, as a real one does.
-        if hasattr(self, "_Node__node") and not self.__node._destroyed:
+    def __del__(self, python_ends: Callable[[], bool] = sys.is_finalizing) -> None:
+        # A node that nobody holds any more disappears, as a real one does; at Python's end with the process, half of whose
+        # modules are empty by then.
+        if not python_ends() and hasattr(self, "_Node__node") and not self.__node._destroyed:
             self._forget_in_graph()
 
     def __enter__(self) -> Node:

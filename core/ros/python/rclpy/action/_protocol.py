@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import RequestId, Service, names
@@ -118,8 +120,8 @@ class ActionEndpoints:
             endpoint.destroy()
         self.node.let_go(self)
 
-    def __del__(self) -> None:
-        if not getattr(self, "destroyed", True):
+    def __del__(self, python_ends: Callable[[], bool] = sys.is_finalizing) -> None:
+        if not python_ends() and not getattr(self, "destroyed", True):
             self.destroy()
 
     # asking and answering, with what introspection tells of it
