@@ -313,9 +313,8 @@ class TerminalView:
 
 def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
-    from pyte.screens import (
-        Char,  # not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet
-    )
+    # Not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet.
+    from day6_tui.core.shell.light_pyte import Char
 
     cells: list[Any] = []
     for text, style in ((row, ()),) if isinstance(row, str) else row:

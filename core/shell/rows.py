@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from pyte.screens import Char
-
+from day6_tui.core.shell.light_pyte import Char
 from day6_tui.core.shell.width import char_width
 
 

@@ -10,10 +10,9 @@ import unicodedata
 from collections import deque
 from typing import Any
 
-import pyte
-from pyte import modes
-from pyte.screens import Char, Cursor
-
+from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
+from day6_tui.core.shell.light_pyte import Screen as PyteScreen
+from day6_tui.core.shell.light_pyte import Stream as PyteStream
 from day6_tui.core.shell.rows import Row, as_row, cells_of, fit, row_text, wrapped
 from day6_tui.core.shell.width import char_width
 
@@ -36,7 +35,7 @@ def is_plain(text: str) -> bool:
     return match is not None
 
 
-class Stream(pyte.Stream):
+class Stream(PyteStream):
     """pyte's parser, which here skips a sequence it cannot understand instead of dropping the rest of the text."""
 
     @property
@@ -50,7 +49,7 @@ class Stream(pyte.Stream):
             return True  # the parser was reset: what follows is text again
 
 
-class Screen(pyte.Screen):
+class Screen(PyteScreen):
     """A VT100 screen of `columns` x `lines` cells with `scrollback` above it."""
 
     def __init__(self, columns: int, lines: int) -> None:
@@ -156,7 +155,7 @@ class Screen(pyte.Screen):
             cursor.x = x
             self.dirty.add(cursor.y)
             return
-        if self.charset or self.g0_charset is not pyte.charsets.LAT1_MAP:
+        if self.charset or self.g0_charset is not charsets.LAT1_MAP:
             data = data.translate(self.g1_charset if self.charset else self.g0_charset)
         self._draw_slowly(data)
 

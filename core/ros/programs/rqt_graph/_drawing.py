@@ -6,9 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from wcwidth import wcwidth
-
 from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Cell, Edge, Picture, Rect, Route
+from day6_tui.core.shell.width import char_width
 
 Run = tuple[str, str]
 """A piece of text and the name of its style: node, topic, group, cluster, warning, edge, label, pulse or ''.
@@ -71,7 +70,7 @@ class Canvas:
         if not 0 <= y < self.height:
             return
         for character in text:
-            cells = max(1, wcwidth(character))
+            cells = max(1, char_width(character))
             if x >= 0 and x + cells <= self.width:
                 self.text[y][x] = character
                 self.style[y][x] = style
@@ -96,7 +95,7 @@ class Canvas:
 
 def measure(text: str) -> int:
     """Return the width of a text in terminal cells."""
-    return sum(max(0, wcwidth(character)) for character in text)
+    return sum(map(char_width, text))
 
 
 def draw(picture: Picture, glyphs: Glyphs, warnings: Iterable[str] = (), highlight: Highlight | None = None) -> Canvas:
