@@ -97,7 +97,7 @@ class Machine:
         """Start a program of ours that belongs to the desktop, not to a terminal; it ends when its window is closed."""
         from day6_tui.core.ros.programs import load
         from day6_tui.core.session.streams import InputStream, OutputStream
-        from day6_tui.core.shell.redirection import Streams
+        from day6_tui.core.shell.language.redirection import Streams
 
         desk = self.desk
         streams = Streams(InputStream(), OutputStream(), OutputStream())

@@ -72,7 +72,7 @@ class Session:
         self.background = False
         """Whether nobody waits for it: it was launched, or started with `&`, or without a terminal."""
         self.shell: Any = None
-        """The shell (`core/shell/interpreter.Shell`) that started the program, None in `local`; for built-in commands."""
+        """The shell (`core/shell/language/interpreter.Shell`) that started the program, None in `local`; for built-ins."""
         self.shell_end: Exception | None = None
         """What a built-in wants its shell to do when it has returned: exit, break out of a loop …"""
         self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None

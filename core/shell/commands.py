@@ -11,7 +11,7 @@ from day6_tui.core.ros.programs import load, named_by
 from day6_tui.core.session.session import Main, Session
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.language.interpreter import Shell
 
 _PACKAGE = "day6_tui.core.shell.builtins"
 
@@ -81,7 +81,7 @@ def place_of(name: str) -> str:
 def find_command(name: str, shell: Shell) -> Main:
     """The program for `name`: a function, one of ours, a file (with a / in it), or one that says `command not found`."""
     if name in shell.functions:
-        from day6_tui.core.shell.functions import calling
+        from day6_tui.core.shell.language.functions import calling
 
         return calling(shell.functions[name])
     if "/" in name:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.commands import command_names
-from day6_tui.core.shell.lexer import Token, tokenize
-from day6_tui.core.shell.words import Incomplete, SyntaxProblem, Text
+from day6_tui.core.shell.language.lexer import Token, tokenize
+from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.language.interpreter import Shell
 
 _ONLY_FOLDERS = frozenset({"cd", "rmdir", "mkdir"})
 _BEFORE_A_COMMAND = frozenset({"sudo", "command", "which", "type", "man", "env"})

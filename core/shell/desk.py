@@ -19,8 +19,8 @@ from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.redirection import Streams
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal

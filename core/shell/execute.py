@@ -11,9 +11,9 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import InputStream
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.redirection import Streams
 
 TIMED_OUT = 124
 

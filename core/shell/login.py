@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
-from day6_tui.core.shell import parser
 from day6_tui.core.shell.completion import Completer
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.history import History
-from day6_tui.core.shell.interpreter import Shell
+from day6_tui.core.shell.language import parser
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem
 from day6_tui.core.shell.line_editor import EndOfLines, LineEditor
 from day6_tui.core.shell.prompt import UBUNTU, prompt
 from day6_tui.core.shell.recall import NoSuchLine, recalled
-from day6_tui.core.shell.words import Incomplete, SyntaxProblem
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal

@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from day6_tui.core.shell.expansion import expand_text
-from day6_tui.core.shell.lexer import single_word
-from day6_tui.core.shell.words import SyntaxProblem
+from day6_tui.core.shell.language.expansion import expand_text
+from day6_tui.core.shell.language.lexer import single_word
+from day6_tui.core.shell.language.words import SyntaxProblem
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
-    from day6_tui.core.shell.redirection import Streams
+    from day6_tui.core.shell.language.interpreter import Shell
+    from day6_tui.core.shell.language.redirection import Streams
 
 UBUNTU = r"${debian_chroot:+($debian_chroot)}\[\033[01;32m\]\u@\h\[\033[00m\]:\[\033[01;34m\]\w\[\033[00m\]\$ "
 """What Ubuntu's .bashrc sets in a terminal with colours."""

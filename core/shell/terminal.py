@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import OutputStream
 from day6_tui.core.shell.discipline import Discipline
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.redirection import Streams
 
 if TYPE_CHECKING:
     from day6_tui.core.session.streams import InputStream

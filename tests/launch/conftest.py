@@ -17,7 +17,7 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, TextInput
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.redirection import Streams
 
 sys.path.insert(
     0, str(Path(__file__).parent)

@@ -13,10 +13,10 @@ from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.terminal import Terminal
 
 PATIENCE = 20.0

@@ -9,10 +9,10 @@ from typing import NamedTuple
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, InputStream
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.redirection import Streams
 
 PATIENCE = 60.0
 """Seconds a command may take at most."""

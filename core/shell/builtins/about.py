@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell import file_tests
 from day6_tui.core.shell.builtins.options import complain
+from day6_tui.core.shell.language import file_tests
 
 _HELP = """\
 Commands of this terminal (they work as on Ubuntu):

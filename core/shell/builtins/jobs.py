@@ -5,10 +5,10 @@ from __future__ import annotations
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
-from day6_tui.core.shell.control_flow import Interrupted
-from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.jobs import Job
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.control_flow import Interrupted
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.jobs import Job
+from day6_tui.core.shell.language.redirection import Streams
 
 
 def _complain(session: Session, text: object) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_tui.core.shell.interpreter import Shell
+from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.outside import asking
 
 

@@ -7,9 +7,9 @@ import importlib
 from day6_tui.core.ros import programs
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.interpreter import Shell, subshell_main
+from day6_tui.core.shell.language.interpreter import Shell, subshell_main
+from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.outside import asking
-from day6_tui.core.shell.redirection import Streams
 
 
 async def python3(session: Session) -> int:

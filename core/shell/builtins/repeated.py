@@ -7,8 +7,8 @@ import shlex
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
-from day6_tui.core.shell.interpreter import Shell, subshell_main
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.interpreter import Shell, subshell_main
+from day6_tui.core.shell.language.redirection import Streams
 
 MOST_ARGUMENTS = 5000
 """Of one call that xargs makes."""

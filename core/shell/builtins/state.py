@@ -7,9 +7,9 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.interpreter import Shell
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.system_files import TEXTS
 
 
@@ -150,7 +150,7 @@ async def eval_(session: Session) -> int:
 
 async def _run_here(session: Session, text: str) -> int:
     """Run command lines in the shell itself, on this command's streams."""
-    from day6_tui.core.shell.shell_state import MAX_DEPTH
+    from day6_tui.core.shell.language.shell_state import MAX_DEPTH
 
     shell: Shell = session.shell
     if shell.depth >= MAX_DEPTH:

@@ -9,7 +9,7 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.task import wait_for
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
-from day6_tui.core.shell.redirection import Streams
+from day6_tui.core.shell.language.redirection import Streams
 
 _UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 

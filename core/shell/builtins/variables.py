@@ -6,8 +6,8 @@ import re
 import shlex
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.arithmetic import evaluate
-from day6_tui.core.shell.interpreter import Shell
+from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_tui.core.shell.language.interpreter import Shell
 
 _SHOPT = ("checkwinsize", "cmdhist", "expand_aliases", "globstar", "histappend", "login_shell", "nullglob", "autocd")
 

@@ -170,7 +170,7 @@ class Host:
         main, argv = self._main_of(message["kind"], argv)
         out, err = (HostedOutput(partial(self._tell, number, fd)) for fd in (1, 2))
         desk = session.shell.desk
-        from day6_tui.core.shell.redirection import Streams
+        from day6_tui.core.shell.language.redirection import Streams
 
         program: Program = desk.start_program(
             argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell

@@ -8,14 +8,14 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.task import let_others_run
-from day6_tui.core.shell import syntax
-from day6_tui.core.shell.conditional import holds
-from day6_tui.core.shell.control_flow import LoopControl
-from day6_tui.core.shell.expansion import expand, expand_pattern, expand_text, sum_of
-from day6_tui.core.shell.redirection import Streams, redirect
+from day6_tui.core.shell.language import syntax
+from day6_tui.core.shell.language.conditional import holds
+from day6_tui.core.shell.language.control_flow import LoopControl
+from day6_tui.core.shell.language.expansion import expand, expand_pattern, expand_text, sum_of
+from day6_tui.core.shell.language.redirection import Streams, redirect
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.language.interpreter import Shell
 
 
 async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) -> int:

@@ -6,16 +6,16 @@ import re
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from day6_tui.core.shell import file_tests
-from day6_tui.core.shell.arithmetic import evaluate
-from day6_tui.core.shell.expansion import expand_pattern, expand_regular, expand_text
-from day6_tui.core.shell.syntax import Both, Condition, Not, Test
-from day6_tui.core.shell.words import Incomplete, SyntaxProblem, Text, Word
+from day6_tui.core.shell.language import file_tests
+from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_tui.core.shell.language.expansion import expand_pattern, expand_regular, expand_text
+from day6_tui.core.shell.language.syntax import Both, Condition, Not, Test
+from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
-    from day6_tui.core.shell.parser import Parser
-    from day6_tui.core.shell.redirection import Streams
+    from day6_tui.core.shell.language.interpreter import Shell
+    from day6_tui.core.shell.language.parser import Parser
+    from day6_tui.core.shell.language.redirection import Streams
 
 _BINARY = frozenset({"=", "==", "!=", "=~", *file_tests.INTEGER, *file_tests.FILES})
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from day6_tui.core.shell.words import Word
+from day6_tui.core.shell.language.words import Word
 
 
 @dataclass

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from day6_tui.core.shell.syntax import Function
+from day6_tui.core.shell.language.syntax import Function
 
 MAX_DEPTH = 100
 """How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""

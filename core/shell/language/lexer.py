@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from day6_tui.core.shell.words import (
+from day6_tui.core.shell.language.words import (
     HAS_PATTERN,
     Incomplete,
     Part,

@@ -5,20 +5,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell import syntax
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.redirection import Streams
-from day6_tui.core.shell.shell_state import MAX_DEPTH
+from day6_tui.core.shell.language import syntax
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.core.shell.language.shell_state import MAX_DEPTH
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.language.interpreter import Shell
 
 
 def calling(function: syntax.Function) -> Main:
     """The program that a call of the function is: it runs in the shell itself, with arguments and `local`s of its own."""
 
     async def main(session: Session) -> int:
-        from day6_tui.core.shell.compound import run_compound
+        from day6_tui.core.shell.language.compound import run_compound
 
         shell: Shell = session.shell
         if shell.depth >= MAX_DEPTH:

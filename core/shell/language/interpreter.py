@@ -18,14 +18,14 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.streams import Captured, InputStream, Pipe
-from day6_tui.core.shell import parser, syntax
-from day6_tui.core.shell.compound import run_compound
-from day6_tui.core.shell.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.expansion import expand, expand_text
-from day6_tui.core.shell.jobs import Job, JobTable
-from day6_tui.core.shell.redirection import Streams, redirect
-from day6_tui.core.shell.shell_state import MAX_DEPTH, ShellState
-from day6_tui.core.shell.words import SyntaxProblem, Word
+from day6_tui.core.shell.language import parser, syntax
+from day6_tui.core.shell.language.compound import run_compound
+from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.expansion import expand, expand_text
+from day6_tui.core.shell.language.jobs import Job, JobTable
+from day6_tui.core.shell.language.redirection import Streams, redirect
+from day6_tui.core.shell.language.shell_state import MAX_DEPTH, ShellState
+from day6_tui.core.shell.language.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk

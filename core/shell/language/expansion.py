@@ -10,13 +10,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.shell.arithmetic import evaluate
-from day6_tui.core.shell.lexer import single_word
-from day6_tui.core.shell.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
+from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_tui.core.shell.language.lexer import single_word
+from day6_tui.core.shell.language.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
-    from day6_tui.core.shell.redirection import Streams
+    from day6_tui.core.shell.language.interpreter import Shell
+    from day6_tui.core.shell.language.redirection import Streams
 
 _PATTERN = frozenset("*?[")
 _CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A-Z", "lower": "a-z", "space": r"\s"}

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NoReturn
 
-from day6_tui.core.shell.conditional import parse_condition
-from day6_tui.core.shell.lexer import REDIRECTIONS, Lexer, Token, tokenize
-from day6_tui.core.shell.syntax import (
+from day6_tui.core.shell.language.conditional import parse_condition
+from day6_tui.core.shell.language.lexer import REDIRECTIONS, Lexer, Token, tokenize
+from day6_tui.core.shell.language.syntax import (
     AndOr,
     Brackets,
     Case,
@@ -24,7 +24,7 @@ from day6_tui.core.shell.syntax import (
     Sum,
     While,
 )
-from day6_tui.core.shell.words import Incomplete, SyntaxProblem, Text, Word
+from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
 
 _CLOSERS = frozenset({"then", "do", "done", "fi", "elif", "else", "}", "esac"})
 _ENDS_OF_CHOICE = (";;", ";&", ";;&")

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.streams import FileInput, FileOutput, InputStream, OutputStream, TextInput
-from day6_tui.core.shell import syntax
-from day6_tui.core.shell.expansion import expand_text
+from day6_tui.core.shell.language import syntax
+from day6_tui.core.shell.language.expansion import expand_text
 from day6_tui.core.shell.outside import agreed, is_outside, keys_of
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.interpreter import Shell
+    from day6_tui.core.shell.language.interpreter import Shell
 
 
 @dataclass(frozen=True)
