@@ -98,12 +98,12 @@ def _prepare() -> None:
         return
     _prepared = True
     import atexit
-    import os
+
+    from day6_tui.core.link import fork_hook
 
     # An open session can keep a process alive for minutes.
     atexit.register(_leave_all)
-    if hasattr(os, "register_at_fork"):
-        os.register_at_fork(after_in_child=_after_fork)
+    fork_hook.install()
 
 
 def _leave_all() -> None:
@@ -116,7 +116,8 @@ def _leave_all() -> None:
         leave(graph)
 
 
-def _after_fork() -> None:
+def after_fork() -> None:
+    """In the child of a fork: forget the links, which are the parent's."""
     global _lock, _forked
     _lock = threading.Lock()
     _forked = _forked or bool(_links)

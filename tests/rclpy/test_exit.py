@@ -89,6 +89,29 @@ ActionClient(node, Fibonacci, "fibonacci").send_goal_async(Fibonacci.Goal(order=
 rclpy.spin(node)
 """
 
+NODE_IN_AN_EXECUTOR = """
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+
+class Robot(Node):
+    def __del__(self):
+        print("bye")
+
+rclpy.init()
+robot = Robot("robot")
+executor = SingleThreadedExecutor()
+executor.add_node(robot)
+executor.spin_once(timeout_sec=0.01)
+print("end")
+"""
+
+
+@pytest.mark.parametrize("link", ["on", "off"])
+def test_a_node_that_is_left_over_is_destroyed_before_python_ends(link: str, tmp_path: Path) -> None:
+    done = run(NODE_IN_AN_EXECUTOR, tmp_path, DAY6_LINK=link)
+    assert (done.stdout, done.stderr) == ("end\nbye\n", "")
+
 
 @pytest.mark.parametrize("program", [ACTION_IN_FLIGHT, EVERY_KIND_OF_ENDPOINT])
 @pytest.mark.parametrize("end", ["", "rclpy.shutdown()", "raise SystemExit(0)"])
@@ -109,10 +132,10 @@ def test_a_goal_that_is_being_executed_learns_from_its_feedback_that_ros_is_over
     ], done.stderr
 
 
-def run(program: str, home: Path, *options: str) -> subprocess.CompletedProcess[str]:
+def run(program: str, home: Path, *options: str, **env: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, *options, "-c", program],
-        env={**program_environment(), "HOME": str(home)},
+        env={**program_environment(), "HOME": str(home), **env},
         capture_output=True,
         text=True,
         timeout=60,
