@@ -265,6 +265,16 @@ def test_names_stand_over_the_picture() -> None:
     assert text.strip() == "base_link" and len(text) == 40
 
 
+def test_names_of_frames_in_one_place_stand_below_and_above_each_other() -> None:
+    made = Scene()
+    names = ("base_link", "caster", "laser", "camera", "imu", "one_too_many")
+    for name in names:
+        made.labels.append(Label(name, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0)))
+    cells = cells_of(paint(made, orbit(), 40, 40, 1.0, HIGH), "half")
+    lines = ["".join(segment.text for segment in cells.line(row)).strip() for row in range(8, 13)]
+    assert lines == ["imu", "laser", "base_link", "caster", "camera"]
+
+
 def test_a_png_holds_the_pixels() -> None:
     rgb = np.array([[0xFF0000, 0x00FF00], [0x0000FF, 0x123456]])
     data = png(rgb)

@@ -123,8 +123,22 @@ def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = F
     labels: dict[int, list[tuple[int, str, int]]] = {}
     for x, y, text, (red, green, blue) in picture.labels:
         colour = PLAIN if colourless else red << 16 | green << 8 | blue
-        labels.setdefault(int(y) // down, []).append((int(x) // across - len(text) // 2, text, colour))
+        column = int(x) // across - cell_len(text) // 2
+        row = _free_row(labels, int(y) // down, column, cell_len(text), rows)
+        if row is not None:
+            labels.setdefault(row, []).append((column, text, colour))
     return Cells(chars, front, back, labels)
+
+
+def _free_row(
+    labels: dict[int, list[tuple[int, str, int]]], wanted: int, column: int, width: int, rows: int
+) -> int | None:
+    """The row nearest to the wanted one in which a label touches no other; None if there is none close by."""
+    for row in (wanted, wanted + 1, wanted - 1, wanted + 2, wanted - 2):
+        others = labels.get(row, ())
+        if 0 <= row < rows and all(column > left + cell_len(text) or left > column + width for left, text, _ in others):
+            return row
+    return None
 
 
 Parts = tuple[Array, Array, Array]
