@@ -63,7 +63,7 @@ def car_desktop(place: Place, *commands: str) -> Terminal:
 
 def test_the_talker_talks_in_the_desktop_and_everybody_hears_it(place: Place) -> None:
     place.home_file("talker.py", TALKER)
-    with place.desktop("--scene", "empty") as screen:
+    with place.desktop("--scene", "empty", rows=40) as screen:
         screen.wait("student@day6:~$")
         screen.line("python3 talker.py")
         screen.wait(lambda seen: re.search(r"\[INFO] \[\d+\.\d+] \[day6_talker]: I said: line \d+ of the t", seen))
@@ -91,7 +91,7 @@ def test_the_talker_talks_in_the_desktop_and_everybody_hears_it(place: Place) ->
 
 def test_the_talker_of_another_real_terminal_is_seen_in_the_desktop(place: Place) -> None:
     file = place.file("talker.py", TALKER)
-    with place.desktop("--scene", "empty") as screen, place.terminal("python", str(file)) as other:
+    with place.desktop("--scene", "empty") as screen, place.terminal("python", str(file), rows=40) as other:
         other.wait("[day6_talker]: I said: line 0 of the talker")
         screen.wait("student@day6:~$")
         until(lambda: "nodes 1" in screen.look(0.05))

@@ -33,7 +33,7 @@ _INVALID = (
 _INVALID_TIMER = f"failed to create timer: {_INVALID}guard_condition.c:65"
 _INVALID_WAIT_SET = f"failed to initialize wait set: {_INVALID}wait.c:105"
 _INVALID_GUARD = f"failed to create guard_condition: {_INVALID}guard_condition.c:65"
-_LONGEST_WAIT_NS = None if LONGEST_WAIT_S is None else int(LONGEST_WAIT_S * S_TO_NS)
+_LONGEST_WAIT_NS = int(LONGEST_WAIT_S * S_TO_NS)
 
 
 class ExecutorRounds:
@@ -205,13 +205,8 @@ class ExecutorRounds:
             deadline = self._timers.first_deadline()
             if deadline is None or (until is not None and until < deadline):
                 deadline = until
-            if deadline is None and _LONGEST_WAIT_NS is None:
-                self._gate.acquire()
-                return
-            left = _LONGEST_WAIT_NS if deadline is None else deadline - self._steady_ns()
-            if left is not None and left > 0:
-                if _LONGEST_WAIT_NS is not None:
-                    left = min(left, _LONGEST_WAIT_NS)
+            left = _LONGEST_WAIT_NS if deadline is None else min(deadline - self._steady_ns(), _LONGEST_WAIT_NS)
+            if left > 0:
                 self._gate.acquire(timeout=left / S_TO_NS)
         finally:
             self._waiting -= 1

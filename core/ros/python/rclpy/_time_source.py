@@ -27,14 +27,13 @@ class MachineTime:
 
 MACHINE_TIME: TimeSource = MachineTime()
 
-# A lock that is waited for cannot be interrupted by Ctrl-C on Windows, so there long waits are done in pieces.
-LONGEST_WAIT_S: float | None = 0.1 if os.name == "nt" else None
+# Long waits are done in pieces. On Windows a lock that is waited for cannot be interrupted by Ctrl-C; elsewhere a signal that
+# comes between Python's last look for one and the wait itself would be noticed only at the wait's end.
+LONGEST_WAIT_S = 0.1 if os.name == "nt" else 1.0
 
 
 def wait_interruptibly(event: threading.Event, seconds: float | None) -> bool:
     """Wait for an event like `Event.wait`, but so that Ctrl-C ends it on every system."""
-    if LONGEST_WAIT_S is None:
-        return event.wait(seconds)
     left = float("inf") if seconds is None else seconds
     while left > 0:
         if event.wait(min(left, LONGEST_WAIT_S)):
@@ -64,9 +63,8 @@ class Gate:
     def wait(self, seconds: float | None) -> bool:
         """Wait until the gate is opened, at most for that long (None: for ever); says whether it was."""
         left = threading.TIMEOUT_MAX if seconds is None else min(seconds, threading.TIMEOUT_MAX)
-        longest = left if LONGEST_WAIT_S is None else LONGEST_WAIT_S
         while left > 0:
-            if self._lock.acquire(timeout=min(left, longest)):
+            if self._lock.acquire(timeout=min(left, LONGEST_WAIT_S)):
                 return True
-            left -= longest
+            left -= LONGEST_WAIT_S
         return self._lock.acquire(blocking=False)
