@@ -29,7 +29,7 @@ MACHINE_TIME: TimeSource = MachineTime()
 
 # Long waits are done in pieces. On Windows a lock that is waited for cannot be interrupted by Ctrl-C; elsewhere a signal that
 # comes between Python's last look for one and the wait itself would be noticed only at the wait's end.
-LONGEST_WAIT_S = 0.1 if os.name == "nt" else 1.0
+LONGEST_WAIT_S = 0.1 if os.name == "nt" else 0.25
 
 
 def wait_interruptibly(event: threading.Event, seconds: float | None) -> bool:
