@@ -196,10 +196,15 @@ class Desktop(Container):
 
     def close_overlay(self) -> None:
         """Take it away; the pane that had the keyboard gets it back."""
-        if self.overlay is not None:
-            overlay, self.overlay = self.overlay, None
-            overlay.remove()
+        if self._drop_overlay():
             self._give_keyboard(self.focused_pane())
+
+    def _drop_overlay(self) -> bool:
+        """Take it away and leave the keyboard to the caller; False if there is none."""
+        overlay, self.overlay = self.overlay, None
+        if overlay is not None:
+            overlay.remove()
+        return overlay is not None
 
     # -- focus and size ------------------------------------------------------------------------------------------------
 
@@ -212,9 +217,7 @@ class Desktop(Container):
 
     def focus_pane(self, pane: Pane) -> None:
         """Give a pane the keyboard and bring it to the front. What lay over another one is gone then."""
-        if self.overlay is not None:
-            overlay, self.overlay = self.overlay, None
-            overlay.remove()
+        self._drop_overlay()
         self._last_focus = pane
         number = getattr(pane, "number", None)
         if number is not None:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 
 LAUNCH_NAME = "day6: this Python file"
@@ -232,6 +233,4 @@ def _change(file: Path, edit: Callable[[str], str]) -> None:
     except (ValueError, ElementTree.ParseError, AttributeError, TypeError) as error:
         raise ValueError(f"{file} is not understood and was left as it is: {error}") from error
     if after != before:
-        new = file.with_name(f"{file.name}.new")
-        new.write_text(after, encoding="utf-8")
-        os.replace(new, file)
+        replace_file(file, after.replace("\n", os.linesep).encode("utf-8"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -11,8 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from fakes import FakeDesk
-from screens import opened, screen_text, step
+from screens import look_at
 
 from day6_tui.core.ros.programs.rqt_console._model import Console
 
@@ -25,22 +23,8 @@ def log(text, level, node):
 WALL = "Oh no! I hit the wall! (Clamping from [x=11.120889, y=5.544445])"
 
 
-async def _look(console, keys, width=80, height=24, **options):
-    desk = FakeDesk()
-    desk.display.open("rqt_console", "Console", console)
-    async with opened(desk, width, height, scene="empty", **options) as (app, pilot):
-        await step(app, pilot)
-        pane = next(pane for pane in app.query("RqtConsolePane"))
-        pane.focus()
-        await step(app, pilot)
-        for key in keys:
-            await pilot.press(key)
-            await step(app, pilot)
-        return screen_text(app)
-
-
 def look(console, keys=(), **options):
-    return asyncio.run(_look(console, keys, **options))
+    return look_at(("rqt_console", "Console", console), "RqtConsolePane", keys, **options)
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
 import sys
 from pathlib import Path
@@ -11,8 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from fakes import FakeDesk
-from screens import opened, screen_text, step
+from screens import look_at
 
 from day6_tui.core.ros.programs.rqt_plot._model import Curve, Plot
 
@@ -41,22 +39,8 @@ def curve(path, number, function):
     return made
 
 
-async def _look(plot, keys, width=80, height=24, **options):
-    desk = FakeDesk()
-    desk.display.open("rqt_plot", "MatPlot", plot)
-    async with opened(desk, width, height, scene="empty", **options) as (app, pilot):
-        await step(app, pilot)
-        pane = next(pane for pane in app.query("RqtPlotPane"))
-        pane.focus()
-        await step(app, pilot)
-        for key in keys:
-            await pilot.press(key)
-            await step(app, pilot)
-        return screen_text(app)
-
-
 def look(plot, keys=(), **options):
-    return asyncio.run(_look(plot, keys, **options))
+    return look_at(("rqt_plot", "MatPlot", plot), "RqtPlotPane", keys, **options)
 
 
 @pytest.fixture

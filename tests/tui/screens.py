@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+import asyncio
+from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from types import SimpleNamespace
 from typing import Any
@@ -34,6 +35,26 @@ async def opened(
     async with app.run_test(size=(width, height)) as pilot:
         await step(app, pilot)
         yield app, pilot
+
+
+def look_at(
+    window: tuple[str, str, Any], pane: str, keys: Iterable[str] = (), width: int = 80, height: int = 24, **options: Any
+) -> str:
+    """The screen with a program's window (kind, title, model), after keys that its pane (the name of its class) has got."""
+
+    async def look() -> str:
+        desk = FakeDesk()
+        desk.display.open(*window)
+        async with opened(desk, width, height, scene="empty", **options) as (app, pilot):
+            await step(app, pilot)
+            next(iter(app.query(pane))).focus()
+            await step(app, pilot)
+            for key in keys:
+                await pilot.press(key)
+                await step(app, pilot)
+            return screen_text(app)
+
+    return asyncio.run(look())
 
 
 async def step(app: Day6App, pilot: Any) -> None:

@@ -10,10 +10,11 @@ from rich.style import Style
 from textual import events
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip, wrap
+from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.remarks import remark_lines
 from day6_tui.urdf.topview import render_top
 
 MOST_STATUS_LINES = 4
@@ -97,21 +98,12 @@ class CarPane(WindowPane):
         )
 
     def _say(self, status: Any) -> list[tuple[str, str]]:
-        """Levels and lines of what is wrong, the first ones whole: the end of a sentence is often its point.
+        """Levels and lines of what is wrong.
 
         In a low window the picture comes first: what is only worth knowing is left away there.
         """
-        said: list[tuple[str, str]] = []
         most = max(1, self.inner_height // 5, min(MOST_STATUS_LINES, self.inner_height // 3))
-        for line in status:
-            mark = "" if line.level == "info" else f"{self.look.glyphs.warning} "
-            words = wrap(self.look.texts(line.id, **dict(line.parameters)), self.inner_width - 2 - len(mark))
-            if len(said) + len(words) > most and (said or line.level == "info"):
-                break
-            for text in words:
-                said.append((line.level, f" {mark}{text}"))
-                mark = " " * len(mark)
-        return said[:most]
+        return remark_lines(status, self.look, self.inner_width, most, info_needs_room=True)[:most]
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)

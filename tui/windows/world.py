@@ -11,10 +11,11 @@ from rich.segment import Segment
 from textual import events
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip, wrap
+from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.remarks import remark_lines
 from day6_tui.tui.windows.world_picture import Rows, View, WorldPicture, fitting, look_of, segments
 
 FRAME_SECONDS = 0.05
@@ -115,17 +116,8 @@ class WorldPane(WindowPane):
 
     def _say(self, status: Any) -> list[tuple[str, str]]:
         """Levels and lines of what is wrong, the first ones whole."""
-        said: list[tuple[str, str]] = []
         most = max(MOST_STATUS_LINES, self.inner_height // 3)
-        for line in status:
-            mark = "" if line.level == "info" else f"{self.look.glyphs.warning} "
-            words = wrap(self.look.texts(line.id, **dict(line.parameters)), self.inner_width - 2 - len(mark))
-            if said and len(said) + len(words) > most:
-                break
-            for text in words:
-                said.append((line.level, f" {mark}{text}"))
-                mark = " " * len(mark)
-        return said[: max(0, self.inner_height - 1)]
+        return remark_lines(status, self.look, self.inner_width, most)[: max(0, self.inner_height - 1)]
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)

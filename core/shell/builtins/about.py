@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.builtins.options import complain
+from day6_tui.core.shell.builtins.options import complain, complain_as_shell
 from day6_tui.core.shell.language import file_tests
 
 _HELP = """\
@@ -171,7 +171,7 @@ async def test(session: Session) -> int:
     try:
         return 0 if _test(session, words) else 1
     except ValueError as error:
-        session.print_error(f"{session.shell.name}: {session.name}: {error}")
+        complain_as_shell(session, error)
         return 2
 
 

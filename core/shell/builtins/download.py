@@ -7,13 +7,13 @@ import socket
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.builtins.options import UsageError, parse
+from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.outside import asking
 
 MOST_BYTES = 200_000_000
@@ -77,13 +77,6 @@ def _address(text: str) -> str | None:
     return url if parts.scheme in ("http", "https") and parts.hostname else None
 
 
-def _save(place: Path, body: bytes) -> None:
-    """Write all of it or nothing. Raises OSError."""
-    half = place.with_name(place.name + ".part")
-    half.write_bytes(body)
-    os.replace(half, place)
-
-
 async def wget(session: Session) -> int:
     """`wget [-q] [-O FILE] [-P FOLDER] ADDRESS …`."""
     try:
@@ -132,7 +125,7 @@ def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Calla
         session.stdout.write(answer.body.decode("utf-8", "replace"))
         return 0
     try:
-        _save(session.cwd / name, answer.body)
+        replace_file(session.cwd / name, answer.body)
     except OSError as error:
         session.print_error(f"{name}: {error.strerror}")
         return 3
@@ -171,7 +164,7 @@ async def curl(session: Session) -> int:
             session.stdout.write(answer.body.decode("utf-8", "replace"))
             continue
         try:
-            _save(session.cwd / name, answer.body)
+            replace_file(session.cwd / name, answer.body)
         except OSError as error:
             return _curl_fails(session, 23, f"Failure writing output to destination: {name}: {error.strerror}", quiet)
     return 0

@@ -5,14 +5,11 @@ from __future__ import annotations
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
+from day6_tui.core.shell.builtins.options import complain_as_shell
 from day6_tui.core.shell.language.control_flow import Interrupted
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.jobs import Job
 from day6_tui.core.shell.language.redirection import Streams
-
-
-def _complain(session: Session, text: object) -> None:
-    session.print_error(f"{session.shell.name}: {session.name}: {text}")
 
 
 async def jobs(session: Session) -> int:
@@ -36,7 +33,7 @@ def _job(session: Session, spec: str) -> Job | None:
     shell: Shell = session.shell
     job = shell.jobs.find(spec if spec.startswith("%") else f"%{spec}")
     if job is None:
-        _complain(session, f"{'current' if spec == '%+' else spec}: no such job")
+        complain_as_shell(session, f"{'current' if spec == '%+' else spec}: no such job")
     return job
 
 
@@ -47,7 +44,7 @@ async def fg(session: Session) -> int:
         return 1
     if job.finished:
         shell.jobs.remove(job)
-        _complain(session, "job has terminated")
+        complain_as_shell(session, "job has terminated")
         return 1
     shell.jobs.remove(job)
     shell.jobs.add(job)
@@ -64,7 +61,7 @@ async def bg(session: Session) -> int:
     if job is None:
         return 1
     if not job.stopped:
-        _complain(session, f"job {job.number} already in background")
+        complain_as_shell(session, f"job {job.number} already in background")
         return 0
     job.resume()
     session.print(f"[{job.number}]{shell.jobs.mark(job)} {job.source} &")
@@ -83,7 +80,7 @@ async def wait(session: Session) -> int:
         found = shell.jobs.find(spec)
         if found is None:
             known = spec.startswith("%")
-            _complain(session, f"{spec}: no such job" if known else f"pid {spec} is not a child of this shell")
+            complain_as_shell(session, f"{spec}: no such job" if known else f"pid {spec} is not a child of this shell")
             status = 127
             continue
         await found.wait()
@@ -111,11 +108,13 @@ async def kill(session: Session) -> int:
         text, words = words[0][1:], words[1:]
         number = _signal_number(text)
     if number is None:
-        _complain(session, f"{text}: invalid signal specification")
+        complain_as_shell(session, f"{text}: invalid signal specification")
         return 1
     words = [word for word in words if word != "--"]
     if not words:
-        _complain(session, "usage: kill [-s sigspec | -n signum | -sigspec] pid | jobspec ... or kill -l [sigspec]")
+        complain_as_shell(
+            session, "usage: kill [-s sigspec | -n signum | -sigspec] pid | jobspec ... or kill -l [sigspec]"
+        )
         return 2
     status = 0
     for word in words:
@@ -129,17 +128,17 @@ def _kill_one(session: Session, word: str, number: int) -> bool:
     if word.startswith("%"):
         job = shell.jobs.find(word)
         if job is None:
-            _complain(session, f"{word}: no such job")
+            complain_as_shell(session, f"{word}: no such job")
             return False
         if number:
             job.send(number)
         return True
     if not word.lstrip("-").isdigit():
-        _complain(session, f"{word}: arguments must be process or job IDs")
+        complain_as_shell(session, f"{word}: arguments must be process or job IDs")
         return False
     program = find_program(shell, int(word))
     if program is None:
-        _complain(session, f"({word}) - No such process")
+        complain_as_shell(session, f"({word}) - No such process")
         return False
     if number:
         send(program, number)

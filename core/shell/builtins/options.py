@@ -69,6 +69,11 @@ def complain(session: Session, text: object) -> None:
     session.print_error(f"{session.name}: {text}")
 
 
+def complain_as_shell(session: Session, text: object) -> None:
+    """Print `bash: name: text` to standard error, as what is part of the shell does."""
+    session.print_error(f"{session.shell.name}: {session.name}: {text}")
+
+
 def reason(error: OSError) -> str:
     """The system's words for an error: 'No such file or directory'."""
     return error.strerror or type(error).__name__

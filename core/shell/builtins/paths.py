@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.builtins.options import UsageError, complain, complain_as_shell, parse, reason
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.outside import asking
 
@@ -138,7 +138,7 @@ def _go(session: Session, target: str) -> bool:
     path = Path(os.path.normpath(shell.cwd / target))
     if not path.is_dir():
         wrong = "Not a directory" if path.exists() else "No such file or directory"
-        session.print_error(f"{shell.name}: {session.name}: {target}: {wrong}")
+        complain_as_shell(session, f"{target}: {wrong}")
         return False
     shell.variables["OLDPWD"], shell.variables["PWD"] = str(shell.cwd), str(path)
     shell.cwd = path

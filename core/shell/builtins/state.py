@@ -6,34 +6,30 @@ import os
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.builtins.options import complain_as_shell, reason
+from day6_tui.core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.functions import in_the_shell_itself
 from day6_tui.core.shell.language.interpreter import Shell
-from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.system_files import TEXTS
-
-
-def _complain(session: Session, text: object) -> None:
-    session.print_error(f"{session.shell.name}: {session.name}: {text}")
 
 
 async def cd(session: Session) -> int:
     shell: Shell = session.shell
     operands = [word for word in session.argv[1:] if word not in ("-L", "-P", "--")]
     if len(operands) > 1:
-        _complain(session, "too many arguments")
+        complain_as_shell(session, "too many arguments")
         return 1
     target = operands[0] if operands else shell.variables.get("HOME", "")
     if target == "-":
         target = shell.variables.get("OLDPWD", "")
         if not target:
-            _complain(session, "OLDPWD not set")
+            complain_as_shell(session, "OLDPWD not set")
             return 1
         session.print(target)
     if not target:
         if operands:
             return 0
-        _complain(session, "HOME not set")
+        complain_as_shell(session, "HOME not set")
         return 1
     # As a shell does it: `..` is taken off the text, symbolic links are kept.
     path = Path(os.path.normpath(shell.cwd / target))
@@ -43,7 +39,7 @@ async def cd(session: Session) -> int:
             raise NotADirectoryError(20, "Not a directory")
         os.scandir(path).close()
     except OSError as error:
-        _complain(session, f"{target}: {reason(error)}")
+        complain_as_shell(session, f"{target}: {reason(error)}")
         return 1
     shell.variables["OLDPWD"] = str(shell.cwd)
     shell.variables["PWD"] = str(path)
@@ -73,7 +69,7 @@ def _number(session: Session, default: int) -> int | None:
     try:
         return int(session.argv[1])
     except ValueError:
-        _complain(session, f"{session.argv[1]}: numeric argument required")
+        complain_as_shell(session, f"{session.argv[1]}: numeric argument required")
         return None
 
 
@@ -101,7 +97,7 @@ async def return_(session: Session) -> int:
 async def source(session: Session) -> int:
     shell: Shell = session.shell
     if len(session.argv) < 2:
-        _complain(session, "filename argument required")
+        complain_as_shell(session, "filename argument required")
         session.print_error(f"{session.name}: usage: {session.name} filename [arguments]")
         return 2
     name = session.argv[1]
@@ -114,7 +110,7 @@ async def source(session: Session) -> int:
         )
     except OSError as error:
         if isinstance(error, IsADirectoryError):
-            _complain(session, f"{name}: is a directory")
+            complain_as_shell(session, f"{name}: is a directory")
         else:
             session.print_error(f"{shell.name}: {name}: {reason(error)}")
         return 1
@@ -150,23 +146,10 @@ async def eval_(session: Session) -> int:
 
 async def _run_here(session: Session, text: str) -> int:
     """Run command lines in the shell itself, on this command's streams."""
-    from day6_tui.core.shell.language.shell_state import MAX_DEPTH
-
     shell: Shell = session.shell
-    if shell.depth >= MAX_DEPTH:
-        _complain(session, f"maximum nesting level exceeded ({MAX_DEPTH})")
-        return 1
-    shell.depth += 1
-    shell.status = 0
-    try:
-        return await shell.run(text, Streams(session.stdin, session.stdout, session.stderr))
-    except ReturnFromSource as end:
-        return end.status
-    except (ExitShell, LoopControl, Interrupted) as end:
-        session.shell_end = end
-        return shell.status
-    finally:
-        shell.depth -= 1
+    return await in_the_shell_itself(
+        session, lambda streams: shell.run(text, streams), "maximum nesting level exceeded"
+    )
 
 
 async def history(session: Session) -> int:
@@ -177,7 +160,7 @@ async def history(session: Session) -> int:
     count = len(shell.history)
     if len(session.argv) > 1:
         if not session.argv[1].isdigit():
-            _complain(session, f"{session.argv[1]}: numeric argument required")
+            complain_as_shell(session, f"{session.argv[1]}: numeric argument required")
             return 1
         count = int(session.argv[1])
     first = max(len(shell.history) - count, 0)

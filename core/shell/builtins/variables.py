@@ -6,14 +6,11 @@ import re
 import shlex
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.builtins.options import complain_as_shell
 from day6_tui.core.shell.language.arithmetic import evaluate
 from day6_tui.core.shell.language.interpreter import Shell
 
 _SHOPT = ("checkwinsize", "cmdhist", "expand_aliases", "globstar", "histappend", "login_shell", "nullglob", "autocd")
-
-
-def _complain(session: Session, text: object) -> None:
-    session.print_error(f"{session.shell.name}: {session.name}: {text}")
 
 
 def _assign(session: Session, word: str) -> str | None:
@@ -23,7 +20,7 @@ def _assign(session: Session, word: str) -> str | None:
     append = name.endswith("+") and bool(equals)
     name = name.removesuffix("+") if append else name
     if not (name.isidentifier() and name.isascii()):
-        _complain(session, f"`{word}': not a valid identifier")
+        complain_as_shell(session, f"`{word}': not a valid identifier")
         return None
     if equals:
         shell.variables[name] = shell.variables.get(name, "") + value if append else value
@@ -70,7 +67,7 @@ async def local(session: Session) -> int:
     """`local NAME[=value] …` in a function: what it was before comes back when the function ends."""
     shell: Shell = session.shell
     if not shell.hidden:
-        _complain(session, "can only be used in a function")
+        complain_as_shell(session, "can only be used in a function")
         return 1
     status = 0
     for word in session.argv[1:]:
@@ -101,7 +98,7 @@ async def declare(session: Session) -> int:
                 flag = "-x" if name in shell.exported else "--"
                 session.print(f'declare {flag} {name}="{shell.variables[name]}"')
             else:
-                _complain(session, f"{name}: not found")
+                complain_as_shell(session, f"{name}: not found")
         return 0 if all(name in shell.variables for name in names) else 1
     if shell.hidden and session.name != "readonly" and "g" not in options:
         status = await local(session)
@@ -132,7 +129,7 @@ async def let(session: Session) -> int:
         try:
             value = evaluate(word, session.shell.variables)
         except (ArithmeticError, ValueError) as error:
-            _complain(session, f"{word}: {error}")
+            complain_as_shell(session, f"{word}: {error}")
             return 1
     return 0 if value else 1
 
@@ -182,7 +179,7 @@ async def alias(session: Session) -> int:
         elif name in shell.aliases:
             session.print(f"alias {name}={_quoted(shell.aliases[name])}")
         else:
-            _complain(session, f"{name}: not found")
+            complain_as_shell(session, f"{name}: not found")
             status = 1
     if not words:
         for name, text in sorted(shell.aliases.items()):
@@ -202,7 +199,7 @@ async def unalias(session: Session) -> int:
     status = 0
     for name in session.argv[1:]:
         if shell.aliases.pop(name, None) is None:
-            _complain(session, f"{name}: not found")
+            complain_as_shell(session, f"{name}: not found")
             status = 1
     return status
 
@@ -223,7 +220,7 @@ async def set_(session: Session) -> int:
             letters += {"errexit": "e", "xtrace": "x", "nounset": "u"}.get(words.pop(0), "")
         for letter in letters:
             if letter not in "exufhbmBHvn":
-                _complain(session, f"{option}: invalid option")
+                complain_as_shell(session, f"{option}: invalid option")
                 return 2
             if option[0] == "-":
                 shell.options.add(letter)

@@ -1,7 +1,8 @@
-"""Shell functions: calling one, and `local`."""
+"""What runs in the shell itself, one level deeper: a sourced file, and a shell function with its `local`s."""
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Main, Session
@@ -14,6 +15,28 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
 
 
+async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitable[int]], too_deep: str) -> int:
+    """Run something of the language in the shell of `session`, one level deeper, on its streams; returns the status.
+
+    `return` ends it; `exit`, `break` and Ctrl-C end it too and are handed on to the shell.
+    """
+    shell: Shell = session.shell
+    if shell.depth >= MAX_DEPTH:
+        session.print_error(f"{shell.name}: {session.name}: {too_deep} ({MAX_DEPTH})")
+        return 1
+    shell.depth += 1
+    shell.status = 0
+    try:
+        return await run(Streams(session.stdin, session.stdout, session.stderr))
+    except ReturnFromSource as end:
+        return end.status
+    except (ExitShell, LoopControl, Interrupted) as end:
+        session.shell_end = end
+        return shell.status
+    finally:
+        shell.depth -= 1
+
+
 def calling(function: syntax.Function) -> Main:
     """The program that a call of the function is: it runs in the shell itself, with arguments and `local`s of its own."""
 
@@ -21,23 +44,16 @@ def calling(function: syntax.Function) -> Main:
         from day6_tui.core.shell.language.compound import run_compound
 
         shell: Shell = session.shell
-        if shell.depth >= MAX_DEPTH:
-            session.print_error(f"{shell.name}: {session.name}: maximum function nesting level exceeded ({MAX_DEPTH})")
-            return 1
         before, shell.arguments = shell.arguments, session.argv[1:]
-        shell.depth += 1
         shell.hidden.append({})
-        shell.status = 0
         try:
-            return await run_compound(shell, function.body, Streams(session.stdin, session.stdout, session.stderr))
-        except ReturnFromSource as end:
-            return end.status
-        except (ExitShell, LoopControl, Interrupted) as end:
-            session.shell_end = end
-            return shell.status
+            return await in_the_shell_itself(
+                session,
+                lambda streams: run_compound(shell, function.body, streams),
+                "maximum function nesting level exceeded",
+            )
         finally:
             shell.arguments = before
-            shell.depth -= 1
             for name, value in shell.hidden.pop().items():
                 if value is None:
                     shell.variables.pop(name, None)

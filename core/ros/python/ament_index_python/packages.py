@@ -7,9 +7,10 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
+from ament_index_python.resources import names_in
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
 
-_INDEX = Path("share", "ament_index", "resource_index", "packages")
 _VALID_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
 
 
@@ -21,7 +22,7 @@ def get_packages_with_prefixes(environment: Mapping[str, str] | None = None) -> 
     """Return `{package: prefix}`; where two prefixes have a package, the first wins."""
     found: dict[str, str] = {}
     for prefix in get_search_paths(environment):
-        for name in _packages_in(prefix):
+        for name in names_in(prefix, "packages"):
             found.setdefault(name, prefix)
     return found
 
@@ -54,14 +55,7 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
     return Path(get_package_share_directory(package_name, print_warning))
 
 
-def _packages_in(prefix: str) -> list[str]:
-    if prefix == BUILT_IN_PREFIX:
-        return sorted(path.parent.name for path in Path(prefix, "share").glob("*/package.xml"))
-    index = Path(prefix) / _INDEX
-    return sorted(path.name for path in index.iterdir()) if index.is_dir() else []
-
-
 def _has_package(prefix: str, name: str) -> bool:
     if prefix == BUILT_IN_PREFIX:
         return Path(prefix, "share", name, "package.xml").is_file()
-    return (Path(prefix) / _INDEX / name).is_file()
+    return Path(prefix, RESOURCE_INDEX_SUBFOLDER, "packages", name).is_file()

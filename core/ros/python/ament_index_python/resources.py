@@ -46,7 +46,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
     _check_type(resource_type)
     found: dict[str, str] = {}
     for prefix in get_search_paths():
-        for name in _names(prefix, resource_type):
+        for name in names_in(prefix, resource_type):
             found.setdefault(name, prefix)
     return found
 
@@ -67,7 +67,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
     assert resource_name, "The resource name must not be empty"
     if _is_no_name(resource_name):
         raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
-    return next((prefix for prefix in get_search_paths() if resource_name in _names(prefix, resource_type)), False)
+    return next((prefix for prefix in get_search_paths() if resource_name in names_in(prefix, resource_type)), False)
 
 
 def _check_type(resource_type: str) -> None:
@@ -84,7 +84,8 @@ def _is_ours(prefix: str, resource_type: str) -> bool:
     return prefix == BUILT_IN_PREFIX and resource_type == "packages"
 
 
-def _names(prefix: str, resource_type: str) -> Iterator[str]:
+def names_in(prefix: str, resource_type: str) -> Iterator[str]:
+    """The names of the resources of a type under one prefix, sorted."""
     if _is_ours(prefix, resource_type):
         yield from sorted(path.parent.name for path in Path(prefix, "share").glob("*/package.xml"))
         return
