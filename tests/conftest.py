@@ -18,12 +18,13 @@ if importlib.util.find_spec("day6_tui") is None:
     sys.modules["day6_tui"] = namespace
 
 # Nothing a test starts may meet the desktop this developer has open: its own link folder, and no link unless asked.
-OWN_FOLDERS = [tempfile.mkdtemp(prefix="day6-tests-"), tempfile.mkdtemp(prefix="day6-logs-")]
+OWN_FOLDERS = [tempfile.mkdtemp(prefix=f"day6-{what}-") for what in ("tests", "logs", "data")]
 os.environ["DAY6_RUNTIME_DIR"] = OWN_FOLDERS[0]
 os.environ["DAY6_LINK"] = "off"
 os.environ.pop("ROS_DOMAIN_ID", None)
 # What a test logs does not belong below this developer's ~/.ros.
 os.environ["ROS_LOG_DIR"] = OWN_FOLDERS[1]
+os.environ["XDG_DATA_HOME"] = OWN_FOLDERS[2]
 
 from day6_tui.core.ros.environment import activate  # noqa: E402
 

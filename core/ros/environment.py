@@ -35,7 +35,7 @@ def is_foreign_ros(entry: str) -> bool:
 
 
 def program_environment(base: Mapping[str, str] | None = None) -> dict[str, str]:
-    """Return the variables for a student's process: ours first on PYTHONPATH, a sourced real ROS removed.
+    """Return the variables for a student's process: ours first on PYTHONPATH and PATH, a sourced real ROS removed.
 
     `base` is the environment to start from, by default that of this process. Other PYTHONPATH entries are kept.
     """
@@ -43,5 +43,15 @@ def program_environment(base: Mapping[str, str] | None = None) -> dict[str, str]
     kept = [entry for entry in env.get("PYTHONPATH", "").split(os.pathsep) if entry and not is_foreign_ros(entry)]
     ours = str(PYTHON_PATH)
     env["PYTHONPATH"] = os.pathsep.join([ours, *(entry for entry in kept if entry != ours)])
+    from day6_tui.core.ros.executables import with_executables
+
+    env["PATH"] = with_executables(env.get("PATH", os.defpath))
+    if os.name == "nt":
+        env["DAY6_PYTHON"] = sys.executable
     env.update(_VARIABLES)
     return env
+
+
+def as_program(env: dict[str, str]) -> dict[str, str]:
+    """Return `env` if it is that of a ROS program, else one made of it (a real terminal, perhaps with a sourced workspace)."""
+    return env if str(PYTHON_PATH) in env.get("PYTHONPATH", "").split(os.pathsep) else program_environment(env)

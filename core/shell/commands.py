@@ -40,7 +40,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "times": "sleep timeout date",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
-        "programs": "python3 python ros2 colcon rqt rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "
+        "programs": "python3 python pytest ros2 colcon rqt rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "
         "urdf_to_graphviz xacro bash sh",
     }.items()
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 import errno
 import logging
 import os
-import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -16,6 +15,7 @@ from day6_tui.core.graph.graph import Graph
 from day6_tui.core.ros.environment import activate, program_environment
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
+from day6_tui.core.session.places import default_home
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
@@ -59,17 +59,6 @@ _PASSED_ON = (
     "WINDIR",
 )
 """Variables of the real environment that the simulated machine keeps, with everything that begins with ROS_, RCUTILS_, DAY6_."""
-
-
-def default_home() -> Path:
-    """The folder that is `~` on the simulated machine unless `--home` says otherwise."""
-    if sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Application Support"
-    else:
-        base = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share")
-    return base / "day6-tui" / "home"
 
 
 class Desk:

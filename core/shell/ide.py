@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.session.places import data_folder
 from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 
@@ -49,9 +50,7 @@ def write_stubs(folder: Path) -> int:
 
 def stub_folder() -> Path:
     """Where the stubs are."""
-    from day6_tui.core.shell.desk import default_home
-
-    return default_home().parent / "stubs"
+    return data_folder() / "stubs"
 
 
 # -- VS Code -----------------------------------------------------------------------------------------------------------

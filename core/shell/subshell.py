@@ -9,53 +9,18 @@ import sys
 import tempfile
 from pathlib import Path
 
+from day6_tui.core.ros.environment import program_environment
+
 _SELF = [sys.executable, "-m", "day6_tui.tui.main"]
 """The words that run `day6-tui` wherever its own script may be."""
 
 
-def commands() -> list[str]:
-    """Every command that gets a script beside day6-tui: ros2, colcon, rviz2 and their like."""
-    from day6_tui.core.ros.programs import COMMANDS
-
-    return ["ros2", "colcon", *COMMANDS]
-
-
-def environment(folder: Path) -> dict[str, str]:
-    """The variables of such a shell; `folder` is where the scripts are."""
-    from day6_tui.core.ros.environment import program_environment
-
+def environment() -> dict[str, str]:
+    """The variables of such a shell: those of a program, and beside its Python also pip and what else came with it."""
     env = program_environment()
-    interpreter = str(Path(sys.executable).parent)
-    entries = [str(folder), interpreter, *env.get("PATH", os.defpath).split(os.pathsep)]
-    env["PATH"] = os.pathsep.join(dict.fromkeys(entries))
-    env["DAY6_PYTHON"] = sys.executable
+    ours, *others = env["PATH"].split(os.pathsep)
+    env["PATH"] = os.pathsep.join(dict.fromkeys([ours, str(Path(sys.executable).parent), *others]))
     return env
-
-
-def write_scripts(folder: Path) -> None:
-    """Put a script for each command of ours, and `python3`, into `folder`. Raises OSError."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in ("", *commands()):
-        if os.name == "nt":
-            _write_batch(folder / f"{name or 'day6-tui'}.bat", f"-m day6_tui.tui.main {name}")
-        else:
-            start = shlex.join([*_SELF, name] if name else _SELF)
-            _write_executable(folder / (name or "day6-tui"), f'#!/bin/sh\nexec {start} "$@"\n')
-    for name in ("python3", "python"):
-        if os.name == "nt":
-            _write_batch(folder / f"{name}.bat", "")
-        else:
-            _write_executable(folder / name, f'#!/bin/sh\nexec {shlex.quote(sys.executable)} "$@"\n')
-
-
-def _write_batch(path: Path, arguments: str) -> None:
-    # A batch file is read in the console's old code page, so the interpreter's path comes by the environment.
-    path.write_text(f'@"%DAY6_PYTHON%" {arguments} %*\n', encoding="ascii", newline="\r\n")
-
-
-def _write_executable(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8")
-    path.chmod(0o755)
 
 
 def main(arguments: list[str]) -> int:
@@ -67,10 +32,8 @@ def main(arguments: list[str]) -> int:
     # Git's bash sets SHELL on Windows too, to a path that only it understands.
     shell = os.environ.get("COMSPEC", "cmd.exe") if os.name == "nt" else os.environ.get("SHELL") or "/bin/sh"
     with tempfile.TemporaryDirectory(prefix="day6-shell-") as name:
-        folder = Path(name)
-        write_scripts(folder)
-        env = environment(folder)
-        words = [shell, *_start_file(Path(shell).name, folder, env)]
+        env = environment()
+        words = [shell, *_start_file(Path(shell).name, Path(name), env)]
         print(
             f"ros2 and python3 are those of day6-tui in this shell ({Path(shell).name}); exit ends it.", file=sys.stderr
         )
@@ -78,7 +41,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
-    """Write what bash or zsh reads at its start, and return the arguments for that; other shells start as they do.
+    """Write what bash or zsh reads at its start into `folder`, and return the arguments for that; other shells start as they do.
 
     The user's own file may put other folders first, so ours come after it.
     """
@@ -89,7 +52,7 @@ def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
 
     lines = [
         f"[ -f {own}/.{shell}rc ] && . {own}/.{shell}rc",
-        f'export PATH={shlex.quote(str(folder))}:"$PATH"',
+        f'export PATH={shlex.quote(env["PATH"].partition(os.pathsep)[0])}:"$PATH"',
         f"export PYTHONPATH={shlex.quote(env['PYTHONPATH'])}",
         "PS1='(day6) '\"$PS1\"",
         functions(shell, _SELF),
@@ -138,8 +101,6 @@ def print_environment(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.vscode or options.pycharm:
         return _write_settings(options)
-    from day6_tui.core.ros.environment import program_environment
-
     before = dict(os.environ)
     for name, value in program_environment().items():
         if before.get(name) != value:

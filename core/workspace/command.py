@@ -30,7 +30,7 @@ async def main(session: Session) -> int:
         session.stdout.write(build_parser(session).format_usage() + "\n")
         session.print_error("Error: No verb provided")
         return 1
-    colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, session.env)
+    colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:
         forget(name)  # a message that was built anew has another class now

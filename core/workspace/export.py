@@ -69,7 +69,7 @@ def _parser() -> argparse.ArgumentParser:
 def _workspace(given: Path | None, home: Path | None) -> Path:
     if given is not None:
         return given.expanduser().resolve()
-    from day6_tui.core.shell.desk import default_home
+    from day6_tui.core.session.places import default_home
 
     return (home or default_home()).expanduser().resolve() / "ros2_ws"
 

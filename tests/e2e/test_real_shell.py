@@ -54,13 +54,13 @@ def test_tab_completes_words_of_ros2_colcon_and_day6_tui(place: Place, name: str
 
 
 def test_every_command_of_ros_is_one_in_the_real_shell_too(place: Place) -> None:
-    from day6_tui.core.shell.subshell import commands
+    from day6_tui.core.ros.executables import ros_commands
 
     with shell(place, "bash") as screen:
         screen.line(
-            f"for each in {' '.join(commands())} day6-tui; do type -P $each | grep -c /day6-shell-; done | uniq -c"
+            f"for each in {' '.join(ros_commands())} day6-tui; do type -P $each | grep -c /day6-tui/bin-; done | uniq -c"
         )
-        screen.wait(f"{len(commands()) + 1} 1")
+        screen.wait(f"{len(ros_commands()) + 1} 1")
 
 
 @pytest.mark.parametrize("name", ["rqt", "rqt_graph", "rqt_console", "rqt_plot", "rqt_topic", "rviz2"])

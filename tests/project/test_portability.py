@@ -17,11 +17,11 @@ from pathlib import Path
 
 import pytest
 
+from day6_tui.core.ros import executables
 from day6_tui.core.ros.environment import program_environment
 from day6_tui.core.session import signals
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.shell import subshell
 from day6_tui.core.shell.desk import Desk
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -182,11 +182,11 @@ def test_signals_have_linuxs_numbers_in_the_terminal_and_the_systems_below(monke
     assert signals.from_system(200) == 200
 
 
-def test_the_commands_of_a_windows_sub_shell_hold_no_path_of_this_machine(tmp_path: Path) -> None:
+def test_the_commands_on_a_windows_path_hold_no_path_of_this_machine() -> None:
     """A batch file is read in the old code page, in which a user's Chinese folder cannot be written."""
-    subshell._write_batch(tmp_path / "ros2.bat", "-m day6_tui.tui.main ros2")
-    assert (tmp_path / "ros2.bat").read_bytes() == b'@"%DAY6_PYTHON%" -m day6_tui.tui.main ros2 %*\r\n'
-    assert subshell.environment(tmp_path)["DAY6_PYTHON"] == sys.executable
+    texts = executables.texts("nt")
+    assert texts["ros2.bat"] == '@"%DAY6_PYTHON%" -m day6_tui.tui.main ros2 %*\r\n'
+    assert not any(os.path.dirname(sys.executable) in text for text in texts.values())
 
 
 def test_socket_paths_are_measured_in_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import re
-from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 from workshop import Workshop
-
-pytestmark = pytest.mark.skipif(find_spec("pytest") is None, reason="pytest is what runs this")
 
 GOOD = "def test_one():\n    assert 1 + 1 == 2\n"
 BAD = "def test_two():\n    assert 1 + 1 == 3\n"
@@ -49,6 +46,18 @@ def test_a_failing_test_is_no_failed_build_but_is_told(workshop: Workshop, packa
     )
     assert done.out.endswith("\nSummary: 2 tests, 0 errors, 1 failure, 0 skipped\n")
     assert done.status == 1
+
+
+def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A Python without it is played by a module of that name that says what `python -m` says then."""
+    blocked = workshop.workspace / "blocked"
+    blocked.mkdir()
+    (blocked / "pytest.py").write_text("import sys\nsys.exit('No module named pytest')\n", encoding="utf-8")
+    monkeypatch.setattr("day6_tui.core.workspace.python_tests.find_spec", lambda name: None)
+    done = workshop.run(f"colcon build > /dev/null\nexport PYTHONPATH={blocked}:$PYTHONPATH\ncolcon test")
+    assert done.status == 1
+    assert "No module named pytest" in done.err and "Failed   <<< hello" in done.err
+    assert workshop.run("colcon test-result").status == 1
 
 
 def test_results_can_be_asked_for_as_a_status(workshop: Workshop, package: Path) -> None:

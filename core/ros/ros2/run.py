@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 import shlex
 from argparse import REMAINDER, ArgumentParser, Namespace
 from typing import TYPE_CHECKING
@@ -52,11 +51,10 @@ async def main(session: Session, args: Namespace) -> int | str:
 
 async def _run_process(session: Session, argv: list[str]) -> int:
     """Run a file of a workspace. A signal that ended it is told, and makes the status minus its number, as of `sys.exit(-2)`."""
-    from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+    from day6_tui.core.ros.environment import as_program
     from day6_tui.core.session.session import KilledBySignal
 
-    if str(PYTHON_PATH) not in session.env.get("PYTHONPATH", "").split(os.pathsep):
-        session.env = program_environment(session.env)  # a real terminal in which only the workspace was sourced
+    session.env = as_program(session.env)
     try:
         return _told(session, await session.run_python(argv))
     except KeyboardInterrupt:

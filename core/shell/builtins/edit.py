@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from day6_tui.core.session.places import data_folder
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.editing.model import CannotEdit, Editor
@@ -45,9 +46,7 @@ def _give_keys_back(session: Session, model: Editor) -> None:
 
 def _state_folder() -> Path:
     """The folder in which copies of unsaved texts survive a crash."""
-    from day6_tui.core.shell.desk import default_home
-
-    return default_home().parent / "unsaved"
+    return data_folder() / "unsaved"
 
 
 COMMANDS: dict[str, Main] = dict.fromkeys(("nano", "gedit", "vim", "vi", "code", "mousepad", "gnome-text-editor"), edit)

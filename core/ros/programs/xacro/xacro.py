@@ -15,8 +15,7 @@ _START = "import sys, xml.parsers.expat; from xacro import main; sys.argv[0] = '
 
 
 async def main(session: Session) -> int:
-    from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+    from day6_tui.core.ros.environment import as_program
 
-    if str(PYTHON_PATH) not in session.env.get("PYTHONPATH", ""):
-        session.env = program_environment(session.env)  # for $(find PACKAGE), in a real terminal
+    session.env = as_program(session.env)  # for $(find PACKAGE)
     return await session.run_python(["-c", _START, *session.argv[1:]])
