@@ -10,6 +10,7 @@ from configparser import Error as ConfigError
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from day6_tui.core.workspace.files import NotOurs
 from day6_tui.core.workspace.manifest import Manifest, ManifestError, read_manifest
 
 IGNORE_MARKER = "COLCON_IGNORE"
@@ -61,6 +62,14 @@ def find_packages(
                 if package is not None:
                     found.append(package)
     return sorted(found, key=lambda package: (package.name, package.shown))
+
+
+def refuse_sources(base: Path) -> None:
+    """Raise NotOurs if a folder that a build is to fill has packages in it, and no build has filled it before."""
+    if any(os.path.lexists(base / name) for name in (*_IGNORE_MARKERS, ".built_by", ".colcon_install_layout")):
+        return
+    for package in find_packages([str(base)], base, {}, lambda logger, text: None):
+        raise NotOurs(f"'{base}' holds the sources of the package '{package.name}': name another folder for the build")
 
 
 def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:

@@ -7,7 +7,7 @@ from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
-from day6_tui.core.workspace.files import write_text
+from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.local_setup_util import Environment, source_package
 from day6_tui.core.workspace.packages import Package
@@ -25,7 +25,7 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
     results = (settings.test_result_base or settings.build_base) / package.name / "pytest.xml"
     if not package.type.endswith("python"):
         return 0
-    _write_missing(results, package.name)
+    _write_missing(settings.output, results, package.name)
     env = dict(environment.variables)
     if find_spec("pytest") is not None:
         options = ["--tb=short", f"--junit-xml={results.as_posix()}", f"--junit-prefix={package.name}"]
@@ -39,16 +39,16 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
             "pytest is not installed in this Python: the tests are run by unittest, which knows fewer of them\n"
         )
         status = work.run([sys.executable, "-m", "unittest", "discover", "-v"], package.path, env)
-        _write_unittest(results, package.name, status)
+        _write_unittest(settings.output, results, package.name, status)
     if status == _TESTS_FAILED:
         failures.append(package.name)
         work.tell_test_failure()
     return 0 if status in (0, _TESTS_FAILED, _NO_TESTS) else status
 
 
-def _write_missing(path: Path, name: str) -> None:
+def _write_missing(output: Output, path: Path, name: str) -> None:
     """Leave a failing result for a run that ends before it writes its own."""
-    write_text(
+    output.write_text(
         path,
         f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{escape(name)}" tests="1" failures="0" time="0" '
         f'errors="1" skipped="0">\n  <testcase classname="{escape(name)}" name="pytest.missing_result" time="0">\n'
@@ -56,9 +56,9 @@ def _write_missing(path: Path, name: str) -> None:
     )
 
 
-def _write_unittest(path: Path, name: str, status: int) -> None:
+def _write_unittest(output: Output, path: Path, name: str, status: int) -> None:
     failed = int(status == _TESTS_FAILED)
-    write_text(
+    output.write_text(
         path,
         f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{escape(name)}" tests="1" failures="{failed}" errors="0" '
         f'skipped="0">\n  <testcase classname="{escape(name)}" name="unittest" time="0"/>\n</testsuite>\n',
