@@ -48,12 +48,16 @@ class _Described:
 
     data: dict[str, Any]
 
-    def data_files(self) -> Iterator[tuple[str, str]]:
-        """Yield (source, destination below the prefix)."""
+    def named_data_files(self) -> Iterator[tuple[str, str]]:
+        """Yield (folder below the prefix, source), as they are written in setup.py."""
         for entry in self.data.get("data_files") or []:
             folder, sources = ("", [entry]) if isinstance(entry, str) else entry
-            for source in sources:
-                yield source, "/".join(part for part in (folder.replace(os.sep, "/"), Path(source).name) if part)
+            yield from ((folder, source) for source in sources)
+
+    def data_files(self) -> Iterator[tuple[str, str]]:
+        """Yield (source, destination below the prefix)."""
+        for folder, source in self.named_data_files():
+            yield source, "/".join(part for part in (folder.replace(os.sep, "/"), Path(source).name) if part)
 
     def option(self, section: str, name: str) -> str | None:
         value: str | None = self.data["options"].get(section, {}).get(name)
@@ -337,7 +341,7 @@ class _PythonBuild:
         targets = [self.library / path for _, path in (*packages, *modules) if ".." not in path.split(os.sep)]
         targets += [self.prefix / destination for _, destination in described.data_files()]
         if self.settings.symlink_install:
-            targets.append(Path(self.folder, _based(described.option("develop", "script_dir"), self.prefix), "x"))
+            targets.append(Path(self.folder, _based(described.option("develop", "script_dir"), self.prefix), "program"))
         else:
             targets.append(
                 Path(self.package.path, _based(described.option("install", "install_scripts"), self.prefix), "x")
@@ -350,6 +354,10 @@ class _PythonBuild:
 
     def _check_data_files(self, described: _Described) -> None:
         name = self.package.name
+        for folder, source in described.named_data_files():
+            for path in (folder, source):
+                if os.path.isabs(path):
+                    raise _failed(self.work, AssertionError(f"'data_files' must be relative, '{path}' is absolute"))
         installed = {destination: source for source, destination in described.data_files()}
         marker = f"share/ament_index/resource_index/packages/{name}"
         if marker not in installed:
@@ -360,8 +368,10 @@ class _PythonBuild:
         manifest = f"share/{name}/package.xml"
         if installed.get(manifest) != "package.xml":
             self.settings.warn(_TASK, f"Package '{name}' doesn't explicitly install the 'package.xml' file {_FALLBACK}")
-            text = (self.package.path / "package.xml").read_text(encoding="utf-8", errors="surrogateescape")
-            self.output.write_text(self.prefix / manifest, text)
+            if self.settings.symlink_install:
+                self.output.link(self.package.path / "package.xml", self.prefix / manifest)
+            else:
+                self.output.copy(self.package.path / "package.xml", self.prefix / manifest)
 
     def _hooks(self) -> Iterator[str]:
         name = self.package.name

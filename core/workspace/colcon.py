@@ -10,7 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from day6_tui.core.workspace import reports
-from day6_tui.core.workspace.build import BUILD_TOOL, find_task
+from day6_tui.core.workspace.build import BUILD_TOOL, find_task, refuse_strange
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Events
 from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.handlers import chosen_handlers
@@ -77,9 +77,13 @@ class Colcon:
     # -- packages ------------------------------------------------------------------------------------------------------
 
     def planned(self) -> list[Planned]:
-        """Find, order and select the packages."""
+        """Find, order and select the packages. Where only `--paths` is given, nothing is crawled (colcon_core's
+        discover_packages: what has no parameters of its own is left out if another way of discovery has some)."""
+        base_paths = self.args.base_paths
+        if base_paths is None:
+            base_paths = [] if self.args.paths else ["."]
         packages = without_ignored(
-            find_packages(self.args.base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()),
+            find_packages(base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()),
             self.args,
         )
         planned = plan(packages)
@@ -228,13 +232,14 @@ def _recorded(
     """Run a task and keep its result in the package's build folder, for `--packages-skip-build-finished` and its like."""
 
     def run(work: Work) -> int:
+        folder = settings.build_base / package.name
+        refuse_strange(folder)
         result = "1"
         try:
             status = task(package, settings, work)
             result = "SIGINT" if work.stopped and status else str(status)
             return status
         finally:
-            folder = settings.build_base / package.name
             with suppress(OSError):
                 settings.output.write_text(
                     folder / f"colcon_{verb}.rc", f"{'SIGINT' if work.stopped and result != '0' else result}\n"

@@ -42,9 +42,7 @@ class Output:
         for source in self._sources:
             for base in self._bases:
                 if source.is_relative_to(base):
-                    raise NotOurs(
-                        f"'{source}' holds sources, and '{base}' is to be filled by the build: name another folder"
-                    )
+                    raise NotOurs(f"'{base}' holds sources ('{source}'): name another folder for what the build makes")
 
     def owns(self, path: Path) -> bool:
         """Say whether a path is below a base once all links of its folders are followed; the last part may be a link."""

@@ -10,10 +10,10 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -21,7 +21,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 from shapes import PYTHON, STEPS, changes, lay_out, snapshot
 
 _LEFT_OUT = ("setup.", "local_setup.", "_local_setup", "COLCON_IGNORE", ".colcon_install_layout")
-_IMPORTED = "import importlib, os, sys; print(importlib.import_module(sys.argv[1]).__file__, os.listdir(os.path.dirname(importlib.import_module(sys.argv[1]).__file__)))"
+_IMPORTED = """\
+import importlib, os, sys
+found = importlib.import_module(sys.argv[1]).__file__
+print(found, sorted(set(os.listdir(os.path.dirname(found))) - {"__pycache__"}))
+"""
 
 
 def main() -> None:
@@ -54,25 +58,22 @@ def main() -> None:
                     print(f"{shape}: {what}: real {_without(real, own)}, ours {_without(own, real)}")
 
 
-def _build_all(words: list[str], folder: Path, env: dict[str, str], names: list[str], told: Path) -> None:
+def _build_all(words: list[str], folder: Path, env: dict[str, str], names: list[str], told: Path) -> dict[str, str]:
     """Build until each package had its turn: an exception of one ends the real colcon, whatever --continue-on-error says."""
     told.write_text("", encoding="utf-8")
-    while names:
-        began = time.time()
-        command = [*words, "--base-paths", *(f"src/{name}" for name in names)]
+    results: dict[str, str] = {}
+    while left := [name for name in names if name not in results]:
+        command = [*words, "--base-paths", *(f"src/{name}" for name in left)]
         done = subprocess.run(
             command, cwd=folder, env=env, capture_output=True, text=True, errors="replace", check=False
         )
         with told.open("a", encoding="utf-8") as file:
             file.write(done.stdout + done.stderr)
-        left = [name for name in names if not _is_newer(folder / "build" / name / "colcon_build.rc", began)]
-        if left == names:
-            return
-        names = left
-
-
-def _is_newer(path: Path, time: float) -> bool:
-    return path.exists() and path.stat().st_mtime >= time - 0.01
+        ended = re.findall(r"(?m)^(Finished|Failed|Aborted) +<<< (\S+)", done.stdout + done.stderr)
+        results.update((name, word) for word, name in ended)
+        if not ended:
+            break
+    return results
 
 
 def _without(value: object, other: object) -> object:
@@ -92,15 +93,14 @@ def played(command: list[str], folder: Path, names: list[str]) -> list[dict[str,
         words = [*command, "build", "--continue-on-error", *option.split()]
         env = {name: value for name, value in os.environ.items() if not name.startswith(("COLCON", "AMENT", "PYTHON"))}
         env["PATH"] = f"{Path(command[0]).parent}{os.pathsep}{env['PATH']}"
-        _build_all(words, folder, env, list(names), folder / f"step{len(steps)}.txt")
+        results = _build_all(words, folder, env, list(names), folder / f"step{len(steps)}.txt")
         kept = ("src/", "src")
         lost = [line for line in changes(before, snapshot(folder)) if line.startswith(kept)]
-        steps.append({name: _state(folder, name, lost) for name in names})
+        steps.append({name: {"status": results.get(name), **_state(folder, name, lost)} for name in names})
     return steps
 
 
 def _state(folder: Path, name: str, lost: list[str]) -> dict[str, object]:
-    result = folder / "build" / name / "colcon_build.rc"
     prefix = folder / "install" / name
     library = next(prefix.glob("lib/python3*/site-packages"), prefix)
     env = {"PYTHONPATH": os.pathsep.join(map(str, (folder / "build" / name / "src", folder / "build" / name, library)))}
@@ -109,7 +109,6 @@ def _state(folder: Path, name: str, lost: list[str]) -> dict[str, object]:
     words = [sys.executable, "-BSc", _IMPORTED, name]
     done = subprocess.run(words, env=env, cwd="/", capture_output=True, text=True, check=False)
     return {
-        "status": result.read_text().strip() if result.exists() else None,
         "sources": [line for line in lost if line.startswith(f"src/{name}/")],
         "installed": _tree(prefix, folder),
         "imported": done.stdout.replace(str(folder), "")
@@ -126,9 +125,8 @@ def _tree(prefix: Path, folder: Path) -> list[str]:
             path = Path(current, each)
             shown = path.relative_to(prefix).as_posix().replace("python3.11", "python3")
             to = f" -> {os.path.realpath(path).removeprefix(str(folder))}" if path.is_symlink() else ""
-            if to or path.is_file():
-                if not each.startswith(_LEFT_OUT) and not shown.startswith("share/colcon-core"):
-                    found.append(shown + to)
+            if (to or path.is_file()) and not each.startswith(_LEFT_OUT) and "share/colcon-core" not in shown:
+                found.append(shown + to)
     return sorted(each for each in found if ("/hook/" not in each and "/package." not in each) or "package.xml" in each)
 
 

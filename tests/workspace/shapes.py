@@ -56,6 +56,9 @@ _CFG = "[develop]\nscript_dir=$base/lib/{n}\n[install]\ninstall_scripts=$base/li
 _NODE = "WORD = 'first'\n\n\ndef main():\n    print(WORD)\n"
 
 
+_LISTS = "cmake_minimum_required(VERSION 3.8)\nproject({n})\nfind_package(ament_cmake REQUIRED)\n"
+
+
 @dataclass(frozen=True)
 class Shape:
     """One package. In every text `{n}` is its name; paths are relative to its folder."""
@@ -78,6 +81,8 @@ class Shape:
     """What a pupil makes of it before the second build; the third is of the first again, and so on."""
     fails: bool = False
     """The build fails, in the real colcon too (Ubuntu 24.04's setuptools or the one beside colcon 0.21)."""
+    fails_linked: bool = False
+    """The same, only with --symlink-install."""
     refused: bool = False
     """Refused here alone: the real colcon writes outside its folders or into the sources."""
 
@@ -160,7 +165,7 @@ PYTHON: dict[str, Shape] = {
     ),
     "module": Shape("[]", more="py_modules=['single_{n}'],", files={"single_{n}.py": "SINGLE = 1\n"}),
     "module_in_package": Shape(more="py_modules=['{n}.node'],"),
-    "module_missing": Shape(more="py_modules=['nowhere_{n}'],", fails=True),
+    "module_missing": Shape(more="py_modules=['nowhere_{n}'],", fails_linked=True),
     # -- data files ----------------------------------------------------------------------------------------------------
     "data_in_package": Shape(data="('share/{n}/config', ['{n}/config/params.yaml']),", files=_PARAMS),
     "data_beside_package": Shape(
@@ -208,6 +213,9 @@ PYTHON: dict[str, Shape] = {
         "console_scripts =\n    node = {n}.node:main\n[develop]\nscript_dir=$base/lib/{n}\n"
         "[install]\ninstall_scripts=$base/lib/{n}\n",
         setup="from setuptools import setup\n\nsetup()\n",
+    ),
+    "script_is_data_too": Shape(
+        data="('lib/{n}', ['scripts/node']),", files={"scripts/node": "#!/bin/sh\necho mine\n"}
     ),
     # -- links, modes and strange files in the sources -----------------------------------------------------------------
     "link_to_module": Shape(links={"{n}/again.py": "node.py"}),
@@ -262,6 +270,11 @@ PYTHON: dict[str, Shape] = {
         files={"config": "a: 1\n"},
         later=Shape(data="('share/{n}/config', ['config/a.yaml']),", files={"config/a.yaml": "a: 1\n"}),
     ),
+    "data_becomes_file": Shape(
+        data="('share/{n}/config', ['config/a.yaml']),",
+        files={"config/a.yaml": "a: 1\n"},
+        later=Shape(data="('share/{n}', ['config']),", files={"config": "a: 1\n"}),
+    ),
     "module_becomes_package": Shape(
         more="py_modules=['part_{n}'],",
         files={"part_{n}.py": "PART = 1\n"},
@@ -285,14 +298,59 @@ PYTHON: dict[str, Shape] = {
 }
 
 
-STEPS = (
-    ("", False),
-    ("", False),
-    ("--symlink-install", False),
-    ("--symlink-install", True),
-    ("", True),
-    ("--symlink-install", False),
-)
+CMAKE: dict[str, Shape] = {
+    "cmake_folder": Shape(
+        lists=_LISTS + "install(DIRECTORY launch config/ DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+        files={"launch/a.launch.py": "A = 1\n", "config/deep/a.yaml": "a: 1\n"},
+        links={"config/again.yaml": "deep/a.yaml", "launch/loop": "."},
+    ),
+    "cmake_programs": Shape(
+        lists=_LISTS + "install(PROGRAMS scripts/run.py DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
+        files={"scripts/run.py": "#!/usr/bin/env python3\n"},
+        modes={"scripts/run.py": 0o444},
+    ),
+    "cmake_python": Shape(
+        lists=_LISTS + "ament_python_install_package(${PROJECT_NAME})\nament_package()\n",
+        files={"{n}/sub/part.py": "PART = 1\n"},
+    ),
+    "cmake_messages": Shape(
+        lists=_LISTS + "find_package(rosidl_default_generators REQUIRED)\n"
+        'rosidl_generate_interfaces(${PROJECT_NAME} "msg/One.msg")\nament_package()\n',
+        files={"msg/One.msg": "int32 one\n"},
+    ),
+    "cmake_folder_becomes_file": Shape(
+        lists=_LISTS + "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+        files={"data/a.txt": "a\n"},
+        later=Shape(
+            lists=_LISTS + "install(FILES data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+            files={"data": "a\n"},
+        ),
+    ),
+    "cmake_file_becomes_folder": Shape(
+        lists=_LISTS + "install(FILES data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+        files={"data": "a\n"},
+        later=Shape(
+            lists=_LISTS + "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+            files={"data/a.txt": "a\n"},
+        ),
+    ),
+    "cmake_into_the_sources": Shape(
+        lists=_LISTS + "install(FILES a.txt DESTINATION ${CMAKE_SOURCE_DIR}/made)\nament_package()\n",
+        files={"a.txt": "a\n"},
+        refused=True,
+    ),
+    "cmake_onto_itself": Shape(
+        lists=_LISTS + "install(DIRECTORY . DESTINATION ${CMAKE_SOURCE_DIR})\nament_package()\n", refused=True
+    ),
+    "cmake_above": Shape(
+        lists=_LISTS + "install(FILES a.txt DESTINATION ../../src/${PROJECT_NAME})\nament_package()\n",
+        files={"a.txt": "a\n"},
+        refused=True,
+    ),
+}
+"""Built here alone: the real one needs CMake and a ROS installation."""
+
+STEPS = (("", False), ("", True), ("--symlink-install", True), ("--symlink-install", False), ("", True))
 """The builds one after the other: the option of each, and whether what is `later` is built."""
 
 

@@ -24,7 +24,7 @@ def test_the_zip_has_the_sources_and_nothing_that_a_build_made(workshop: Worksho
     workshop.run("colcon build")
     (workshop.workspace / "src/one/one/__pycache__").mkdir(exist_ok=True)
     (workshop.workspace / "src/one/one/__pycache__/hi.cpython-311.pyc").touch()
-    assert export(workshop.workspace, [], tmp_path / "out.zip") == ["one", "two"]
+    assert export(workshop.workspace, [], tmp_path / "out.zip").packages == ["one", "two"]
     with zipfile.ZipFile(tmp_path / "out.zip") as archive:
         names = set(archive.namelist())
         assert "Packages from day6-tui: one, two\n" in archive.read("ros2_ws/README.txt").decode()
@@ -53,7 +53,7 @@ def test_an_unknown_package_leaves_the_old_zip_alone(workshop: Workshop, tmp_pat
 def test_a_loop_of_links_is_not_followed(workshop: Workshop, tmp_path: Path) -> None:
     package = workshop.create("one")
     (package / "loop").symlink_to(package, target_is_directory=True)
-    assert export(workshop.workspace, [], tmp_path / "out.zip") == ["one"]
+    assert export(workshop.workspace, [], tmp_path / "out.zip").packages == ["one"]
 
 
 @pytest.mark.skipif(REAL_COLCON is None, reason="the real colcon is not installed here")
