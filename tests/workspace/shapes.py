@@ -83,6 +83,8 @@ class Shape:
     """The build fails, in the real colcon too (Ubuntu 24.04's setuptools or the one beside colcon 0.21)."""
     fails_linked: bool = False
     """The same, only with --symlink-install."""
+    either: bool = False
+    """What an earlier build installed may be in the way, a file where a folder has to be: setuptools then gives up."""
     refused: bool = False
     """Refused here alone: the real colcon writes outside its folders or into the sources."""
 
@@ -268,11 +270,13 @@ PYTHON: dict[str, Shape] = {
     "data_becomes_folder": Shape(
         data="('share/{n}', ['config']),",
         files={"config": "a: 1\n"},
+        either=True,
         later=Shape(data="('share/{n}/config', ['config/a.yaml']),", files={"config/a.yaml": "a: 1\n"}),
     ),
     "data_becomes_file": Shape(
         data="('share/{n}/config', ['config/a.yaml']),",
         files={"config/a.yaml": "a: 1\n"},
+        either=True,
         later=Shape(data="('share/{n}', ['config']),", files={"config": "a: 1\n"}),
     ),
     "module_becomes_package": Shape(
@@ -321,6 +325,7 @@ CMAKE: dict[str, Shape] = {
     "cmake_folder_becomes_file": Shape(
         lists=_LISTS + "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
         files={"data/a.txt": "a\n"},
+        either=True,
         later=Shape(
             lists=_LISTS + "install(FILES data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
             files={"data": "a\n"},
@@ -329,6 +334,7 @@ CMAKE: dict[str, Shape] = {
     "cmake_file_becomes_folder": Shape(
         lists=_LISTS + "install(FILES data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
         files={"data": "a\n"},
+        either=True,
         later=Shape(
             lists=_LISTS + "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})\nament_package()\n",
             files={"data/a.txt": "a\n"},

@@ -65,7 +65,7 @@ def _is_entry(source: Path, place: Path, symbolic: bool) -> bool:
     if symbolic:
         same_folder = os.path.realpath(source.parent) == os.path.realpath(place.parent)
         return same_folder and source.name == place.name and os.path.lexists(place)
-    return place.exists() and source.exists() and source.samefile(place)
+    return not place.is_symlink() and place.exists() and source.exists() and source.samefile(place)
 
 
 async def readlink(session: Session) -> int:
