@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
 
 from rich.segment import Segment
 from textual import events
@@ -14,6 +15,21 @@ from day6_tui.tui.pane import Piece
 
 Taken = Callable[[str], str | None]
 """Gets what was typed; returns what is wrong with it (then the line stays open), or None."""
+
+
+def before_replacing(look: Look, path_of: Callable[[str], Path], taken: Taken) -> Taken:
+    """Return `taken` for a name to save under: where a file of that name is, Enter has to be pressed once more."""
+    asked = ""
+
+    def checked(text: str) -> str | None:
+        nonlocal asked
+        path = path_of(text)
+        if asked != text and path.is_file():
+            asked = text
+            return look.texts("prompt.replaces", file=path.name)
+        return taken(text)
+
+    return checked
 
 
 class Prompt(Overlay):

@@ -117,7 +117,6 @@ def add_discovery(parser: argparse.ArgumentParser) -> None:
         "--base-paths",
         nargs="*",
         metavar="PATH",
-        default=["."],
         help="The base paths to recursively crawl for packages (default: .)",
     )
     group.add_argument(

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from day6_tui.core.workspace import build_cmake, build_python
+from day6_tui.core.workspace.files import NotOurs
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
@@ -26,6 +27,9 @@ _TASKS: dict[str, Task] = {
     "ros.catkin": build_cmake.build,
 }
 
+
+_LEFT_BY_BUILDS = ("colcon_", "prefix_override", "cmake_args.last", "CMakeCache.txt", "pytest.xml", "install.log")
+"""What build folders have in them, by colcon or by CMake."""
 
 _LOGGERS = {
     "python": "colcon.colcon_core.task.python.build",
@@ -58,6 +62,18 @@ def _build_if_possible(task: Task, package: Package, settings: Settings, work: W
         "ERROR",
     )
     return 1
+
+
+def refuse_strange(folder: Path) -> None:
+    """Raise NotOurs if a package's build folder holds only what no build left there: a pupil's own files, other sources."""
+    try:
+        names = os.listdir(folder)
+    except (FileNotFoundError, NotADirectoryError):
+        return
+    if names and not any(name.startswith(_LEFT_BY_BUILDS) for name in names):
+        raise NotOurs(
+            f"'{folder}' is there already and was not made by colcon: move it away, or name another folder by --build-base"
+        )
 
 
 def _is_underneath(name: str, settings: Settings) -> bool:

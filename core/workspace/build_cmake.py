@@ -6,7 +6,6 @@ Of CMake only the commands are known that such packages use. Where one is used w
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -23,7 +22,6 @@ from day6_tui.core.interfaces.package import package_files
 from day6_tui.core.interfaces.values import InvalidValue
 from day6_tui.core.workspace.build_python import python_library
 from day6_tui.core.workspace.cmake import CMakeError, Command, read_commands
-from day6_tui.core.workspace.files import link_or_copy, write_text
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
@@ -70,6 +68,7 @@ class _CMakeBuild:
     def __init__(self, package: Package, settings: Settings, work: Work) -> None:
         self.package = package
         self.settings = settings
+        self.output = settings.output
         self.work = work
         self.prefix = settings.prefix(package.name)
         self.share = self.prefix / "share" / package.name
@@ -77,7 +76,7 @@ class _CMakeBuild:
         """Whether something was installed for Python to import."""
 
     def run(self) -> int:
-        (self.settings.build_base / self.package.name).mkdir(parents=True, exist_ok=True)
+        self.output.make_folder(self.settings.build_base / self.package.name)
         lists = self.package.path / "CMakeLists.txt"
         if not lists.is_file():
             self.work.stderr(
@@ -166,10 +165,12 @@ class _CMakeBuild:
         if not made:
             raise CMakeError(f"{_INTERFACES}() called without any idl files", command.line, _INTERFACES)
         for path, text in package_files(self.package.name, sorted(made)).items():
-            write_text(python_library(self.prefix) / path, text)
+            self.output.write_text(python_library(self.prefix) / path, text)
         self.python = True
         index = "".join(f"{kind}/{name}.{kind}\n" for kind in sorted(made) for name in sorted(made[kind]))
-        write_text(self.prefix / "share/ament_index/resource_index/rosidl_interfaces" / self.package.name, index)
+        self.output.write_text(
+            self.prefix / "share/ament_index/resource_index/rosidl_interfaces" / self.package.name, index
+        )
 
     def _interface(self, file: str, command: Command, known: set[str]) -> str:
         """Check and install one definition; returns its name."""
@@ -197,9 +198,9 @@ class _CMakeBuild:
                     self._check_nested(field.type.base, file, command, known)
         target = self.share / kind / source.name
         if self.settings.symlink_install:
-            link_or_copy(source, target)
+            self.output.link(source, target)
         else:
-            write_text(target, text)
+            self.output.write_text(target, text)
         return name
 
     def _parse(self, kind: str, name: str, text: str) -> list[Structure]:
@@ -256,14 +257,9 @@ class _CMakeBuild:
 
     def _copy(self, source: Path, target: Path, *, executable: bool = False) -> None:
         if self.settings.symlink_install:
-            link_or_copy(source, target)
+            self.output.link(source, target)
             return
-        target.parent.mkdir(parents=True, exist_ok=True)
-        if target.is_symlink():
-            target.unlink()
-        shutil.copy2(source, target)
-        if executable:
-            target.chmod(target.stat().st_mode | 0o111)
+        self.output.copy(source, target, executable=executable)
 
     def _install_python(self, command: Command) -> None:
         name = command.words[0]
@@ -279,14 +275,14 @@ class _CMakeBuild:
 
     def _finish(self) -> None:
         name = self.package.name
-        write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
+        self.output.write_text(self.prefix / "share/ament_index/resource_index/packages" / name, "")
         self._copy(self.package.path / "package.xml", self.share / "package.xml")
-        write_package_scripts(self.prefix, name, list(self._hooks()), self.package.dependencies("run"))
+        write_package_scripts(self.output, self.prefix, name, list(self._hooks()), self.package.dependencies("run"))
 
     def _hooks(self) -> Iterator[str]:
         name = self.package.name
         if self.python:
             library = python_library(self.prefix).relative_to(self.prefix).as_posix()
-            yield from write_hook(self.prefix, name, "pythonpath", "PYTHONPATH", library)
-        yield from write_hook(self.prefix, name, "cmake_prefix_path", "CMAKE_PREFIX_PATH", "")
-        yield from write_hook(self.prefix, name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
+            yield from write_hook(self.output, self.prefix, name, "pythonpath", "PYTHONPATH", library)
+        yield from write_hook(self.output, self.prefix, name, "cmake_prefix_path", "CMAKE_PREFIX_PATH", "")
+        yield from write_hook(self.output, self.prefix, name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")

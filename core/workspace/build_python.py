@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from day6_tui.core.workspace.files import link_or_copy, write_text
+from day6_tui.core.workspace.files import NotOurs, links_in
 from day6_tui.core.workspace.jobs import JobFailure, Work
 from day6_tui.core.workspace.local_setup_util import Environment, source_package
 from day6_tui.core.workspace.packages import Package
@@ -48,12 +48,16 @@ class _Described:
 
     data: dict[str, Any]
 
-    def data_files(self) -> Iterator[tuple[str, str]]:
-        """Yield (source, destination below the prefix)."""
+    def named_data_files(self) -> Iterator[tuple[str, str]]:
+        """Yield (folder below the prefix, source), as they are written in setup.py."""
         for entry in self.data.get("data_files") or []:
             folder, sources = ("", [entry]) if isinstance(entry, str) else entry
-            for source in sources:
-                yield source, "/".join(part for part in (folder.replace(os.sep, "/"), Path(source).name) if part)
+            yield from ((folder, source) for source in sources)
+
+    def data_files(self) -> Iterator[tuple[str, str]]:
+        """Yield (source, destination below the prefix)."""
+        for folder, source in self.named_data_files():
+            yield source, "/".join(part for part in (folder.replace(os.sep, "/"), Path(source).name) if part)
 
     def option(self, section: str, name: str) -> str | None:
         value: str | None = self.data["options"].get(section, {}).get(name)
@@ -76,6 +80,7 @@ class _PythonBuild:
     def __init__(self, package: Package, settings: Settings, work: Work) -> None:
         self.package = package
         self.settings = settings
+        self.output = settings.output
         self.work = work
         self.prefix = settings.prefix(package.name)
         self.folder = settings.build_base / package.name
@@ -83,7 +88,7 @@ class _PythonBuild:
         self.environment = self._child_environment()
 
     def run(self) -> int:
-        self.folder.mkdir(parents=True, exist_ok=True)
+        self.output.make_folder(self.folder)
         self._write_prefix_files()
         hooks = list(self._hook_of_ros())
         process = self._start()
@@ -91,7 +96,8 @@ class _PythonBuild:
             described = _Described(self._first_answer(process))
             if self.package.type == "ros.ament_python":
                 self._check_data_files(described)
-            self.library.mkdir(parents=True, exist_ok=True)
+            self._check_places(described)
+            self.output.make_folder(self.library)
             if self.settings.symlink_install:
                 self._undo_install()
                 request = self._develop(described)
@@ -108,7 +114,7 @@ class _PythonBuild:
             self._after_develop(described)
             hooks += self._develop_hooks(described)
         needs = self.package.dependencies("run")
-        write_package_scripts(self.prefix, self.package.name, hooks, needs)
+        write_package_scripts(self.output, self.prefix, self.package.name, hooks, needs)
         return 0
 
     # -- the child -----------------------------------------------------------------------------------------------------
@@ -129,21 +135,23 @@ class _PythonBuild:
         return env
 
     def _write_prefix_files(self) -> None:
-        write_text(
+        self.output.write_text(
             self.folder / "prefix_override" / "sitecustomize.py",
             f"import sys\n\nif sys.prefix == {sys.prefix!r}:\n    sys.real_prefix = sys.prefix\n"
             f"    sys.prefix = sys.exec_prefix = {str(self.prefix)!r}\n",
         )
-        write_text(self.folder / "colcon_command_prefix_setup_py.sh", "# nothing is needed before a command\n")
+        self.output.write_text(
+            self.folder / "colcon_command_prefix_setup_py.sh", "# nothing is needed before a command\n"
+        )
         lines = "".join(f"{name}={value}\n" for name, value in sorted(self.environment.items()))
-        write_text(self.folder / "colcon_command_prefix_setup_py.sh.env", lines)
+        self.output.write_text(self.folder / "colcon_command_prefix_setup_py.sh.env", lines)
 
     def _start(self) -> subprocess.Popen[bytes]:
         setup = self.package.path / "setup.py"
         if not setup.is_file():
             if self.package.type == "ros.ament_python":
                 self._check_data_files(_Described({}))
-            self.library.mkdir(parents=True, exist_ok=True)
+            self.output.make_folder(self.library)
             ignored = [word for what in _IGNORED for word in ("-W", f"ignore:{what}")]
             command = [sys.executable, *ignored, "setup.py", "--help-commands"]
             reason = f"can't open file '{setup}': [Errno 2] No such file or directory"
@@ -230,98 +238,166 @@ class _PythonBuild:
         return {"cwd": source, "commands": commands}
 
     def _develop(self, described: _Described) -> dict[str, Any]:
-        for name in dict.fromkeys(described.sources):
-            link_or_copy(self.package.path / name, self.folder / name)
-        if (self.package.path / "setup.cfg").exists():
-            link_or_copy(self.package.path / "setup.cfg", self.folder / "setup.cfg")
-        renamed = described.data.get("package_dir") or {}
-        for name, folder in renamed.items():
-            if name and "." not in name:
-                link_or_copy(self.package.path / folder, self.folder / name)
-        for source, _ in described.data_files():
-            if (self.package.path / source).exists():
-                link_or_copy(self.package.path / source, self.folder / _relative(source, self.package.path))
+        for target, source in self._wanted_links(described).items():
+            self.output.link(source, target)
         scripts = _based(described.option("develop", "script_dir"), self.prefix)
-        commands = ["egg_info", "install_scripts", "--install-dir", scripts, "--build-dir", str(self.folder / "build")]
+        for path in links_in(Path(scripts)):  # setuptools would write the program into what a link leads to
+            if self._is_own_link(path):
+                self.output.remove(path)
+        # What is linked may be called as setuptools' own folders are; then it writes beside, not into the sources.
+        root = (described.data.get("package_dir") or {}).get("") or "."
+        base = root if self._is_own_folder(self.folder / root) else "."
+        made = self.folder / ("build" if self._is_own_folder(self.folder / "build") else "build.setuptools") / "scripts"
+        commands = ["egg_info", "--egg-base", base] if base != root else ["egg_info"]
+        if described.data.get("scripts"):
+            commands += ["build_scripts", "--build-dir", str(made)]
+        commands += ["install_scripts", "--install-dir", scripts, "--build-dir", str(made)]
         return {"cwd": str(self.folder), "commands": commands}
+
+    def _is_own_folder(self, path: Path) -> bool:
+        """Say whether what is written there stays in the build folder."""
+        inside = Path(os.path.normpath(path / "x"))
+        return self.folder in inside.parents and self.output.owns(inside)
+
+    def _wanted_links(self, described: _Described) -> dict[Path, Path]:
+        """Return the links of the build folder, target → source; what lies in a linked folder is there without a link.
+
+        The real colcon asks whether both are the same file by then, which comes to the same.
+        """
+        wanted: dict[Path, Path] = {}
+        renamed = {name: folder for name, folder in (described.data.get("package_dir") or {}).items() if name}
+        names = [(name, name) for name in ("setup.py", "setup.cfg", *described.sources)]
+        names += [(name, folder) for name, folder in renamed.items() if "." not in name]
+        names += [(_relative(source, self.package.path),) * 2 for source, _ in described.data_files()]
+        for name, where in names:
+            target, source = Path(os.path.normpath(self.folder / name)), self.package.path / where
+            if self.folder in target.parents and os.path.lexists(source):
+                wanted.setdefault(target, source)
+        return {
+            target: source for target, source in wanted.items() if not any(each in wanted for each in target.parents)
+        }
 
     def _after_develop(self, described: _Described) -> None:
         name = str(described.data["name"]).replace("_", "-")
-        write_text(self.library / f"{name}.egg-link", f"{self.folder}\n.")
-        for source, destination in described.data_files():
-            linked = self.folder / _relative(source, self.package.path)
-            if not linked.exists():
-                raise _failed(self.work, OSError(f"can't copy '{source}': doesn't exist or not a regular file"))
-            link_or_copy(linked, self.prefix / destination)
+        self.output.write_text(self.library / f"{name}.egg-link", f"{self.folder}\n.")
+        for name, destination in described.data_files():
+            source = self.package.path / name
+            linked = self.folder / _relative(name, self.package.path)
+            if not source.is_file():
+                raise _failed(self.work, OSError(f"can't copy '{name}': doesn't exist or not a regular file"))
+            self.output.link(linked if _is_same(linked, source) else source, self.prefix / destination)
 
     _was_developed = False
 
     def _undo_develop(self) -> None:
         """Take away what a build with --symlink-install left: links in the build folder and in the prefix."""
-        if not (self.folder / "setup.py").is_symlink():
+        linked = list(links_in(self.folder))
+        if not linked:
             return
         self._was_developed = True
-        for path in list(self.folder.rglob("*")):
-            if path.is_symlink():
-                path.unlink()
-        for path in list(self.prefix.rglob("*")):
-            if path.is_symlink() or path.suffix == ".egg-link":
-                path.unlink()
+        installed = [path for path in links_in(self.prefix) if self._is_own_link(path)]
+        told = [path for path in self.library.glob("*.egg-link") if self._is_own_egg_link(path)]
+        for path in (*linked, *installed, *told):
+            self.output.remove(path)
+
+    def _is_own_link(self, path: Path) -> bool:
+        """Say whether a link of the prefix leads into this package: a merged prefix has those of others too."""
+        if not path.is_symlink():
+            return False
+        if self.folder in Path(os.path.normpath(path.parent / path.readlink())).parents:
+            return True  # a file that is gone from the sources has left a link to nothing
+        return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.package.path))
+
+    def _is_own_egg_link(self, path: Path) -> bool:
+        return path.read_text(encoding="utf-8", errors="surrogateescape").partition("\n")[0] == str(self.folder)
 
     def _undo_install(self) -> None:
         """Take away the Python files of a build without --symlink-install: they would shadow the links."""
         record = self.folder / "install.log"
-        if not record.is_file():
+        if not record.is_file() or record.is_symlink():
             return
         for line in record.read_text(encoding="utf-8", errors="surrogateescape").splitlines():
-            path = Path(line)
-            if self.library in path.parents and (path.is_file() or path.is_symlink()):
-                path.unlink()
+            path = Path(os.path.normpath(line))
+            if self.library in path.parents and self.output.owns(path) and (path.is_file() or path.is_symlink()):
+                self.output.remove(path)
                 for parent in path.parents:
-                    if parent == self.library or any(parent.iterdir()):
+                    if parent == self.library or not self.output.remove_folder_if_empty(parent):
                         break
-                    parent.rmdir()
-        record.unlink()
+        self.output.remove(record)
+
+    def _check_places(self, described: _Described) -> None:
+        """Raise NotOurs where setuptools would write outside of our folders, by `..`, by an absolute path or over a link."""
+        built = self.folder / "build" / "lib"
+        packages = [(name, os.path.join(*name.split("."))) for name in described.data.get("packages") or [] if name]
+        modules = [(name, os.path.join(*name.split("."))) for name in described.data.get("py_modules") or [] if name]
+        for package, patterns in (described.data.get("package_data") or {}).items():
+            packages += [(pattern, os.path.join(*package.split("."), pattern)) for pattern in patterns if package]
+        for name, path in (*packages, *modules):
+            target = Path(os.path.normpath(built / path))
+            if self.folder not in target.parents:
+                raise NotOurs(
+                    f"setup.py: '{name}' would be installed to '{target}', outside the build and install folders"
+                )
+        targets = [self.library / path for _, path in (*packages, *modules) if ".." not in path.split(os.sep)]
+        targets += [self.prefix / destination for _, destination in described.data_files()]
+        if self.settings.symlink_install:
+            targets.append(Path(self.folder, _based(described.option("develop", "script_dir"), self.prefix), "program"))
+        else:
+            targets.append(
+                Path(self.package.path, _based(described.option("install", "install_scripts"), self.prefix), "x")
+            )
+            targets.append(self.folder / "build" / "lib" / "x")
+        for target in targets:
+            self.output.clear_way(target)
 
     # -- what ROS adds -------------------------------------------------------------------------------------------------
 
     def _check_data_files(self, described: _Described) -> None:
         name = self.package.name
+        for folder, source in described.named_data_files():
+            for path in (folder, source):
+                if os.path.isabs(path):
+                    raise _failed(self.work, AssertionError(f"'data_files' must be relative, '{path}' is absolute"))
         installed = {destination: source for source, destination in described.data_files()}
         marker = f"share/ament_index/resource_index/packages/{name}"
         if marker not in installed:
             self.settings.warn(
                 _TASK, f"Package '{name}' doesn't explicitly install a marker in the package index {_FALLBACK}"
             )
-            write_text(self.prefix / marker, "")
+            self.output.write_text(self.prefix / marker, "")
         manifest = f"share/{name}/package.xml"
         if installed.get(manifest) != "package.xml":
             self.settings.warn(_TASK, f"Package '{name}' doesn't explicitly install the 'package.xml' file {_FALLBACK}")
-            text = (self.package.path / "package.xml").read_text(encoding="utf-8", errors="surrogateescape")
-            write_text(self.prefix / manifest, text)
+            if self.settings.symlink_install:
+                self.output.link(self.package.path / "package.xml", self.prefix / manifest)
+            else:
+                self.output.copy(self.package.path / "package.xml", self.prefix / manifest)
 
     def _hooks(self) -> Iterator[str]:
         name = self.package.name
         binaries = self.prefix / "bin"
         has_binaries = binaries.is_dir() and any(path.is_file() for path in binaries.iterdir())
         if has_binaries:
-            yield from write_hook(self.prefix, name, "path", "PATH", "bin")
+            yield from write_hook(self.output, self.prefix, name, "path", "PATH", "bin")
         yield from write_hook(
-            self.prefix, name, "pythonpath", "PYTHONPATH", self.library.relative_to(self.prefix).as_posix()
+            self.output, self.prefix, name, "pythonpath", "PYTHONPATH", self.library.relative_to(self.prefix).as_posix()
         )
         if has_binaries:
-            yield from write_hook(self.prefix, name, "pythonscriptspath", "PATH", "bin")
+            yield from write_hook(self.output, self.prefix, name, "pythonscriptspath", "PATH", "bin")
 
     def _hook_of_ros(self) -> Iterator[str]:
         """Write the hook that colcon-ros leaves even where setup.py then fails."""
         if self.package.type.startswith("ros."):
-            yield from write_hook(self.prefix, self.package.name, "ament_prefix_path", "AMENT_PREFIX_PATH", "")
+            yield from write_hook(
+                self.output, self.prefix, self.package.name, "ament_prefix_path", "AMENT_PREFIX_PATH", ""
+            )
 
     def _develop_hooks(self, described: _Described) -> list[str]:
         root = (described.data.get("package_dir") or {}).get("")
         folder = self.folder / root if root else self.folder
-        hooks = write_hook(folder, self.package.name, "pythonpath_develop", "PYTHONPATH", str(folder))
-        return [Path(os.path.relpath(folder / hook, self.prefix)).as_posix() for hook in hooks]
+        place = folder if self._is_own_folder(folder) else self.folder
+        hooks = write_hook(self.output, place, self.package.name, "pythonpath_develop", "PYTHONPATH", str(folder))
+        return [Path(os.path.relpath(place / hook, self.prefix)).as_posix() for hook in hooks]
 
 
 def _based(folder: str | None, prefix: Path) -> str:
@@ -330,6 +406,10 @@ def _based(folder: str | None, prefix: Path) -> str:
 
 def _relative(source: str, folder: Path) -> str:
     return os.path.relpath(source, folder) if os.path.isabs(source) else source
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    return path.exists() and path.samefile(other)
 
 
 def _failed(work: Work, error: Exception) -> JobFailure:

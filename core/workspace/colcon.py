@@ -10,14 +10,14 @@ from contextlib import suppress
 from pathlib import Path
 
 from day6_tui.core.workspace import reports
-from day6_tui.core.workspace.build import BUILD_TOOL, find_task
+from day6_tui.core.workspace.build import BUILD_TOOL, find_task, refuse_strange
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Events
-from day6_tui.core.workspace.files import write_text
+from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.handlers import chosen_handlers
 from day6_tui.core.workspace.jobs import Executor, Job, OnError, Work
-from day6_tui.core.workspace.logs import LogFolder
+from day6_tui.core.workspace.logs import LogFolder, mark_ignored
 from day6_tui.core.workspace.order import OrderError, Planned, check_unique, plan
-from day6_tui.core.workspace.packages import IGNORE_MARKER, Package, find_packages
+from day6_tui.core.workspace.packages import Package, find_packages, refuse_sources
 from day6_tui.core.workspace.python_tests import test
 from day6_tui.core.workspace.results import show_results
 from day6_tui.core.workspace.selection import SelectionError, select, without_ignored
@@ -77,9 +77,13 @@ class Colcon:
     # -- packages ------------------------------------------------------------------------------------------------------
 
     def planned(self) -> list[Planned]:
-        """Find, order and select the packages."""
+        """Find, order and select the packages. Where only `--paths` is given, nothing is crawled (colcon_core's
+        discover_packages: what has no parameters of its own is left out if another way of discovery has some)."""
+        base_paths = self.args.base_paths
+        if base_paths is None:
+            base_paths = [] if self.args.paths else ["."]
         packages = without_ignored(
-            find_packages(self.args.base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()),
+            find_packages(base_paths, self.cwd, self.environment, self.warn, paths=self.args.paths or ()),
             self.args,
         )
         planned = plan(packages)
@@ -92,29 +96,30 @@ class Colcon:
     def build(self) -> int:
         args = self.args
         settings = self._settings()
-        _mark_build_tool(settings.build_base)
-        _mark_layout(settings.install_base, args)
+        _mark_build_tool(settings)
+        _mark_layout(settings, args)
         for folder in (settings.build_base, settings.install_base):
-            folder.mkdir(parents=True, exist_ok=True)
-            (folder / IGNORE_MARKER).touch()
+            mark_ignored(settings.output, folder)
         planned = self.planned()
         check_unique(planned)
+        settings.output.protect(each.package.path for each in planned)
         settings.needs = {each.package.name: each.needs for each in planned}
         jobs = self._jobs(planned, "build", settings, find_task)
         self.selected = [each.package.name for each in planned if each.selected]
         outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
-        write_workspace_scripts(settings.install_base, chained)
+        write_workspace_scripts(settings.output, settings.install_base, chained)
         return outcome
 
     def test(self) -> int:
         settings = self._settings()
         if settings.install_base.is_dir():
-            _mark_layout(settings.install_base, self.args)
+            _mark_layout(settings, self.args)
         if not settings.build_base.is_dir():
             self.console.err("The build space does not exist. Build the packages before testing them.\n")
         planned = self.planned()
         check_unique(planned)
+        settings.output.protect(each.package.path for each in planned)
         settings.needs = {each.package.name: each.needs for each in planned}
         failures: list[str] = []
 
@@ -150,16 +155,21 @@ class Colcon:
 
     def _settings(self) -> Settings:
         args = self.args
-        result_base = args.test_result_base
+        build, install = ((self.cwd / base).absolute() for base in (args.build_base, args.install_base))
+        results = (self.cwd / args.test_result_base).absolute() if args.test_result_base else None
+        bases = [build, install, *([results] if results else [])]
+        for base in (*bases, *self.log.bases):
+            refuse_sources(base)
         return Settings(
-            build_base=(self.cwd / args.build_base).absolute(),
-            install_base=(self.cwd / args.install_base).absolute(),
+            build_base=build,
+            install_base=install,
+            output=Output(bases),
             environment=self.environment,
             warn=self.warn,
             print_error=self.console.err,
             merge_install=args.merge_install,
             symlink_install=getattr(args, "symlink_install", False),
-            test_result_base=(self.cwd / result_base).absolute() if result_base else None,
+            test_result_base=results,
             pytest_args=getattr(args, "pytest_args", None) or [],
         )
 
@@ -222,20 +232,24 @@ def _recorded(
     """Run a task and keep its result in the package's build folder, for `--packages-skip-build-finished` and its like."""
 
     def run(work: Work) -> int:
+        folder = settings.build_base / package.name
+        refuse_strange(folder)
         result = "1"
         try:
             status = task(package, settings, work)
             result = "SIGINT" if work.stopped and status else str(status)
             return status
         finally:
-            folder = settings.build_base / package.name
             with suppress(OSError):
-                write_text(folder / f"colcon_{verb}.rc", f"{'SIGINT' if work.stopped and result != '0' else result}\n")
+                settings.output.write_text(
+                    folder / f"colcon_{verb}.rc", f"{'SIGINT' if work.stopped and result != '0' else result}\n"
+                )
 
     return run
 
 
-def _mark_build_tool(folder: Path) -> None:
+def _mark_build_tool(settings: Settings) -> None:
+    folder = settings.build_base
     marker = folder / ".built_by"
     if marker.is_file():
         before = marker.read_text(encoding="utf-8", errors="replace").strip()
@@ -245,11 +259,11 @@ def _mark_build_tool(folder: Path) -> None:
                 "different one."
             )
         return
-    write_text(marker, f"{BUILD_TOOL}\n")
+    settings.output.write_text(marker, f"{BUILD_TOOL}\n")
 
 
-def _mark_layout(folder: Path, args: Namespace) -> None:
-    marker = folder / ".colcon_install_layout"
+def _mark_layout(settings: Settings, args: Namespace) -> None:
+    marker = settings.install_base / ".colcon_install_layout"
     wanted = "merged" if args.merge_install else "isolated"
     if marker.is_file():
         layout = marker.read_text(encoding="utf-8", errors="replace").strip()
@@ -260,7 +274,7 @@ def _mark_layout(folder: Path, args: Namespace) -> None:
                 f"install directory, pick a different one or {what} the '--merge-install' option."
             )
         return
-    write_text(marker, f"{wanted}\n")
+    settings.output.write_text(marker, f"{wanted}\n")
 
 
 _VERBS: dict[str, Callable[[Colcon], int]] = {

@@ -1,24 +1,33 @@
 """`day6-tui export`: packages of the workspace as a zip, which builds on a real ROS 2 as it is.
 
 The zip has a folder with `src/` and a short text that says what to type there. Nothing in the packages is changed: what a
-student writes here is what a real robot runs.
+student writes here is what a real robot runs. What is packed is what lies in the packages: a link that leads out of one is
+refused, so that no zip carries a file that nobody meant to give away.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import stat
 import sys
 import tempfile
+import time
 import zipfile
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
+from typing import NamedTuple
 
-from day6_tui.core.workspace.packages import Package, find_packages
+from day6_tui.core.workspace.packages import Package, find_packages, holds_packages
 
 _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
 _BUILT_TYPES = ("ros.", "python", "cmake")
+
+LARGEST = 500_000_000
+"""Bytes of the largest file that is packed: no source has more, a forgotten bag or a disk image has."""
+
+_PIECE = 1 << 20
 
 _README = """\
 Packages from day6-tui: {names}
@@ -32,7 +41,14 @@ On a computer with ROS 2, in the folder in which this file is:
 
 
 class ExportError(Exception):
-    """There is nothing to export, or not what was asked for."""
+    """There is nothing to export, or not what was asked for, or something that must not be packed."""
+
+
+class Exported(NamedTuple):
+    """What is in the zip: the names of the packages, and what of their folders is not in it, with the reason."""
+
+    packages: list[str]
+    left_out: list[str]
 
 
 def main(arguments: list[str]) -> int:
@@ -41,14 +57,16 @@ def main(arguments: list[str]) -> int:
     workspace = _workspace(options.workspace, options.home)
     target = Path(options.output or f"{workspace.name}.zip")
     try:
-        names = export(workspace, options.packages, target)
+        done = export(workspace, options.packages, target)
     except ExportError as error:
         print(f"day6-tui export: {error}", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"day6-tui export: {error.filename or target}: {error.strerror or error}", file=sys.stderr)
+        print(f"day6-tui export: {str(error.filename or target)!r}: {error.strerror or error}", file=sys.stderr)
         return 1
-    print(f"{target}: {', '.join(names)}")
+    for text in done.left_out:
+        print(f"day6-tui export: left out: {text}", file=sys.stderr)
+    print(f"{target}: {', '.join(done.packages)} (of {workspace})")
     return 0
 
 
@@ -59,7 +77,10 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("packages", nargs="*", metavar="PKG", help="names of packages (default: all)")
     parser.add_argument(
-        "--workspace", type=Path, metavar="DIR", help="the workspace (default: ~/ros2_ws of the desktop)"
+        "--workspace",
+        type=Path,
+        metavar="DIR",
+        help="the workspace (default: the one you are in, else ~/ros2_ws of the desktop)",
     )
     parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ (default: that of the desktop)")
     parser.add_argument("-o", "--output", metavar="FILE", help="the zip to write (default: the workspace's name, here)")
@@ -69,14 +90,31 @@ def _parser() -> argparse.ArgumentParser:
 def _workspace(given: Path | None, home: Path | None) -> Path:
     if given is not None:
         return given.expanduser().resolve()
+    if home is None and (here := workspace_around(Path.cwd())) is not None:
+        return here
     from day6_tui.core.session.places import default_home
 
     return (home or default_home()).expanduser().resolve() / "ros2_ws"
 
 
-def export(workspace: Path, names: Iterable[str], target: Path) -> list[str]:
-    """Write the zip and return the names of the packages in it. Raises ExportError or OSError; then there is no new file."""
-    source = workspace / "src" if (workspace / "src").is_dir() else workspace
+def workspace_around(folder: Path) -> Path | None:
+    """Return the workspace in which a folder lies: the nearest one above that has packages in `src` or was built in.
+
+    A package that lies in no workspace is its own; None outside of all.
+    """
+    package = None
+    for each in (folder, *folder.parents):
+        if (each / "package.xml").is_file():
+            package = each  # it may have a folder src too
+        elif holds_packages(each / "src") or (each / "install" / ".colcon_install_layout").is_file():
+            return each
+    return package
+
+
+def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
+    """Write the zip and tell what is in it. Raises ExportError or OSError; then there is no new file."""
+    is_package = (workspace / "package.xml").is_file()
+    source = workspace / "src" if (workspace / "src").is_dir() and not is_package else workspace
     if not source.is_dir():
         raise ExportError(f"there is no workspace {workspace}")
     packages = [
@@ -92,34 +130,98 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> list[str]:
         raise ExportError(f"no package '{unknown[0]}' in {source}{there}")
     if not wanted:
         raise ExportError(f"no package in {source}")
-    _write([known[name] for name in wanted], source, workspace.name, target)
-    return wanted
+    if os.path.lexists(target) and not zipfile.is_zipfile(target):
+        raise ExportError(f"'{target}' is there and is no zip: it is left alone; name another file by -o")
+    return Exported(wanted, _write([known[name] for name in wanted], source, workspace.name, target))
 
 
-def _write(packages: list[Package], source: Path, top: str, target: Path) -> None:
+def _write(packages: list[Package], source: Path, top: str, target: Path) -> list[str]:
+    """Write the zip; return what was left out."""
+    left_out: list[str] = []
     target.parent.mkdir(parents=True, exist_ok=True)
     number, name = tempfile.mkstemp(prefix=".day6-", suffix=".zip", dir=target.parent)
     try:
         with os.fdopen(number, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
             for package in packages:
-                for path in _files(package.path, target):
-                    archive.write(path, f"{top}/src/{path.relative_to(source).as_posix()}")
+                inside = package.path.relative_to(source) if package.path != source else Path(package.name)
+                for path in _files(package.path, {Path(name).resolve(), target.resolve()}, left_out):
+                    _add(archive, path, f"{top}/src/{(inside / path.relative_to(package.path)).as_posix()}")
         os.chmod(name, 0o644)
         os.replace(name, target)
     except BaseException:
         with suppress(OSError):
             os.unlink(name)
         raise
+    return left_out
 
 
-def _files(folder: Path, target: Path) -> Iterator[Path]:
-    """Yield the files of a package, without what tools leave there and without following links to folders (they may loop)."""
-    for current, folders, files in os.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if name not in _LEFT_OUT and not name.endswith(".egg-info") and name[:1] != "."
-        )
-        for name in sorted(files):
-            path = Path(current, name)
-            if path.is_file() and path.resolve() != target.resolve() and not name.endswith((".pyc", "~", ".swp")):
-                yield path
+def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
+    """Put a file into the zip as it is now: one that grows meanwhile ends where it ended when it was opened."""
+    with open(path, "rb", opener=_open_at_once) as file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode):
+            raise ExportError(f"{str(path)!r} is no file any more")
+        if status.st_size > LARGEST:
+            raise ExportError(
+                f"{str(path)!r} has {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} MB are packed: "
+                "move it out of the package"
+            )
+        try:
+            name.encode()
+        except UnicodeEncodeError:
+            raise ExportError(f"the name of {str(path)!r} is not UTF-8: a zip cannot hold it") from None
+        moment = max(time.localtime(status.st_mtime)[:6], (1980, 1, 1, 0, 0, 0))  # a zip knows no time before
+        info = zipfile.ZipInfo(name, moment)
+        info.external_attr = (status.st_mode & 0xFFFF) << 16
+        info.compress_type = archive.compression
+        info.file_size = left = status.st_size
+        with archive.open(info, "w") as packed:
+            while left and (piece := file.read(min(_PIECE, left))):
+                packed.write(piece)
+                left -= len(piece)
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Open without waiting for the other end, should a pipe have taken the file's place."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
+    """Yield the files of a package, without `own` and without what tools leave there.
+
+    A folder to which links of the package lead is packed once more at the first of them, so links in circles have an end.
+    Raises ExportError for a link that leads out of the package, OSError for a folder that cannot be read.
+    """
+    root = Path(os.path.realpath(folder))
+    linked = {root}
+    waiting = [folder]
+    while waiting:
+        current = waiting.pop()
+        for entry in sorted(os.scandir(current), key=lambda each: each.name):
+            path = Path(entry.path)
+            real = Path(os.path.realpath(path))
+            if _is_tools(entry):
+                continue
+            if entry.is_symlink() and not real.is_relative_to(root):
+                raise ExportError(
+                    f"{str(path)!r} is a link to {str(real)!r}, outside the package: put there what it leads to, or remove it"
+                )
+            if path.is_dir():
+                if entry.is_symlink() and (real in linked or real in path.parents):
+                    left_out.append(f"{str(path)!r} leads to a folder that is packed already")
+                else:
+                    linked |= {real} if entry.is_symlink() else set()
+                    waiting.append(path)
+            elif path.is_file():
+                if real not in own:
+                    yield path
+            else:
+                left_out.append(f"{str(path)!r} {'leads nowhere' if entry.is_symlink() else 'is no file'}")
+
+
+def _is_tools(entry: os.DirEntry[str]) -> bool:
+    """Say whether something is left by builds, editors and version control."""
+    if os.path.isdir(entry.path):
+        return entry.name in _LEFT_OUT or entry.name.endswith(".egg-info") or entry.name.startswith(".")
+    return entry.name.endswith((".pyc", "~", ".swp"))

@@ -9,7 +9,14 @@ from pathlib import Path
 from typing import IO
 
 from day6_tui.core.workspace.events import Event
-from day6_tui.core.workspace.packages import IGNORE_MARKER
+from day6_tui.core.workspace.files import Output
+from day6_tui.core.workspace.packages import IGNORE_MARKER, refuse_sources
+
+
+def mark_ignored(output: Output, base: Path) -> None:
+    """Leave the file in a base that keeps colcon from looking for packages there."""
+    if not os.path.lexists(base / IGNORE_MARKER):
+        output.write_text(base / IGNORE_MARKER, "")
 
 
 class LogFolder:
@@ -19,6 +26,12 @@ class LogFolder:
         self._base = base
         self._verb = verb
         self._path: Path | None = None
+        self._output = Output([base])
+
+    @property
+    def bases(self) -> list[Path]:
+        """The folder of all logs; none without logs."""
+        return [] if str(self._base) == os.devnull else [self._base]
 
     @property
     def path(self) -> Path | None:
@@ -28,8 +41,9 @@ class LogFolder:
         return self._path
 
     def _make(self) -> Path:
+        refuse_sources(self._base)
         self._base.mkdir(parents=True, exist_ok=True)
-        (self._base / IGNORE_MARKER).touch()
+        mark_ignored(self._output, self._base)
         stamp = f"{self._verb}_{time.strftime('%Y-%m-%d_%H-%M-%S')}"
         path = self._base / stamp
         number = 1
@@ -40,23 +54,29 @@ class LogFolder:
             except FileExistsError:
                 number += 1
                 path = self._base / f"{stamp}_{number}"
-        _point(self._base / f"latest_{self._verb}", path.name)
-        _point(self._base / "latest", f"latest_{self._verb}")
+        self._point(self._base / f"latest_{self._verb}", path.name)
+        self._point(self._base / "latest", f"latest_{self._verb}")
         return path
+
+    def _point(self, link: Path, target: str) -> None:
+        # Windows lets only some users make links; the folders are there without. What is no link is not ours.
+        with suppress(OSError, NotImplementedError):
+            if link.is_symlink():
+                self._output.remove(link)
+            link.symlink_to(target, target_is_directory=True)
+
+    def folder_of(self, job: str) -> Path | None:
+        """Make and return the folder of one package, None without logs. Raises OSError, as for a name that leads outside."""
+        if self.path is None:
+            return None
+        self._output.make_folder(self.path / job)
+        return self.path / job
 
     def write(self, name: str, text: str) -> None:
         """Append to a file of the folder."""
         if self.path is not None:
             with open(self.path / name, "a", encoding="utf-8", errors="surrogateescape") as file:
                 file.write(text)
-
-
-def _point(link: Path, target: str) -> None:
-    # Windows lets only some users make links; the folders are there without.
-    with suppress(OSError, NotImplementedError):
-        if link.is_symlink():
-            link.unlink()
-        link.symlink_to(target, target_is_directory=True)
 
 
 class _Logging:
@@ -123,8 +143,8 @@ class JobLogs(_Logging):
         elif event.kind == "ended":
             for file in self._files.pop(event.job, {}).values():
                 file.close()
-        elif event.kind in _FILES and self._folder.path is not None:
-            files = self._files.get(event.job) or self._open(self._folder.path / event.job, event.job)
+        elif event.kind in _FILES and (folder := self._folder.folder_of(event.job)) is not None:
+            files = self._files.get(event.job) or self._open(folder, event.job)
             text = event.text
             for name in _FILES[event.kind]:
                 stamp = f"[{time.monotonic() - self._began[event.job]:.3f}s] " if name == "streams.log" else ""
@@ -132,7 +152,6 @@ class JobLogs(_Logging):
                 files[name].flush()
 
     def _open(self, folder: Path, job: str) -> dict[str, IO[str]]:
-        folder.mkdir(exist_ok=True)
         self._files[job] = {
             name: open(folder / name, "w", encoding="utf-8", errors="surrogateescape")  # noqa: SIM115 (closed at the end)
             for name in _ALL_FILES

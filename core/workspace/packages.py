@@ -8,8 +8,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from configparser import ConfigParser
 from configparser import Error as ConfigError
 from dataclasses import dataclass, field
+from glob import glob
 from pathlib import Path
 
+from day6_tui.core.workspace.files import NotOurs
 from day6_tui.core.workspace.manifest import Manifest, ManifestError, read_manifest
 
 IGNORE_MARKER = "COLCON_IGNORE"
@@ -40,27 +42,56 @@ class Package:
 def find_packages(
     base_paths: Iterable[str], cwd: Path, environment: Mapping[str, str], warn: Warn, *, paths: Iterable[str] = ()
 ) -> list[Package]:
-    """Return the packages below `base_paths` and exactly at `paths` (shell patterns), sorted by name and path.
+    """Return the packages below `base_paths` and exactly at `paths`, sorted by name and path. Both may have `*`.
 
     A folder that has an ignore marker, begins with a dot or was visited before (a loop of links) is left out.
     """
     found: list[Package] = []
     seen: set[Path] = set()
-    for base in base_paths:
-        root = cwd / base
+    for root in _expanded(base_paths, cwd):
         for folder in _crawl(root, seen):
             package = identify(folder, _shown(folder, cwd), environment, warn)
             if package is not None:
                 found.append(package)
                 seen.add(folder.resolve())
-    for pattern in paths:
-        for folder in sorted(cwd.glob(pattern)) if not os.path.isabs(pattern) else [Path(pattern)]:
-            if folder.is_dir() and folder.resolve() not in seen:
-                seen.add(folder.resolve())
-                package = identify(folder, _shown(folder, cwd), environment, warn)
-                if package is not None:
-                    found.append(package)
+    for folder in _expanded(paths, cwd):
+        if folder.is_dir() and folder.resolve() not in seen and not _is_ignored(folder):
+            seen.add(folder.resolve())
+            package = identify(folder, _shown(folder, cwd), environment, warn)
+            if package is not None:
+                found.append(package)
     return sorted(found, key=lambda package: (package.name, package.shown))
+
+
+def refuse_sources(base: Path) -> None:
+    """Raise NotOurs if a folder that a build is to fill has packages in it, and no build has filled it before."""
+    if any(os.path.lexists(base / name) for name in (*_IGNORE_MARKERS, ".built_by", ".colcon_install_layout")):
+        return
+    if (found := _first_package(base)) is not None:
+        raise NotOurs(f"'{base}' holds sources ('{found}'): name another folder for what the build makes")
+
+
+def holds_packages(base: Path) -> bool:
+    """Say whether there is a package in a folder or below it."""
+    return _first_package(base) is not None
+
+
+def _first_package(base: Path) -> Path | None:
+    for folder in _crawl(base, set()):
+        if identify(folder, str(folder), {}, lambda logger, text: None) is not None:
+            return folder
+    return None
+
+
+def _expanded(paths: Iterable[str], cwd: Path) -> Iterator[Path]:
+    """Yield absolute paths; one with `*` stands for the folders that it matches (colcon_core's expand_dir_wildcards)."""
+    for path in paths:
+        names = sorted(glob(path, root_dir=cwd)) if "*" in path else [path]
+        yield from (cwd / name for name in names if "*" not in path or (cwd / name).is_dir())
+
+
+def _is_ignored(folder: Path) -> bool:
+    return any(os.path.lexists(folder / name) for name in _IGNORE_MARKERS)
 
 
 def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
@@ -69,7 +100,7 @@ def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
     while waiting:
         folder = waiting.pop()
         real = folder.resolve()
-        if real in seen or not folder.is_dir() or any(os.path.lexists(folder / name) for name in _IGNORE_MARKERS):
+        if real in seen or not folder.is_dir() or _is_ignored(folder):
             continue
         yield folder
         if real in seen:

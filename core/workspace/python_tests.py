@@ -7,7 +7,7 @@ from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
-from day6_tui.core.workspace.files import write_text
+from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.local_setup_util import Environment, source_package
 from day6_tui.core.workspace.packages import Package
@@ -25,25 +25,23 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
     results = (settings.test_result_base or settings.build_base) / package.name / "pytest.xml"
     if not package.type.endswith("python"):
         return 0
-    _write_missing(results, package.name)
+    _write_missing(settings.output, results, package.name)
     env = dict(environment.variables)
     options = ["--tb=short", f"--junit-xml={results.as_posix()}", f"--junit-prefix={package.name}"]
     options += ["-o", f"cache_dir={(settings.build_base / package.name / '.pytest_cache').as_posix()}"]
     env["PYTEST_ADDOPTS"] = " ".join(f'"{each}"' if " " in each else each for each in (*options, *settings.pytest_args))
     status = work.run([sys.executable, "-m", "pytest"], package.path, env)
     if find_spec("pytest") is None:
-        return (
-            status  # "No module named pytest": the tests that there are did not run, which is more than a failing test
-        )
+        return status  # "No module named pytest": tests that did not run are more than a failing test
     if status == _TESTS_FAILED:
         failures.append(package.name)
         work.tell_test_failure()
     return 0 if status in (0, _TESTS_FAILED, _NO_TESTS) else status
 
 
-def _write_missing(path: Path, name: str) -> None:
+def _write_missing(output: Output, path: Path, name: str) -> None:
     """Leave a failing result for a run that ends before it writes its own."""
-    write_text(
+    output.write_text(
         path,
         f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{escape(name)}" tests="1" failures="0" time="0" '
         f'errors="1" skipped="0">\n  <testcase classname="{escape(name)}" name="pytest.missing_result" time="0">\n'

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.workspace.events import Console
+from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.manifest import parse_xml
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
         return 2
     results = [result for path in _files(base) if (result := _read(path, cwd, console)) is not None]
     if args.delete or args.delete_yes:
-        return _delete(results, cwd, args, console)
+        return _delete(results, cwd, Output([base]), args, console)
     total = Result("Summary")
     for result in results:
         total.add(result)
@@ -72,7 +73,7 @@ def show_results(cwd: Path, args: Namespace, console: Console) -> int:
     return 1 if total.errors or total.failures else 0
 
 
-def _delete(results: list[Result], cwd: Path, args: Namespace, console: Console) -> int:
+def _delete(results: list[Result], cwd: Path, output: Output, args: Namespace, console: Console) -> int:
     if not results:
         console.out("No result files found to delete\n")
         return 0
@@ -81,7 +82,7 @@ def _delete(results: list[Result], cwd: Path, args: Namespace, console: Console)
         console.err("colcon test-result: --delete asks before it deletes, which it cannot here; use --delete-yes\n")
         return 1
     for result in results:
-        (cwd / result.name).unlink(missing_ok=True)
+        output.remove(cwd / result.name)
     console.out(f"Deleted {len(results)} files\n")
     return 0
 

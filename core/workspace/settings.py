@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from day6_tui.core.workspace.files import Output
+
 
 @dataclass
 class Settings:
@@ -14,6 +16,8 @@ class Settings:
     build_base: Path
     install_base: Path
     environment: Mapping[str, str]
+    output: Output
+    """Writes, links and removes, below the bases of this call only."""
     warn: Callable[..., None]
     print_error: Callable[[str], None]
     merge_install: bool = False

@@ -17,7 +17,7 @@ from typing import Any
 
 MARK = "\x1e"
 
-_FIELDS = ("data_files", "packages", "package_dir", "py_modules", "scripts")
+_FIELDS = ("data_files", "packages", "package_dir", "package_data", "py_modules", "scripts")
 
 
 def main() -> None:

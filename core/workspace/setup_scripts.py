@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from day6_tui.core.workspace.files import write_text
+from day6_tui.core.workspace.files import Output
 
 HOOK_SHELLS = ("ps1", "dsv", "sh")
 _UTIL = Path(__file__).with_name("local_setup_util.py")
@@ -28,7 +28,7 @@ _OWN_FOLDER = {
 # -- one package -------------------------------------------------------------------------------------------------------
 
 
-def write_hook(prefix: Path, package: str, name: str, variable: str, value: str) -> list[str]:
+def write_hook(output: Output, prefix: Path, package: str, name: str, variable: str, value: str) -> list[str]:
     """Write `share/PACKAGE/hook/NAME.*`, which prepend a path below the prefix to a variable; return their relative paths."""
     folder = f"share/{package}/hook"
     inside = f"/{value}" if value and not os.path.isabs(value) else value
@@ -39,21 +39,23 @@ def write_hook(prefix: Path, package: str, name: str, variable: str, value: str)
         "ps1": f'{_MADE_BY}\n\ncolcon_prepend_unique_value {variable} "{whole.replace("$COLCON", "$env:COLCON")}"\n',
     }
     for extension in HOOK_SHELLS:
-        write_text(prefix / folder / f"{name}.{extension}", texts[extension])
+        output.write_text(prefix / folder / f"{name}.{extension}", texts[extension])
     return [f"{folder}/{name}.{extension}" for extension in HOOK_SHELLS]
 
 
-def write_package_scripts(prefix: Path, package: str, hooks: Iterable[str], needs: Iterable[str]) -> None:
+def write_package_scripts(
+    output: Output, prefix: Path, package: str, hooks: Iterable[str], needs: Iterable[str]
+) -> None:
     """Write `share/PACKAGE/package.*` and the file that says what the package needs at run time."""
     hooks = list(hooks)
     share = prefix / "share" / package
-    write_text(share / "package.dsv", "".join(f"source;{hook}\n" for hook in hooks))
-    write_text(share / "package.sh", _package_sh(prefix, package, hooks))
+    output.write_text(share / "package.dsv", "".join(f"source;{hook}\n" for hook in hooks))
+    output.write_text(share / "package.sh", _package_sh(prefix, package, hooks))
     for shell in ("bash", "zsh"):
         folder = _OWN_FOLDER[shell].replace(" > /dev/null", "/../.. > /dev/null")
-        write_text(share / f"package.{shell}", _package_of(shell, package, folder))
-    write_text(share / "package.ps1", _package_ps1(package, hooks))
-    write_text(prefix / "share" / "colcon-core" / "packages" / package, os.pathsep.join(sorted(needs)))
+        output.write_text(share / f"package.{shell}", _package_of(shell, package, folder))
+    output.write_text(share / "package.ps1", _package_ps1(package, hooks))
+    output.write_text(prefix / "share" / "colcon-core" / "packages" / package, os.pathsep.join(sorted(needs)))
 
 
 def _package_sh(prefix: Path, package: str, hooks: list[str]) -> str:
@@ -119,22 +121,24 @@ $env:COLCON_CURRENT_PREFIX = (Get-Item $PSCommandPath).Directory.Parent.Parent.F
 # -- the whole workspace -----------------------------------------------------------------------------------------------
 
 
-def write_workspace_scripts(install: Path, chained: Iterable[str]) -> None:
+def write_workspace_scripts(output: Output, install: Path, chained: Iterable[str]) -> None:
     """Write `local_setup.*` and `setup.*`; the latter source the workspaces in `chained` (underlays, nearest first) before."""
     util = _UTIL.read_text(encoding="utf-8")
     underlays = list(chained)[::-1]
     for shell in ("sh", "ps1", *(("bat",) if sys.platform == "win32" else ())):
-        write_text(install / f"_local_setup_util_{shell}.py", util)
+        output.write_text(install / f"_local_setup_util_{shell}.py", util)
     for shell in ("sh", "bash", "zsh"):
         folder = _OWN_FOLDER.get(shell) or shlex.quote(str(install))
-        write_text(install / f"local_setup.{shell}", _local_setup(shell, folder))
-        write_text(install / f"setup.{shell}", _setup(shell, folder, underlays))
-    write_text(install / "local_setup.ps1", _LOCAL_SETUP_PS1.replace("@PYTHON@", sys.executable.replace("'", "''")))
-    write_text(install / "setup.ps1", _setup_ps1(underlays))
+        output.write_text(install / f"local_setup.{shell}", _local_setup(shell, folder))
+        output.write_text(install / f"setup.{shell}", _setup(shell, folder, underlays))
+    output.write_text(
+        install / "local_setup.ps1", _LOCAL_SETUP_PS1.replace("@PYTHON@", sys.executable.replace("'", "''"))
+    )
+    output.write_text(install / "setup.ps1", _setup_ps1(underlays))
     if sys.platform == "win32":
-        write_text(install / "local_setup.bat", _LOCAL_SETUP_BAT.replace("@PYTHON@", sys.executable))
+        output.write_text(install / "local_setup.bat", _LOCAL_SETUP_BAT.replace("@PYTHON@", sys.executable))
         chain = "".join(f'call "{prefix}\\local_setup.bat"\n' for prefix in underlays)
-        write_text(install / "setup.bat", f'@echo off\n{chain}call "%~dp0local_setup.bat"\n')
+        output.write_text(install / "setup.bat", f'@echo off\n{chain}call "%~dp0local_setup.bat"\n')
 
 
 def chained_in(setup_file: Path) -> list[str]:

@@ -58,6 +58,10 @@ SAME_AS_THE_TOOLS = [
     "printf 'a\\0b c\\0' | xargs -0 -n1 echo; echo 1 | xargs false; echo $?; echo \"'a b' c\" | xargs -n1 echo",
     "pushd a > /dev/null; pushd b > /dev/null; basename $PWD; popd > /dev/null; basename $PWD; popd > /dev/null; popd; echo $?",
     "wc f g; wc -l f g; wc f; wc -lw f a/x.py; wc < f",
+    "ln -sf f f; echo $?; cat f; ln -f f f; echo $?; cat f; ln -sf ./f f; echo $?; cat f; ln -f nope f; echo $?; cat f",
+    "ln -s f l; ln -sf f l; cat l; ln -f f l; cat l; ln -sf a l; readlink l; ln -sf f a/f; readlink a/f; ls -A",
+    "echo n | rm -i f; cat f; echo y | rm -i f; ls; echo n | rm -ri a; find a | sort; echo y | rm -i nope; echo $?",
+    "echo n | mv -i f g; cat f g; echo y | cp -i f g; cat g; echo n | cp -i a/x.py g; cat g; echo y | mv -i f g; ls",
     "pushd nowhere; echo $?; (cd a; pushd b | wc -l); dirs | wc -l",
 ]
 

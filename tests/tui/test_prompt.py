@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from fakes import FakeDesk
 from screens import UTF8, opened, screen_text, step
 
 from day6_tui.tui.app import make_look
-from day6_tui.tui.prompt import Prompt
+from day6_tui.tui.prompt import Prompt, before_replacing
 
 
 def test_a_prompt_without_any_room_shows_what_it_can() -> None:
@@ -28,3 +30,22 @@ async def test_what_is_wrong_is_told_and_the_line_stays(desk: FakeDesk) -> None:
         await pilot.press("delete", "backspace", "1", "2", "enter")
         await step(app, pilot)
         assert taken == ["x1", "12"] and app.desktop.overlay is None
+
+
+async def test_a_file_that_is_there_is_replaced_only_after_a_second_enter(desk: FakeDesk, tmp_path: Path) -> None:
+    (tmp_path / "there.svg").write_text("mine", encoding="utf-8")
+    async with opened(desk, 60, 20) as (app, pilot):
+        taken: list[str] = []
+        checked = before_replacing(app.look, tmp_path.joinpath, lambda text: taken.append(text))
+        app.desktop.open_overlay(Prompt(app.look, "Save", "there.svg", checked))
+        await pilot.press("enter")
+        await step(app, pilot)
+        assert "there.svg is there already" in screen_text(app)
+        assert taken == []
+        await pilot.press("enter")
+        await step(app, pilot)
+        assert (taken, app.desktop.overlay) == (["there.svg"], None)
+        app.desktop.open_overlay(Prompt(app.look, "Save", "new.svg", checked))
+        await pilot.press("enter")
+        await step(app, pilot)
+        assert taken == ["there.svg", "new.svg"]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
+from workshop import Workshop
 
 from day6_tui.core.workspace.manifest import ManifestError, read_manifest
 from day6_tui.core.workspace.order import OrderError, plan
@@ -164,3 +166,30 @@ def test_a_circle_is_told_with_its_members() -> None:
     with pytest.raises(OrderError) as error:
         plan([package("a", "b"), package("b", "a"), package("c")])
     assert str(error.value) == "Unable to order packages topologically:\na: ['b']\nb: ['a']"
+
+
+@pytest.mark.parametrize(
+    ("options", "names"),
+    [
+        ("", ["one", "other", "two"]),
+        ("--paths", ["one", "other", "two"]),
+        ("--paths src/one", ["one"]),
+        ("--paths 'src/*'", ["one", "two"]),
+        ("--paths src/hidden nowhere", []),
+        ("--base-paths src", ["one", "two"]),
+        ("--base-paths 'sr*'", ["one", "two"]),
+        ("--base-paths . --paths src/one", ["one", "other", "two"]),
+        ("--base-paths src/one --paths other", ["one", "other"]),
+        ("--base-paths", []),
+    ],
+)
+def test_only_the_ways_of_discovery_that_are_named_are_gone(workshop: Workshop, options: str, names: list[str]) -> None:
+    for place in ("src/one", "src/two", "other"):
+        make(workshop.workspace / place, Path(place).name)
+    make(workshop.workspace / "src/hidden", "hidden")
+    (workshop.workspace / "src/hidden/COLCON_IGNORE").touch()
+    for verb in ("list -n", "info", "graph"):
+        told = workshop.run(f"colcon {verb} {options}")
+        found = [name for name in ("one", "other", "two", "hidden") if re.search(rf"\b{name}\b", told.out)]
+        assert found == names, verb
+        assert told.status == 0 or not names

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
+import socket
 import subprocess
 import sys
 import zipfile
@@ -12,8 +14,9 @@ from pathlib import Path
 import pytest
 from workshop import Workshop
 
-from day6_tui.core.workspace.export import ExportError, export, main
+from day6_tui.core.workspace.export import LARGEST, ExportError, export, main
 
+posix_only = pytest.mark.skipif(sys.platform == "win32", reason="needs links, pipes and sockets")
 REAL_COLCON = os.environ.get("DAY6_REAL_COLCON") or shutil.which("colcon")
 """The real one, wherever it is installed."""
 
@@ -24,7 +27,7 @@ def test_the_zip_has_the_sources_and_nothing_that_a_build_made(workshop: Worksho
     workshop.run("colcon build")
     (workshop.workspace / "src/one/one/__pycache__").mkdir(exist_ok=True)
     (workshop.workspace / "src/one/one/__pycache__/hi.cpython-311.pyc").touch()
-    assert export(workshop.workspace, [], tmp_path / "out.zip") == ["one", "two"]
+    assert export(workshop.workspace, [], tmp_path / "out.zip").packages == ["one", "two"]
     with zipfile.ZipFile(tmp_path / "out.zip") as archive:
         names = set(archive.namelist())
         assert "Packages from day6-tui: one, two\n" in archive.read("ros2_ws/README.txt").decode()
@@ -53,7 +56,7 @@ def test_an_unknown_package_leaves_the_old_zip_alone(workshop: Workshop, tmp_pat
 def test_a_loop_of_links_is_not_followed(workshop: Workshop, tmp_path: Path) -> None:
     package = workshop.create("one")
     (package / "loop").symlink_to(package, target_is_directory=True)
-    assert export(workshop.workspace, [], tmp_path / "out.zip") == ["one"]
+    assert export(workshop.workspace, [], tmp_path / "out.zip").packages == ["one"]
 
 
 @pytest.mark.skipif(REAL_COLCON is None, reason="the real colcon is not installed here")
@@ -79,3 +82,161 @@ def test_the_real_colcon_builds_what_was_exported(workshop: Workshop, tmp_path: 
         timeout=60,
     )
     assert (ran.stdout, ran.stderr) == ("Hi from one.\n", "")
+
+
+def packed(target: Path) -> set[str]:
+    with zipfile.ZipFile(target) as archive:
+        assert archive.testzip() is None
+        return {name.removeprefix("ros2_ws/src/") for name in archive.namelist()}
+
+
+@posix_only
+@pytest.mark.parametrize(
+    "goal", ["/etc/hostname", "../../../secret.txt", "../two/setup.py", "/etc", "/dev/zero", "/gone"]
+)
+def test_a_link_out_of_the_package_is_refused(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], goal: str
+) -> None:
+    package = workshop.create("one")
+    workshop.create("two")
+    (workshop.home / "secret.txt").write_text("secret\n", encoding="utf-8")
+    (package / "data").symlink_to(goal)
+    target = tmp_path / "out.zip"
+    assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 1
+    told = capsys.readouterr()
+    assert re.search(
+        r"/one/data' is a link to '.*', outside the package: put there what it leads to, or remove it", told.err
+    )
+    assert (told.out, list(tmp_path.glob("*.zip"))) == ("", [])
+
+
+@posix_only
+def test_links_within_a_package_are_packed_as_what_they_lead_to_and_circles_end(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workshop.create("one")
+    (package / "real").mkdir()
+    (package / "real/a.txt").write_text("a\n", encoding="utf-8")
+    for name in range(8):
+        (package / f"real/again{name}").symlink_to("..")
+        (package / f"other{name}").symlink_to("real")
+    (package / "a.txt").symlink_to("real/a.txt")
+    (package / "itself").symlink_to("itself")
+    (package / "nothing").symlink_to("nowhere")
+    target = tmp_path / "out.zip"
+    assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 0
+    assert {"one/a.txt", "one/real/a.txt", "one/other0/a.txt"} <= packed(target)
+    assert len(packed(target)) < 40
+    told = capsys.readouterr().err
+    assert "one/real/again0' leads to a folder that is packed already\n" in told
+    assert "one/itself' leads nowhere\n" in told
+    assert "one/nothing' leads nowhere\n" in told
+
+
+@posix_only
+def test_what_is_no_file_is_left_out_and_told(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = workshop.create("one")
+    os.mkfifo(package / "pipe")
+    monkeypatch.chdir(package)  # the path of a socket may be no longer than 100 bytes
+    with socket.socket(socket.AF_UNIX) as made:
+        made.bind("socket")
+    target = tmp_path / "out.zip"
+    assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 0
+    told = capsys.readouterr().err
+    assert "one/pipe' is no file\n" in told
+    assert "one/socket' is no file\n" in told
+    assert not packed(target) & {"one/pipe", "one/socket"}
+
+
+def test_a_huge_file_is_refused_at_once(workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    package = workshop.create("one")
+    with open(package / "disk.img", "wb") as file:
+        file.truncate(LARGEST * 100)
+    assert main(["--workspace", str(workshop.workspace), "-o", str(tmp_path / "out.zip")]) == 1
+    assert (
+        "one/disk.img' has 50000 MB, at most 500 MB are packed: move it out of the package" in capsys.readouterr().err
+    )
+    assert list(tmp_path.glob("*.zip")) == []
+
+
+@posix_only
+@pytest.mark.parametrize("name", ["notes.txt", "folder"])
+def test_what_cannot_be_read_is_told(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    package = workshop.create("one")
+    (package / "notes.txt").touch()
+    (package / "folder").mkdir()
+    real_open, real_scan = os.open, os.scandir
+
+    def no_open(path: str, *more: object, **named: object) -> int:
+        if Path(path).name == name:  # root may read everything
+            raise PermissionError(13, "Permission denied", str(path))
+        return real_open(path, *more, **named)
+
+    def no_scan(path: str | Path) -> object:
+        if Path(path).name == name:
+            raise PermissionError(13, "Permission denied", str(path))
+        return real_scan(path)
+
+    monkeypatch.setattr("day6_tui.core.workspace.export.os.open", no_open)
+    monkeypatch.setattr("day6_tui.core.workspace.export.os.scandir", no_scan)
+    assert main(["--workspace", str(workshop.workspace), "-o", str(tmp_path / "out.zip")]) == 1
+    assert f"one/{name}': Permission denied" in capsys.readouterr().err
+    assert list(tmp_path.glob("*.zip")) == []
+
+
+def test_a_file_that_is_no_zip_is_not_overwritten(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workshop.create("one")
+    before = (package / "setup.py").read_bytes()
+    assert main(["--workspace", str(workshop.workspace), "-o", str(package / "setup.py")]) == 1
+    assert "setup.py' is there and is no zip: it is left alone" in capsys.readouterr().err
+    assert (package / "setup.py").read_bytes() == before
+    target = tmp_path / "out.zip"
+    for _ in range(2):
+        assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 0
+
+
+def test_a_file_from_before_1980_is_packed(workshop: Workshop, tmp_path: Path) -> None:
+    package = workshop.create("one")
+    os.utime(package / "setup.py", (0, 0))
+    export(workshop.workspace, [], tmp_path / "out.zip")
+    assert "one/setup.py" in packed(tmp_path / "out.zip")
+
+
+@pytest.mark.parametrize("where", [".", "src", "src/one", "src/one/one", "src/more"])
+def test_the_workspace_one_stands_in_is_packed_and_named(
+    workshop: Workshop,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    where: str,
+) -> None:
+    workspace = tmp_path / "my_ws"
+    shutil.copytree(workshop.create("one"), workspace / "src/one")
+    (workspace / "src/one/src").mkdir()
+    (workspace / "src/more").mkdir()
+    monkeypatch.chdir(workspace / where)
+    target = tmp_path / "out.zip"
+    assert main(["-o", str(target)]) == 0
+    assert capsys.readouterr().out == f"{target}: one (of {workspace})\n"
+    with zipfile.ZipFile(target) as archive:
+        assert "my_ws/src/one/setup.py" in archive.namelist()
+
+
+def test_a_package_in_no_workspace_is_its_own(
+    workshop: Workshop, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    alone = tmp_path / "deep/alone"
+    shutil.copytree(workshop.create("one"), alone)
+    (alone / "src").mkdir()
+    monkeypatch.chdir(alone / "one")
+    target = tmp_path / "out.zip"
+    assert main(["-o", str(target)]) == 0
+    assert capsys.readouterr().out == f"{target}: one (of {alone})\n"
+    with zipfile.ZipFile(target) as archive:
+        assert "alone/src/one/setup.py" in archive.namelist()

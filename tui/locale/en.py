@@ -228,6 +228,7 @@ TEXTS = {
     "editor.unsaved": "not saved: ^S saves, the same key again closes (a copy is kept)",
     "editor.not_found": "{text} does not occur",
     "editor.lines": "1 to {count}",
+    "prompt.replaces": "{file} is there already; Enter once more replaces it",
     "prompt.keys": "Enter take   Esc back",
     "rqt.choose": "choose",
     "rqt.filter": "filter nodes, topics",

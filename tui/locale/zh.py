@@ -226,6 +226,7 @@ TEXTS = {
     "editor.unsaved": "还没有保存：^S 保存，再按一次就关闭（会留一份副本）",
     "editor.not_found": "没有找到 {text}",
     "editor.lines": "1 到 {count}",
+    "prompt.replaces": "{file} 已经存在；再按一次 Enter 就替换它",
     "prompt.keys": "Enter 确定   Esc 返回",
     "rqt.choose": "选择",
     "rqt.filter": "过滤节点、话题",

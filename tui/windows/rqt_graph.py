@@ -28,6 +28,7 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.rqt_graph_options import (
     GROUP,
@@ -374,7 +375,8 @@ class RqtGraphPane(WindowPane):
 
         texts = self.look.texts
         title, note = ("rqt.save", "rqt.save_note") if saving else ("rqt.load", "rqt.load_note")
-        self.ask(texts(title), "rosgraph.dot", taken, note=texts(note))
+        sure = before_replacing(self.look, self.graph.path, taken) if saving else taken
+        self.ask(texts(title), "rosgraph.dot", sure, note=texts(note))
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         self._scroll(0, 2)

@@ -118,8 +118,12 @@ async def rm(session: Session) -> int:
             complain(session, f"it is dangerous to operate recursively on '{name}'")
             status = 1
             continue
+        recursive = "r" in options or "R" in options
         try:
-            _remove(path, recursive="r" in options or "R" in options)
+            if "i" in options:
+                await _remove_asking(session, path, name, recursive=recursive)
+            else:
+                _remove(path, recursive=recursive)
         except FileNotFoundError as error:
             if "f" not in options:
                 complain(session, f"cannot remove '{name}': {reason(error)}")
@@ -142,15 +146,46 @@ def _remove(path: Path, *, recursive: bool) -> None:
         path.unlink()
 
 
+async def _remove_asking(session: Session, path: Path, name: str, *, recursive: bool) -> None:
+    """`rm -i`: remove what the user agrees to, one by one."""
+    is_folder = path.is_dir() and not path.is_symlink()
+    if is_folder and recursive and any(path.iterdir()):
+        if await _agreed(session, f"descend into directory '{name}'"):
+            for inner in sorted(path.iterdir()):
+                await _remove_asking(session, inner, f"{name}/{inner.name}", recursive=True)
+            if not any(path.iterdir()) and await _agreed(session, f"remove directory '{name}'"):
+                path.rmdir()
+    elif is_folder and not recursive:
+        raise IsADirectoryError(21, "Is a directory")
+    elif await _agreed(session, f"remove {_kind(path)} '{name}'"):
+        path.rmdir() if is_folder else path.unlink()
+
+
+def _kind(path: Path) -> str:
+    """What coreutils calls it."""
+    if path.is_symlink():
+        return "symbolic link"
+    if path.is_dir():
+        return "directory"
+    if not path.is_file():
+        return "special file" if path.exists() else "file"
+    return "regular file" if path.stat().st_size else "regular empty file"
+
+
+async def _agreed(session: Session, question: str) -> bool:
+    session.stderr.write(f"{session.name}: {question}? ")
+    return (await session.stdin.read_line()).lstrip()[:1] in ("y", "Y")
+
+
 async def cp(session: Session) -> int:
-    return _transfer(session, move=False)
+    return await _transfer(session, move=False)
 
 
 async def mv(session: Session) -> int:
-    return _transfer(session, move=True)
+    return await _transfer(session, move=True)
 
 
-def _transfer(session: Session, *, move: bool) -> int:
+async def _transfer(session: Session, *, move: bool) -> int:
     try:
         options, names = parse(session.argv, "rRafvinpu", "", {"--recursive": "r", "--verbose": "v", "--force": "f"})
     except UsageError as error:
@@ -171,6 +206,10 @@ def _transfer(session: Session, *, move: bool) -> int:
     for name in sources:
         source = session.cwd / name
         goal = session.cwd / target / source.name if folder else session.cwd / target
+        shown = f"{target.rstrip('/')}/{source.name}" if folder else target
+        if "i" in options and goal.exists() and not await _agreed(session, f"overwrite '{shown}'"):
+            status = 1
+            continue
         problem = _transfer_problem(session, source, goal, name, target, options, move=move)
         if problem:
             complain(session, problem)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from uuid import uuid4
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, complain_as_shell, parse, reason
@@ -36,19 +37,35 @@ async def ln(session: Session) -> int:
 
 def _link(session: Session, target: str, name: str, *, symbolic: bool, force: bool) -> bool:
     place = session.cwd / name
+    source = session.cwd / target
+    if force and not place.is_dir() and _is_entry(source if not symbolic else place.parent / target, place, symbolic):
+        complain(session, f"'{target}' and '{name}' are the same file")
+        return False
+    # As the original does: made beside, then renamed, so that what was there is lost only to a link that could be made.
+    made = place.with_name(f".day6-{uuid4().hex}") if force and (place.is_symlink() or place.is_file()) else place
     try:
-        if force and (place.is_symlink() or place.is_file()):
-            place.unlink()
         if symbolic:
-            place.symlink_to(target)
+            made.symlink_to(target)
         else:
-            os.link(session.cwd / target, place)
+            os.link(source, made)
+        if made != place:
+            os.replace(made, place)
     except OSError as error:
+        if made != place:
+            made.unlink(missing_ok=True)
         kind = "symbolic" if symbolic else "hard"
         arrow = "" if symbolic else f" => '{target}'"
         complain(session, f"failed to create {kind} link '{name}'{arrow}: {reason(error)}")
         return False
     return True
+
+
+def _is_entry(source: Path, place: Path, symbolic: bool) -> bool:
+    """Say whether a link in `place` would replace the very file that it is to lead to."""
+    if symbolic:
+        same_folder = os.path.realpath(source.parent) == os.path.realpath(place.parent)
+        return same_folder and source.name == place.name and os.path.lexists(place)
+    return not place.is_symlink() and place.exists() and source.exists() and source.samefile(place)
 
 
 async def readlink(session: Session) -> int:

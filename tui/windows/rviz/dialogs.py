@@ -13,7 +13,7 @@ from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.prompt import Prompt
+from day6_tui.tui.prompt import Prompt, before_replacing
 from day6_tui.urdf.model import Vector
 
 if TYPE_CHECKING:
@@ -107,11 +107,16 @@ def save_as(pane: PicturePane) -> None:
         name = text.strip()
         if not name:
             return pane.look.texts("rviz.bad.name")
-        _write(pane, pane.rviz.path(name if name.endswith(".rviz") else f"{name}.rviz"))
+        _write(pane, target(name))
         return None
 
+    def target(text: str) -> Path:
+        name = text.strip()
+        return pane.rviz.path(name if name.endswith(".rviz") else f"{name}.rviz")
+
     old = str(pane.rviz.config_file or "robot.rviz")
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, taken))
+    sure = before_replacing(pane.look, target, taken)
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, sure))
 
 
 def _write(pane: PicturePane, path: Path) -> None:
@@ -178,7 +183,8 @@ def screenshot(pane: PicturePane) -> None:
         return None
 
     note = pane.look.texts("rviz.picture_note")
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", taken, note=note))
+    sure = before_replacing(pane.look, lambda text: pane.rviz.path(text.strip()), taken)
+    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", sure, note=note))
 
 
 def extent(scene: Scene) -> tuple[Vector, float] | None:

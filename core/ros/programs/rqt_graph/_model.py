@@ -75,7 +75,7 @@ class RqtGraph:
 
         `.dot` is the graph for Graphviz, `.svg`, `.png` and others are the picture. Raises OSError and ValueError.
         """
-        path = self._path(name)
+        path = self.path(name)
         if path.suffix.lower() == ".dot":
             path.write_text(write_dot(self.content.boxes, self.content.edges), encoding="utf-8")
         else:
@@ -84,13 +84,14 @@ class RqtGraph:
 
     def load(self, name: str) -> None:
         """Show the graph of a DOT file until the next refresh. Raises OSError and ValueError."""
-        path = self._path(name)
+        path = self.path(name)
         boxes, edges = read_dot(path.read_text(encoding="utf-8"))
         self.loaded = path.name
         self.content = Content(tuple(boxes), tuple(edges), (), {})
         self.version += 1
 
-    def _path(self, name: str) -> Path:
+    def path(self, name: str) -> Path:
+        """The file that a user of this program means."""
         return self._folder / Path(name).expanduser()
 
     def _show(self, facts: Facts, options: Options) -> None:
