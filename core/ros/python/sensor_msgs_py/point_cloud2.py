@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from sensor_msgs.msg import PointCloud2, PointField
-from sensor_msgs_py.numpy_compat import structured_to_unstructured, unstructured_to_structured
 from std_msgs.msg import Header
+
+from sensor_msgs_py.numpy_compat import structured_to_unstructured, unstructured_to_structured
 
 DUMMY_FIELD_PREFIX = "unnamed_field"
 
@@ -97,7 +98,7 @@ def read_points_list(
     """Return the points as a list of named tuples, which is slower than the array."""
     assert isinstance(cloud, PointCloud2), "cloud is not a sensor_msgs.msg.PointCloud2"
     names = [field.name for field in cloud.fields] if field_names is None else field_names
-    kind: Any = namedtuple("Point", names)  # noqa: PYI024  # its fields are known only now
+    kind: Any = namedtuple("Point", names)  # its fields are known only now
     return [kind._make(point) for point in read_points(cloud, names, skip_nans, uvs)]
 
 
