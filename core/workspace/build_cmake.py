@@ -43,14 +43,14 @@ _TOOLS = ("ament_", "rosidl_", "eigen", "python", "threads", "pkgconfig")
 """Names that begin so are parts of ROS itself that no build without C++ needs."""
 
 _CPP = """
-    angles class_loader console_bridge_vendor cv_bridge image_geometry image_transport interactive_markers
-    kdl_parser laser_geometry libstatistics_collector orocos_kdl_vendor pluginlib qt_gui_cpp rcl rcl_action
+    class_loader console_bridge_vendor cv_bridge image_geometry image_transport interactive_markers
+    kdl_parser libstatistics_collector orocos_kdl_vendor pluginlib qt_gui_cpp rcl rcl_action
     rcl_lifecycle rclcpp rclcpp_action rclcpp_lifecycle rcpputils rcutils resource_retriever rmw rosbag2_cpp
     rosbag2_storage rosbag2_transport rqt_gui_cpp rviz_ogre_vendor rviz_rendering tf2 tf2_bullet tf2_eigen tf2_kdl
-    tf2_sensor_msgs urdf urdf_parser_plugin urdfdom_headers yaml_cpp_vendor
+    urdf urdf_parser_plugin urdfdom_headers yaml_cpp_vendor
 """
 """C++ libraries of every ROS 2 desktop. Packages name them out of habit (`ros2 pkg create --dependencies rclcpp`) and then
-install only Python programs, models or messages; who compiles against them is refused before."""
+install only Python programs, models or messages."""
 
 _INTERFACES = "rosidl_generate_interfaces"
 _GROUP = "rosidl_interface_packages"

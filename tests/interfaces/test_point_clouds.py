@@ -1,4 +1,4 @@
-"""sensor_msgs_py and action_tutorials_interfaces: what programs import of them, with the results and texts of the real ones."""
+"""sensor_msgs_py, laser_geometry, tf2_sensor_msgs, angles and the action of the old tutorial: what programs import of them, with the results and texts of the real ones."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sensor_msgs.msg import PointCloud2, PointField
+from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 from sensor_msgs_py import numpy_compat, point_cloud2
 from std_msgs.msg import Header
 
@@ -105,3 +105,50 @@ def test_the_type_of_a_file_s_name_is_where_launch_has_it() -> None:
         "str",
         "bytes",
     ]
+
+
+def test_a_laser_scan_becomes_a_cloud_without_what_is_out_of_range() -> None:
+    from laser_geometry import LaserProjection
+
+    scan = LaserScan(angle_increment=np.pi / 2, range_min=0.1, range_max=10.0, time_increment=0.5)
+    scan.ranges, scan.intensities = [2.0, float("inf"), 4.0, 0.05], [1.0, 2.0, 3.0, 4.0]
+    points = point_cloud2.read_points_list(LaserProjection().projectLaser(scan))
+    assert points[0]._fields == ("x", "y", "z", "intensity", "index")
+    assert [pytest.approx(tuple(point), abs=1e-6) for point in points] == [(2, 0, 0, 1, 0), (-4, 0, 0, 3, 2)]
+    option = LaserProjection.ChannelOption
+    near = LaserProjection().projectLaser(scan, range_cutoff=3.0, channel_options=option.DISTANCE | option.TIMESTAMP)
+    assert point_cloud2.read_points(near).tolist() == [(2.0, 0.0, 0.0, 2.0, 0.0)]
+
+
+def test_a_cloud_is_transformed_with_the_rest_of_its_fields_untouched() -> None:
+    import tf2_ros
+    import tf2_sensor_msgs
+    from geometry_msgs.msg import TransformStamped
+
+    transform = TransformStamped()
+    transform.header.frame_id = "map"
+    transform.transform.translation.z = 5.0
+    transform.transform.rotation.z = transform.transform.rotation.w = 0.5**0.5  # a quarter turn to the left
+    fields = [*XYZ, field("i", kind=U8, offset=12)]
+    cloud = point_cloud2.create_cloud(Header(frame_id="lidar"), fields, [(1.0, 0.0, 0.0, 7)])
+    moved = tf2_sensor_msgs.do_transform_cloud(cloud, transform)
+    assert (moved.header.frame_id, cloud.header.frame_id) == ("map", "lidar")
+    assert point_cloud2.read_points_list(moved)[0] == pytest.approx((0.0, 1.0, 5.0, 7), abs=1e-6)
+    assert tf2_ros.TransformRegistration().get(PointCloud2) is tf2_sensor_msgs.do_transform_cloud
+    with pytest.raises(AssertionError, match="needs the fields x, y, and z"):
+        tf2_sensor_msgs.do_transform_cloud(point_cloud2.create_cloud(Header(), [field()], [(1.0,)]), transform)
+
+
+def test_ways_between_angles() -> None:
+    import angles
+
+    quarter = np.pi / 2
+    assert angles.normalize_angle(3 * quarter) == pytest.approx(-quarter)
+    assert angles.shortest_angular_distance(-quarter * 1.5, quarter * 1.5) == pytest.approx(-quarter)
+    assert angles.two_pi_complement(quarter) == pytest.approx(-3 * quarter)
+    assert angles.shortest_angular_distance_with_limits(0.5, -0.5, 0.25, -0.25) == (True, pytest.approx(2 * np.pi - 1))
+    assert angles.shortest_angular_distance_with_limits(-0.5, 0.5, -0.25, 0.25)[0] is False
+    assert angles.shortest_angular_distance_with_large_limits(0.0, 10.5 * np.pi, -2 * np.pi, 0.1 * np.pi) == (
+        True,
+        pytest.approx(-1.5 * np.pi),
+    )

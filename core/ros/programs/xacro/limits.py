@@ -24,7 +24,7 @@ def run(seconds: int) -> None:
     limit(seconds)
     import xml.parsers.expat  # noqa: F401  # xacro names that module without importing it
 
-    from xacro import main
+    from xacro import main  # type: ignore[import-untyped]
 
     sys.argv[0] = "xacro"
     try:
