@@ -1,4 +1,4 @@
-"""sensor_msgs_py, laser_geometry, tf2_sensor_msgs, angles and the action of the old tutorial: what programs import of them, with the results and texts of the real ones."""
+"""sensor_msgs_py, laser_geometry, tf2_sensor_msgs, angles, action_tutorials_interfaces: the real ones' results and texts."""
 
 from __future__ import annotations
 
