@@ -58,6 +58,17 @@ _SUFFIXES = ("msg", "srv", "action", "idl")
 _KEYWORDS = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS", "SKIP_GROUP_MEMBERSHIP_CHECK")
 
 
+_COMPILER = {
+    "CMAKE_VERSION": "3.28.3",
+    "CMAKE_C_COMPILER_ID": "GNU",
+    "CMAKE_CXX_COMPILER_ID": "GNU",
+    "CMAKE_CXX_COMPILER_VERSION": "13.3.0",
+    "CMAKE_COMPILER_IS_GNUCC": "1",
+    "CMAKE_COMPILER_IS_GNUCXX": "1",
+}
+"""What packages ask about the compiler, answered as on Ubuntu 24.04, for which ROS 2 Kilted is made."""
+
+
 def build(package: Package, settings: Settings, work: Work) -> int:
     """Build one package; returns an exit status."""
     try:
@@ -138,6 +149,7 @@ class _CMakeBuild:
             "CMAKE_CURRENT_BINARY_DIR": str(self.settings.build_base / self.package.name),
             "CMAKE_INSTALL_PREFIX": str(self.prefix),
             "PYTHON_INSTALL_DIR": python_library(self.prefix).relative_to(self.prefix).as_posix(),
+            **_COMPILER,
             "BUILD_TESTING": "OFF",  # what only tests need is not built here
             **({"UNIX": "1"} if sys.platform != "win32" else {}),
             **({system: "1"} if system else {}),

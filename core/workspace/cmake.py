@@ -98,7 +98,7 @@ def read_commands(text: str, variables: Mapping[str, str], find: Find = lambda c
     lies.
     """
     run = _Run(find, Path(variables.get("CMAKE_CURRENT_SOURCE_DIR", ".")))
-    run.block(_calls(text, LISTS), _Scope(dict(variables), run.top, LISTS))
+    run.file(_calls(text, LISTS), _Scope(dict(variables), run.top, LISTS))
     return run.commands
 
 
@@ -199,6 +199,8 @@ class _Run:
         try:
             return holds(words, scope.variables, scope.folder)
         except ValueError:
+            if any("${" in word for word in call.words):
+                return False  # it may be about one of CMake's many variables that are not known here
             shown = " ".join(f'"{word}"' for word in _all_filled(call.words, scope.variables))
             text = f"given arguments:\n\n    {shown}\n\nUnknown arguments specified"
             raise CMakeError(text, call.line, call.name, scope.file) from None
@@ -270,15 +272,17 @@ class _Run:
             before = {name: scope.variables.get(name) for name in given}
             scope.variables.update(given)
             scope.depth += 1
-            self.block(function.body, scope)
-            scope.depth -= 1
-            for name, value in before.items():
-                scope.variables.pop(name, None)
-                if value is not None:
-                    scope.variables[name] = value
+            try:
+                self.block(function.body, scope)
+            finally:
+                scope.depth -= 1
+                for name, value in before.items():
+                    scope.variables.pop(name, None)
+                    if value is not None:
+                        scope.variables[name] = value
             return
         inner = _Scope({**scope.variables, **given}, scope.folder, scope.file, scope.variables, scope.depth + 1)
-        self._until_return(function.body, inner)
+        self.file(function.body, inner)
 
     def _read(self, path: Path, scope: _Scope) -> None:
         """Run another file of the package; a module of CMake or ament, which is no file here, is nothing."""
@@ -288,10 +292,11 @@ class _Run:
         text = path.read_text(encoding="utf-8", errors="replace")
         before = scope.file
         scope.file, scope.depth = shown, scope.depth + 1
-        self._until_return(_calls(text, shown), scope)
+        self.file(_calls(text, shown), scope)
         scope.file, scope.depth = before, scope.depth - 1
 
-    def _until_return(self, calls: list[_Call], scope: _Scope) -> None:
+    def file(self, calls: list[_Call], scope: _Scope) -> None:
+        """Run the commands of a file or function, up to a `return`."""
         try:
             self.block(calls, scope)
         except _Leave:

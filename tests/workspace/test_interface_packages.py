@@ -277,6 +277,26 @@ def test_a_lists_file_without_end_ends(workshop: Workshop, lists: str, error: st
     assert done.status == 1 and error in done.err, done.err[-2000:]
 
 
+def test_conditions_about_the_compiler_and_a_return_are_no_hindrance(workshop: Workshop) -> None:
+    lists = """\
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND ${CMAKE_CXX_COMPILER_VERSION} VERSION_LESS "16.0.0")
+  message(FATAL_ERROR "no")
+endif()
+if(${NOBODY_KNOWS_THIS} STREQUAL "x")
+endif()
+macro(leave)
+  if(NOT CMAKE_CXX_STANDARD AND (UNIX OR WIN32 OR APPLE))
+    return()
+  endif()
+endmacro()
+rosidl_generate_interfaces(${PROJECT_NAME} msg/A.msg)
+leave()
+message(FATAL_ERROR "never")"""
+    package(workshop, "day6_own", lists, {"msg/A.msg": "int8 a\n"})
+    done = workshop.run("colcon build")
+    assert (done.status, done.err) == (0, ""), done
+
+
 def test_other_files_of_the_package_are_read_too(workshop: Workshop) -> None:
     files = {
         "src/CMakeLists.txt": "add_executable(talker talker.cpp)\ninstall(PROGRAMS say.py DESTINATION lib/${PROJECT_NAME})\n",
