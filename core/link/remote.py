@@ -12,12 +12,23 @@ from day6_tui.core.graph.graph import Graph
 from day6_tui.core.graph.node import Node
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import Announcement, parse_token
+from day6_tui.core.link.paths import LinkError, meeting_place, neighbours
 
 
 class Origin(NamedTuple):
     """The mark of remote nodes: the Zenoh session they live in."""
 
     zid: str
+
+
+def lives_here(origin: object, domain_id: int) -> bool:
+    """Say whether what has this origin is in a process of this user on this machine that keeps a socket for the others."""
+    if not isinstance(origin, Origin):
+        return False
+    try:
+        return any(each.zid == origin.zid for each in neighbours(meeting_place(domain_id)))
+    except (LinkError, OSError):
+        return False
 
 
 class _RemoteNode:

@@ -6,7 +6,7 @@ import signal
 
 NUMBERS = {
     "HUP": 1, "INT": 2, "QUIT": 3, "ILL": 4, "TRAP": 5, "ABRT": 6, "BUS": 7, "FPE": 8, "KILL": 9, "USR1": 10, "SEGV": 11,
-    "USR2": 12, "PIPE": 13, "ALRM": 14, "TERM": 15, "CONT": 18, "STOP": 19, "TSTP": 20,
+    "USR2": 12, "PIPE": 13, "ALRM": 14, "TERM": 15, "CONT": 18, "STOP": 19, "TSTP": 20, "XCPU": 24,
 }  # fmt: skip
 
 TEXTS = {
@@ -25,6 +25,7 @@ TEXTS = {
     13: "Broken pipe",
     14: "Alarm clock",
     15: "Terminated",
+    24: "CPU time limit exceeded",
 }
 """What a shell says of a program that a signal ended."""
 

@@ -1,31 +1,49 @@
-"""Reads the commands of a CMakeLists.txt, as far as packages without C++ use them."""
+"""Runs a CMakeLists.txt as far as packages without a compiler need it: which commands are called, with which words.
+
+Variables, conditions, loops, functions, `include` and `add_subdirectory` are followed; every other command is handed on as it
+is. Sources: cmake-language(7) and the manual pages of the commands.
+"""
 
 from __future__ import annotations
 
+import os
 import re
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+
+from day6_tui.core.workspace.cmake_condition import holds
 
 _COMMAND = re.compile(r"(?m)^[ \t]*([A-Za-z_]\w*)[ \t]*\(")
 _WIDTH = 77
 """Cells of a line of an error, in which CMake sets its paragraphs."""
 _WORD = re.compile(r'\s*(?:"((?:[^"\\]|\\.)*)"|([^\s"()#]+)|(\()|(\))|(#[^\n]*))')
+_REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
+LISTS = "CMakeLists.txt"
+
+_BLOCKS = {"if": "endif", "foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro"}
+_MOST_CALLS = 100_000
+"""Commands that are run of one package: no file of a human has so many, a loop without end has."""
+_MOST_TEXT = 1_000_000
+"""Characters of one variable; appending a list to itself doubles it."""
+_DEEPEST = 100
+"""Functions in functions; CMake itself ends at a thousand."""
 
 
 class CMakeError(ValueError):
     """A command that CMake refuses; `line` is where it begins, `command` its name ('' for an error of the text itself)."""
 
-    def __init__(self, text: str, line: int, command: str) -> None:
+    def __init__(self, text: str, line: int, command: str, file: str = LISTS) -> None:
         super().__init__(text)
         self.line = line
         self.command = command
+        self.file = file
 
     def __str__(self) -> str:
         where = f" ({self.command})" if self.command else ""
         body = "\n".join(_set(line) for line in self.args[0].splitlines())
-        return f"CMake Error at CMakeLists.txt:{self.line}{where}:\n{body}\n\n\n"
+        return f"CMake Error at {self.file}:{self.line}{where}:\n{body}\n\n\n"
 
 
 def _set(paragraph: str) -> str:
@@ -45,11 +63,13 @@ def _set(paragraph: str) -> str:
 
 @dataclass(frozen=True)
 class Command:
-    """One call. `words` are its arguments with variables filled in."""
+    """One call. `words` are its arguments with variables filled in, `folder` is where relative paths in them begin."""
 
     name: str
     words: list[str]
     line: int
+    folder: Path = Path()
+    file: str = LISTS
 
     def after(self, keyword: str, *ends: str) -> list[str]:
         """Return the arguments behind a keyword, up to one of `ends`."""
@@ -62,32 +82,292 @@ class Command:
             found.append(word)
         return found
 
+    def error(self, text: str) -> CMakeError:
+        """Return the error that CMake stops with at this command."""
+        return CMakeError(text, self.line, self.name, self.file)
 
-def read_commands(text: str, variables: Mapping[str, str]) -> list[Command]:
-    """Return the commands in their order, without those that only a test build runs. Raises CMakeError for a broken text."""
-    text = _without_comments(text)
-    known = dict(variables)
-    commands: list[Command] = []
-    skipped = 0
-    at = 0
-    while match := _COMMAND.search(text, at):
-        line = text.count("\n", 0, match.start(1)) + 1
-        words, at = _arguments(text, match.end(), line)
-        name = match.group(1).lower()
-        words = [part for word in words for part in _filled(word, known)]
-        if skipped or (name == "if" and words[:1] == ["BUILD_TESTING"]):
-            skipped += (name == "if") - (name == "endif")
-            continue
-        if name == "set" and words:
-            known[words[0]] = ";".join(words[1:])
-        elif name == "list" and words[:1] == ["APPEND"] and len(words) > 1:
-            known[words[1]] = ";".join(filter(None, [known.get(words[1], ""), *words[2:]]))
-        elif name == "file" and words[:1] in (["GLOB"], ["GLOB_RECURSE"]) and len(words) > 1:
-            known[words[1]] = ";".join(_globbed(words[0], words[2:], Path(known.get("CMAKE_CURRENT_SOURCE_DIR", "."))))
-        elif name == "project" and words:
-            known["PROJECT_NAME"] = known["CMAKE_PROJECT_NAME"] = words[0]
-        commands.append(Command(name, words, line))
-    return commands
+
+Find = Callable[[Command], Iterable[str]]
+"""Asked at each `find_package` (and ament_auto_find_build_dependencies): the names whose `_FOUND` is then true."""
+
+
+def read_commands(text: str, variables: Mapping[str, str], find: Find = lambda command: ()) -> list[Command]:
+    """Return the commands that are run, in their order. Raises CMakeError for a broken text and where it refuses itself.
+
+    `variables` are known from the start, those of the environment as `ENV{NAME}`; CMAKE_CURRENT_SOURCE_DIR is where the text
+    lies.
+    """
+    run = _Run(find, Path(variables.get("CMAKE_CURRENT_SOURCE_DIR", ".")))
+    run.file(_calls(text, LISTS), _Scope(dict(variables), run.top, LISTS))
+    return run.commands
+
+
+@dataclass(frozen=True)
+class _Call:
+    """A command as it is written. A word in quotes begins with one."""
+
+    name: str
+    words: list[str]
+    line: int
+
+
+@dataclass
+class _Scope:
+    """Where a command is run: its variables, the folder and the file it stands in, and where PARENT_SCOPE leads."""
+
+    variables: dict[str, str]
+    folder: Path
+    file: str
+    parent: dict[str, str] | None = None
+    depth: int = 0
+
+
+@dataclass(frozen=True)
+class _Function:
+    parameters: list[str]
+    body: list[_Call]
+    is_macro: bool
+
+
+class _Leave(Exception):
+    """`break`, `continue` or `return`: leaves the blocks it stands in."""
+
+
+class _Run:
+    """One pass over the files of a package."""
+
+    def __init__(self, find: Find, top: Path) -> None:
+        self.commands: list[Command] = []
+        self.top = top
+        self._find = find
+        self._functions: dict[str, _Function] = {}
+        self._left = _MOST_CALLS
+
+    def block(self, calls: list[_Call], scope: _Scope) -> None:
+        """Run commands one after the other. Raises _Leave for a `return`."""
+        at = 0
+        while at < len(calls):
+            call = calls[at]
+            self._count(call, scope)
+            if call.name in _BLOCKS:
+                end = _end_of(calls, at, scope.file)
+                self._run_block(calls[at : end + 1], scope)
+                at = end + 1
+                continue
+            at += 1
+            if call.name in ("break", "continue", "return"):
+                raise _Leave(call.name)
+            self._run(call, scope)
+
+    def _count(self, call: _Call, scope: _Scope) -> None:
+        self._left -= 1
+        if self._left < 0:
+            text = f"day6-tui runs at most {_MOST_CALLS} commands of one package."
+            raise CMakeError(text, call.line, call.name, scope.file)
+
+    # -- blocks --------------------------------------------------------------------------------------------------------
+
+    def _run_block(self, calls: list[_Call], scope: _Scope) -> None:
+        first, body = calls[0], calls[1:-1]
+        if first.name == "if":
+            self._if(calls, scope)
+        elif first.name in ("function", "macro"):
+            words = _all_filled(first.words, scope.variables)
+            if words:
+                self._functions[words[0].lower()] = _Function(words[1:], body, first.name == "macro")
+        elif first.name == "foreach":
+            self._foreach(first, body, scope)
+        else:
+            while self._holds(first, scope) and self._looped(body, scope):
+                self._count(first, scope)
+
+    def _if(self, calls: list[_Call], scope: _Scope) -> None:
+        depth, start, chosen = 0, 0, self._holds(calls[0], scope)
+        for at, call in enumerate(calls):
+            depth += (call.name in _BLOCKS) - (call.name in _BLOCKS.values())
+            if at == len(calls) - 1 or (depth == 1 and call.name in ("else", "elseif")):
+                if chosen:
+                    self.block(calls[start + 1 : at], scope)
+                    return
+                start, chosen = at, call.name == "else" or (call.name == "elseif" and self._holds(call, scope))
+
+    def _holds(self, call: _Call, scope: _Scope) -> bool:
+        words: list[str] = []
+        for word in call.words:
+            filled = _filled(word, scope.variables)
+            words += [f'"{filled[0]}'] if word.startswith('"') else filled
+        try:
+            return holds(words, scope.variables, scope.folder)
+        except ValueError:
+            if any("${" in word for word in call.words):
+                return False  # it may be about one of CMake's many variables that are not known here
+            shown = " ".join(f'"{word}"' for word in _all_filled(call.words, scope.variables))
+            text = f"given arguments:\n\n    {shown}\n\nUnknown arguments specified"
+            raise CMakeError(text, call.line, call.name, scope.file) from None
+
+    def _foreach(self, first: _Call, body: list[_Call], scope: _Scope) -> None:
+        words = _all_filled(first.words, scope.variables)
+        if not words:
+            raise CMakeError("foreach called with incorrect number of arguments", first.line, "foreach", scope.file)
+        name, items = words[0], list(_items(words[1:], scope.variables))
+        before = scope.variables.get(name)
+        for item in items:
+            scope.variables[name] = item
+            if not self._looped(body, scope):
+                break
+        scope.variables.pop(name, None)
+        if before is not None:
+            scope.variables[name] = before
+
+    def _looped(self, body: list[_Call], scope: _Scope) -> bool:
+        """Run the body of a loop once; returns whether it goes on."""
+        try:
+            self.block(body, scope)
+        except _Leave as leave:
+            if leave.args[0] == "return":
+                raise
+            return bool(leave.args[0] == "continue")
+        return True
+
+    # -- commands ------------------------------------------------------------------------------------------------------
+
+    def _run(self, call: _Call, scope: _Scope) -> None:
+        words = _all_filled(call.words, scope.variables)
+        function = self._functions.get(call.name)
+        if function is not None:
+            self._call(function, call, words, scope)
+            return
+        command = Command(call.name, words, call.line, scope.folder, scope.file)
+        if call.name in ("find_package", "ament_auto_find_build_dependencies"):
+            for name in self._find(command):
+                scope.variables[f"{name}_FOUND"] = "1"
+        elif call.name == "message" and words[:1] == ["FATAL_ERROR"]:
+            raise command.error("".join(words[1:]))
+        elif call.name == "include" and words:
+            self._read(scope.folder / words[0], scope)
+        elif call.name == "add_subdirectory" and words:
+            folder = scope.folder / words[0]
+            inner = _Scope(
+                {**scope.variables, "CMAKE_CURRENT_SOURCE_DIR": str(folder)},
+                folder,
+                scope.file,
+                scope.variables,
+                scope.depth,
+            )
+            self._read(folder / LISTS, inner)
+        elif (change := _CHANGES.get(call.name)) is not None:
+            change(command, scope)
+            if sum(map(len, (scope.variables.get(word, "") for word in words[:2]))) > _MOST_TEXT:
+                raise command.error(f"day6-tui keeps at most {_MOST_TEXT} characters in a variable.")
+        self.commands.append(command)
+
+    def _call(self, function: _Function, call: _Call, words: list[str], scope: _Scope) -> None:
+        if scope.depth >= _DEEPEST:
+            raise CMakeError(f"Maximum recursion depth of {_DEEPEST} exceeded", call.line, call.name, scope.file)
+        given = dict(zip(function.parameters, words, strict=False))
+        more = words[len(function.parameters) :]
+        given.update({"ARGN": ";".join(more), "ARGV": ";".join(words), "ARGC": str(len(words))})
+        given.update({f"ARGV{number}": word for number, word in enumerate(words)})
+        if function.is_macro:
+            before = {name: scope.variables.get(name) for name in given}
+            scope.variables.update(given)
+            scope.depth += 1
+            try:
+                self.block(function.body, scope)
+            finally:
+                scope.depth -= 1
+                for name, value in before.items():
+                    scope.variables.pop(name, None)
+                    if value is not None:
+                        scope.variables[name] = value
+            return
+        inner = _Scope({**scope.variables, **given}, scope.folder, scope.file, scope.variables, scope.depth + 1)
+        self.file(function.body, inner)
+
+    def _read(self, path: Path, scope: _Scope) -> None:
+        """Run another file of the package; a module of CMake or ament, which is no file here, is nothing."""
+        if not path.is_file() or scope.depth >= _DEEPEST:
+            return
+        shown = Path(os.path.relpath(path, self.top)).as_posix()
+        text = path.read_text(encoding="utf-8", errors="replace")
+        before = scope.file
+        scope.file, scope.depth = shown, scope.depth + 1
+        self.file(_calls(text, shown), scope)
+        scope.file, scope.depth = before, scope.depth - 1
+
+    def file(self, calls: list[_Call], scope: _Scope) -> None:
+        """Run the commands of a file or function, up to a `return`."""
+        try:
+            self.block(calls, scope)
+        except _Leave:
+            return
+
+
+# -- what changes variables --------------------------------------------------------------------------------------------
+
+
+def _set_variable(command: Command, scope: _Scope) -> None:
+    name, *values = command.words or [""]
+    target = scope.variables
+    if values[-1:] == ["PARENT_SCOPE"]:
+        values.pop()
+        target = scope.parent if scope.parent is not None else target
+    elif "CACHE" in values:
+        values = values[: values.index("CACHE")]
+        if name in target:
+            return
+    if values:
+        target[name] = ";".join(values)
+    else:
+        target.pop(name, None)
+
+
+def _option(command: Command, scope: _Scope) -> None:
+    if command.words:
+        value = command.words[2] if len(command.words) > 2 else "OFF"
+        scope.variables.setdefault(command.words[0], value)
+
+
+def _unset(command: Command, scope: _Scope) -> None:
+    for name in command.words[:1]:
+        scope.variables.pop(name, None)
+
+
+def _list(command: Command, scope: _Scope) -> None:
+    if len(command.words) < 2:
+        return
+    verb, name, *values = command.words
+    items = [item for item in scope.variables.get(name, "").split(";") if item]
+    if verb in ("APPEND", "PREPEND"):
+        items = [*items, *values] if verb == "APPEND" else [*values, *items]
+    elif verb == "REMOVE_ITEM":
+        items = [item for item in items if item not in values]
+    elif verb == "REMOVE_DUPLICATES":
+        items = list(dict.fromkeys(items))
+    elif verb in ("SORT", "REVERSE"):
+        items = sorted(items) if verb == "SORT" else items[::-1]
+    elif verb == "FILTER" and len(values) == 3 and values[1] == "REGEX":
+        wanted = values[0] == "INCLUDE"
+        items = [item for item in items if _matches(values[2], item) == wanted]
+    elif verb == "LENGTH" and values:
+        scope.variables[values[0]] = str(len(items))
+        return
+    else:
+        return
+    scope.variables[name] = ";".join(items)
+
+
+def _matches(pattern: str, text: str) -> bool:
+    try:
+        return re.search(pattern, text) is not None
+    except re.error:
+        return False
+
+
+def _file(command: Command, scope: _Scope) -> None:
+    if len(command.words) > 1 and command.words[0] in ("GLOB", "GLOB_RECURSE"):
+        mode, name, *words = command.words
+        scope.variables[name] = ";".join(_globbed(mode, words, scope.folder))
 
 
 def _globbed(mode: str, words: list[str], folder: Path) -> Iterator[str]:
@@ -102,12 +382,134 @@ def _globbed(mode: str, words: list[str], folder: Path) -> Iterator[str]:
             yield (path.relative_to(start) if start is not None and start in path.parents else path).as_posix()
 
 
+def _project(command: Command, scope: _Scope) -> None:
+    for name in command.words[:1]:
+        scope.variables.update({"PROJECT_NAME": name, "CMAKE_PROJECT_NAME": name})
+        scope.variables["PROJECT_SOURCE_DIR"] = str(scope.folder)
+
+
+def _filename_component(command: Command, scope: _Scope) -> None:
+    if len(command.words) < 3:
+        return
+    name, text, mode = command.words[:3]
+    path = Path(text)
+    parts = {
+        "NAME": path.name,
+        "NAME_WE": path.name.partition(".")[0],
+        "NAME_WLE": path.stem,
+        "EXT": "".join(path.name.partition(".")[1:]),
+        "LAST_EXT": path.suffix,
+        "DIRECTORY": "" if str(path.parent) == "." else path.parent.as_posix(),
+        "PATH": "" if str(path.parent) == "." else path.parent.as_posix(),
+        "ABSOLUTE": os.path.normpath(scope.folder / path),
+        "REALPATH": os.path.realpath(scope.folder / path),
+    }
+    scope.variables[name] = parts.get(mode, "")
+
+
+def _string(command: Command, scope: _Scope) -> None:
+    verb, *words = command.words or [""]
+    if verb in ("TOLOWER", "TOUPPER") and len(words) == 2:
+        scope.variables[words[1]] = words[0].lower() if verb == "TOLOWER" else words[0].upper()
+    elif verb == "REPLACE" and len(words) >= 4:
+        scope.variables[words[2]] = "".join(words[3:]).replace(words[0], words[1])
+    elif verb == "APPEND" and words:
+        scope.variables[words[0]] = scope.variables.get(words[0], "") + "".join(words[1:])
+    elif verb == "CONCAT" and words:
+        scope.variables[words[0]] = "".join(words[1:])
+
+
+def _parse_arguments(command: Command, scope: _Scope) -> None:
+    """`cmake_parse_arguments(PREFIX OPTIONS ONE_VALUE MANY_VALUES ARG…)`, which functions of packages use."""
+    if len(command.words) < 4:
+        return
+    prefix, *lists = command.words[:4]
+    options, ones, many = ([each for each in text.split(";") if each] for text in lists)
+    found: dict[str, list[str]] = {}
+    current = "UNPARSED_ARGUMENTS"
+    for word in (part for each in command.words[4:] for part in each.split(";")):
+        if word in options or word in ones or word in many:
+            current = "UNPARSED_ARGUMENTS" if word in options else word
+            found[word] = ["TRUE"] if word in options else []
+            continue
+        found.setdefault(current, []).append(word)
+        if current in ones:
+            current = "UNPARSED_ARGUMENTS"
+    for name in (*options, *ones, *many, "UNPARSED_ARGUMENTS"):
+        scope.variables.pop(f"{prefix}_{name}", None)
+        if name in options or name in found:
+            scope.variables[f"{prefix}_{name}"] = ";".join(found.get(name, ["FALSE"]))
+
+
+_CHANGES: dict[str, Callable[[Command, _Scope], None]] = {
+    "set": _set_variable,
+    "option": _option,
+    "unset": _unset,
+    "list": _list,
+    "file": _file,
+    "project": _project,
+    "get_filename_component": _filename_component,
+    "string": _string,
+    "cmake_parse_arguments": _parse_arguments,
+}
+
+
+def _items(words: list[str], variables: Mapping[str, str]) -> Iterator[str]:
+    """Yield what a `foreach` goes through."""
+    if words[:1] == ["RANGE"]:
+        try:
+            numbers = [int(word) for word in words[1:4]]
+        except ValueError:
+            return
+        start, stop = (0, numbers[0]) if len(numbers) == 1 else numbers[:2]
+        step = numbers[2] if len(numbers) > 2 else 1
+        yield from map(str, range(start, min(stop + 1, start + _MOST_CALLS), max(step, 1)))
+        return
+    if words[:1] != ["IN"]:
+        yield from words
+        return
+    mode = ""
+    for word in words[1:]:
+        if word in ("LISTS", "ITEMS"):
+            mode = word
+        elif mode == "LISTS":
+            yield from (item for item in variables.get(word, "").split(";") if item)
+        else:
+            yield word
+
+
+# -- text --------------------------------------------------------------------------------------------------------------
+
+
+def _calls(text: str, file: str) -> list[_Call]:
+    text = _without_comments(text)
+    calls: list[_Call] = []
+    at, line, counted = 0, 1, 0
+    while match := _COMMAND.search(text, at):
+        line += text.count("\n", counted, match.start(1))
+        counted = match.start(1)
+        words, at = _arguments(text, match.end(), line, file)
+        calls.append(_Call(match.group(1).lower(), words, line))
+    return calls
+
+
+def _end_of(calls: list[_Call], start: int, file: str) -> int:
+    """Return where the block that begins at `start` ends. Raises CMakeError if it does not."""
+    depth = 0
+    for at in range(start, len(calls)):
+        depth += (calls[at].name in _BLOCKS) - (calls[at].name in _BLOCKS.values())
+        if not depth:
+            return at
+    raise CMakeError("Flow control statements are not properly nested.", calls[start].line, calls[start].name, file)
+
+
 def _without_comments(text: str) -> str:
     """Blank comments, so that places stay the same."""
+    text = re.sub(r"(?s)#\[(=*)\[.*?\]\1\]", lambda match: "\n" * match[0].count("\n"), text)
     return re.sub(r'"(?:[^"\\]|\\.)*"|#[^\n]*', lambda match: match[0] if match[0][0] == '"' else "", text)
 
 
-def _arguments(text: str, at: int, line: int) -> tuple[list[str], int]:
+def _arguments(text: str, at: int, line: int, file: str) -> tuple[list[str], int]:
     words: list[str] = []
     depth = 1
     while match := _WORD.match(text, at):
@@ -119,14 +521,29 @@ def _arguments(text: str, at: int, line: int) -> tuple[list[str], int]:
             words.append(plain)
         elif opening:
             depth += 1
+            words.append("(")
         elif closing:
             depth -= 1
             if not depth:
                 return words, at
-    raise CMakeError('Parse error.  Function missing ending ")".  End of file reached.', line, "")
+            words.append(")")
+    raise CMakeError('Parse error.  Function missing ending ")".  End of file reached.', line, "", file)
+
+
+def _all_filled(words: Iterable[str], variables: Mapping[str, str]) -> list[str]:
+    return [part for word in words for part in _filled(word, variables)]
 
 
 def _filled(word: str, variables: Mapping[str, str]) -> list[str]:
     quoted = word.startswith('"')
-    value = re.sub(r"\$\{(\w+)\}", lambda match: variables.get(match[1], ""), word[1:] if quoted else word)
+    value = word[1:] if quoted else word
+    for _ in range(10):  # ${A_${B}} from the inside out
+        changed = _REFERENCE.sub(lambda match: _value(match[1], match[2], variables), value)
+        if changed == value or len(changed) > _MOST_TEXT:
+            break
+        value = changed
     return [value] if quoted else [part for part in value.split(";") if part]
+
+
+def _value(kind: str | None, name: str, variables: Mapping[str, str]) -> str:
+    return variables.get(f"ENV{{{name}}}" if kind else name, "")

@@ -306,12 +306,6 @@ def test_a_message_that_was_changed_is_another_after_the_next_build(workshop: Wo
         ),
         ("msg/Num.msg", "int64 num", "int64 Num", "'Num' is an invalid field name"),
         ("srv/Add.srv", "---\n", "", "separator '---'"),
-        (
-            "CMakeLists.txt",
-            "ament_package()",
-            "add_executable(node src/node.cpp)\nament_package()",
-            "add_executable(node)",
-        ),
     ],
 )
 def test_a_fault_in_a_message_package_is_told(

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.graph import EndpointKind
+from day6_tui.core.link.remote import lives_here
 from day6_tui.core.session.threads import in_thread
 
 if TYPE_CHECKING:
@@ -20,8 +22,13 @@ class Reader:
         self._session = session
         self._rviz = rviz
 
-    def robot(self, text: str, source: str, done: Callable[[Any], None], cancelled: Callable[[], bool]) -> None:
-        """Read a robot description; `source` is its file, '' if it came by a topic. Calls `done` with RobotParts."""
+    def robot(
+        self, text: str, source: str, trusted: bool, done: Callable[[Any], None], cancelled: Callable[[], bool]
+    ) -> None:
+        """Read a robot description; `source` is its file, '' if it came by a topic. Calls `done` with RobotParts.
+
+        `trusted`: it came from this machine, and may name any file of it.
+        """
         session, rviz = self._session, self._rviz
         # What the thread may use of the session is copied now.
         share_of = self._packages()
@@ -35,7 +42,7 @@ class Reader:
                 rviz.progress = text
                 rviz.touch()
 
-            store = MeshStore(share_of, folder, cancelled, progress)
+            store = MeshStore(share_of, folder, cancelled, progress, anywhere=trusted)
             return read_robot(text, store.read)
 
         async def run() -> None:
@@ -47,15 +54,15 @@ class Reader:
 
         session.spawn(run())
 
-    def mesh(self, uri: str, done: Callable[[Any], None]) -> None:
-        """Read one mesh of a marker. Calls `done` with its MeshData, None if it cannot be read."""
+    def mesh(self, uri: str, trusted: bool, done: Callable[[Any], None]) -> None:
+        """Read one mesh of a marker; `trusted` as for a robot. Calls `done` with its MeshData, None if it cannot be read."""
         share_of = self._packages()
 
         def work() -> Any:
             from day6_tui.core.ros.programs.rviz2.model.meshes import MeshStore
 
             try:
-                return MeshStore(share_of).read(uri)
+                return MeshStore(share_of, anywhere=trusted).read(uri)
             except (OSError, ValueError, MemoryError):
                 return None
 
@@ -64,6 +71,16 @@ class Reader:
             self._rviz.touch()
 
         self._session.spawn(run())
+
+    def is_of_this_machine(self, gid: bytes | None) -> bool:
+        """Say whether a publisher belongs to this process, or to another one of this user on this machine."""
+        graph = self._session.graph
+        if graph is None or gid is None:
+            return False
+        for publisher in graph.endpoints(EndpointKind.PUBLISHER):
+            if publisher.gid == gid:
+                return publisher.origin is None or lives_here(publisher.origin, graph.domain_id)
+        return False
 
     def _packages(self) -> Callable[[str], str]:
         """What finds a package's share folder as this program's environment is now; for any thread."""

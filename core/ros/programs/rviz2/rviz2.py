@@ -132,6 +132,7 @@ async def main(session: Session) -> int:
     reader = Reader(session, rviz)
     rviz.read_robot, rviz.read_file, rviz.read_mesh = reader.robot, reader.file, reader.mesh
     rviz.write_file, rviz.path = reader.write, reader.path
+    rviz.is_of_this_machine = reader.is_of_this_machine
     listener = listen(session, buffer)
     _configure(session, rviz, options)
     session.spawn(session.spin(node, listener))

@@ -42,7 +42,9 @@ QUALITIES = ("High", "Medium", "Low")
 TIMES = ("ROS Time", "ROS Elapsed", "Wall Time", "Wall Elapsed")
 """The lines of RViz's Time panel."""
 
-RobotReader = Callable[[str, str, Callable[[Any], None], Callable[[], bool]], None]
+RobotReader = Callable[[str, str, bool, Callable[[Any], None], Callable[[], bool]], None]
+MeshReader = Callable[[str, bool, Callable[[Any], None]], None]
+"""Take, beside a text or URI, whether it came from this machine (see `MeshStore`)."""
 
 
 class RViz:
@@ -62,8 +64,10 @@ class RViz:
         """Set when a user asked for something."""
         self.pace = 0.0
         """Seconds between two pictures that the viewer can show."""
-        self.read_robot: RobotReader = lambda text, folder, done, cancelled: None
-        self.read_mesh: Callable[[str, Callable[[Any], None]], None] = lambda uri, done: None
+        self.read_robot: RobotReader = lambda text, folder, trusted, done, cancelled: None
+        self.read_mesh: MeshReader = lambda uri, trusted, done: None
+        self.is_of_this_machine: Callable[[bytes | None], bool] = lambda gid: False
+        """Says of the gid of a publisher whether it belongs to a process of this user on this machine."""
         self.read_file: Callable[[str, Callable[[str], None]], None] = lambda path, done: None
         self.path: Callable[[str], Path] = Path
         """The file that a name means to the program."""

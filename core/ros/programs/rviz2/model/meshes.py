@@ -2,10 +2,16 @@
 
 A terminal has some ten thousand pixels, so a mesh of more triangles than that is made coarser while it is read: corners in
 the same small cube become one.
+
+Which files: `package://` is confined to the package, whoever names it. A description or marker that came from this machine (a
+file that the user opened, a publisher of one of the user's processes) may name any file by `file://` or its path, as in RViz,
+which reads as the user. What came from another machine may not: it could find out what files there are, or make the system
+ask a server (`//server/share` on Windows).
 """
 
 from __future__ import annotations
 
+import stat
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -43,7 +49,10 @@ class MeshData:
 
 
 class MeshStore:
-    """Reads each mesh of one robot once; `share_of` gives the share folder of a package, or raises LookupError."""
+    """Reads each mesh of one robot once; `share_of` gives the share folder of a package, or raises LookupError.
+
+    `anywhere`: the robot is of this machine, and its meshes may lie outside packages.
+    """
 
     def __init__(
         self,
@@ -51,7 +60,10 @@ class MeshStore:
         folder: Path | None = None,
         cancelled: Callable[[], bool] = lambda: False,
         progress: Callable[[str], None] = lambda text: None,
+        *,
+        anywhere: bool = True,
     ) -> None:
+        self._anywhere = anywhere
         self._share_of = share_of
         self._folder = folder
         self._cancelled = cancelled
@@ -78,11 +90,12 @@ class MeshStore:
         return found
 
     def find(self, uri: str) -> Path:
-        """The file of a URI. Raises OSError."""
+        """The file of a URI. Raises OSError, LookupError for a package that is not there, MeshError for a forbidden place."""
         parsed = urlparse(uri)
         if parsed.scheme == "package":
-            inside = unquote(parsed.path).lstrip("/")
-            return Path(self._share_of(parsed.netloc)) / inside
+            return _inside(Path(self._share_of(parsed.netloc)), unquote(parsed.path), uri)
+        if not self._anywhere:
+            raise MeshError(f"{uri}: a robot of another machine may only use files of packages")
         if parsed.scheme == "file":
             return Path(unquote(parsed.netloc + parsed.path))
         path = Path(uri)
@@ -94,7 +107,10 @@ class MeshStore:
 
     def _read(self, uri: str) -> MeshData:
         path = self.find(uri)
-        size = path.stat().st_size
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise MeshError(f"{path.name} is no file")  # opening a pipe would wait for its other end
+        size = status.st_size
         suffix = path.suffix.lower()
 
         def progress(part: float) -> None:
@@ -109,6 +125,20 @@ class MeshStore:
         if reader is None:
             raise MeshError(f"{path.name}: this kind of mesh is not known")
         return reader(path, progress)
+
+
+def _inside(share: Path, name: str, uri: str) -> Path:
+    """Return a file of a package, which neither dots nor links lead out of. Raises MeshError.
+
+    With `colcon build --symlink-install` the files are links into the package's sources, and so is its package.xml.
+    """
+    path = share / name.replace("\\", "/").lstrip("/")
+    manifest = share / "package.xml"
+    homes = (share.resolve(), manifest.resolve().parent)
+    outside = ".." in path.relative_to(share).parts if path.is_relative_to(share) else True
+    if outside or not any(path.resolve().is_relative_to(home) for home in homes):
+        raise MeshError(f"{uri} leads out of its package")
+    return path
 
 
 Progress = Callable[[float], None]

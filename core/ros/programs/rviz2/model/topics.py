@@ -38,6 +38,8 @@ class TopicDisplay(Display):
     default_topic = ""
     depth = 5
     transient_local = False
+    asks_who_sent = False
+    """Whether `sender` is set before a message is processed."""
 
     def build(self) -> None:
         self.topic = Property(
@@ -59,6 +61,8 @@ class TopicDisplay(Display):
         self.add(self.topic)
         self.subscription: Subscription[Any] | None = None
         self.received = 0
+        self.sender: bytes | None = None
+        """The gid of the publisher of the message that is processed now."""
         self._since_ns = 0
         self._subscribed: tuple[Any, ...] = ()
 
@@ -117,11 +121,15 @@ class TopicDisplay(Display):
             text = f"Some messages were lost:\n>\tNumber of new lost messages: {info.total_count_change} "
             self.put_status(WARN, line, f"{text}\n>\tTotal number of messages lost: {info.total_count}")
 
+        def with_sender(message: Any, info: Any) -> None:
+            self.sender = bytes(info["publisher_gid"]["data"])
+            callback(message)
+
         try:
             subscription = self.rviz.node.create_subscription(
                 get_message(type_name),
                 topic,
-                callback,
+                with_sender if self.asks_who_sent else callback,
                 self.qos(),
                 event_callbacks=SubscriptionEventCallbacks(message_lost=lost),
             )
@@ -159,7 +167,8 @@ class FilteredDisplay(TopicDisplay):
         super().build()
         self.filter_size = Property("Filter size", INT, self.default_filter_size, low=1)
         self.topic.add(self.filter_size)
-        self._waiting: deque[Any] = deque()
+        self._waiting: deque[tuple[Any, bytes | None]] = deque()
+        """Messages and who sent them."""
 
     def show(self, message: Any) -> None:
         """A message whose transform is known (or was, when it came)."""
@@ -170,9 +179,9 @@ class FilteredDisplay(TopicDisplay):
         self._waiting.clear()
 
     def _incoming(self, message: Any) -> None:
-        self._waiting.append(message)
+        self._waiting.append((message, self.sender))
         while len(self._waiting) > self.filter_size.value:
-            self._drop(self._waiting.popleft())
+            self._drop(self._waiting.popleft()[0])
         self.rviz.touch()
 
     def _drop(self, message: Any) -> None:
@@ -187,10 +196,11 @@ class FilteredDisplay(TopicDisplay):
         super().refresh()
         frames = self.rviz.frames
         for _ in range(len(self._waiting)):
-            message = self._waiting.popleft()
+            message, sender = self._waiting.popleft()
             if frames.pose(message.header.frame_id, stamp_ns(message.header.stamp)) is None:
-                self._waiting.append(message)
+                self._waiting.append((message, sender))
             else:
+                self.sender = sender
                 self.count()
                 self.show(message)
 

@@ -43,7 +43,8 @@ class Markers:
         self._switches: dict[str, Property] = {}
         self.wanted: dict[str, bool] = {}
         self._markers: dict[Key, _Marker] = {}
-        self._meshes: dict[str, Any] = {}
+        self._meshes: dict[tuple[str, bool], Any] = {}
+        """By URI, and whether it came from this machine."""
 
     # -- messages ------------------------------------------------------------------------------------------------------
 
@@ -94,16 +95,17 @@ class Markers:
             self._say(key, WARN if problem.startswith("Scale") else ERROR, problem)
 
     def _read_mesh(self, key: Key, entry: _Marker) -> None:
-        uri = entry.message.mesh_resource
-        if uri in self._meshes:
-            self._mesh_is_here(key, entry, self._meshes[uri])
+        rviz, uri = self.display.rviz, entry.message.mesh_resource
+        trusted = rviz.is_of_this_machine(self.display.sender)
+        if (uri, trusted) in self._meshes:
+            self._mesh_is_here(key, entry, self._meshes[uri, trusted])
             return
 
         def done(mesh: Any) -> None:
-            self._meshes[uri] = mesh
+            self._meshes[uri, trusted] = mesh
             self._mesh_is_here(key, entry, mesh)
 
-        self.display.rviz.read_mesh(uri, done)
+        rviz.read_mesh(uri, trusted, done)
 
     def _mesh_is_here(self, key: Key, entry: _Marker, mesh: Any) -> None:
         entry.mesh = mesh
@@ -176,6 +178,8 @@ def _line(key: Key) -> str:
 
 class _MarkerDisplay(TopicDisplay):
     """A display of markers, however they come."""
+
+    asks_who_sent = True
 
     def build(self) -> None:
         super().build()

@@ -25,6 +25,7 @@ class RobotModelDisplay(TopicDisplay):
     default_topic = ""
     depth = 1
     transient_local = True
+    asks_who_sent = True
 
     def build(self) -> None:
         changed = self.changed
@@ -89,13 +90,15 @@ class RobotModelDisplay(TopicDisplay):
     def _read(self, text: str) -> None:
         self._reading += 1
         number = self._reading
-        folder = self.file.value if self.source.value == "File" else ""
+        from_file = self.source.value == "File"
+        folder = self.file.value if from_file else ""
+        trusted = from_file or self.rviz.is_of_this_machine(self.sender)
 
         def done(parts: RobotParts) -> None:
             if number == self._reading and self.enabled:
                 self._take_over(parts)
 
-        self.rviz.read_robot(text, folder, done, lambda: number != self._reading)
+        self.rviz.read_robot(text, folder, trusted, done, lambda: number != self._reading)
 
     def _take_over(self, parts: RobotParts) -> None:
         self._forget_robot()

@@ -1,0 +1,75 @@
+"""What a process of xacro may use. A file whose expressions or macros have no end is ended, and not the machine.
+
+Time of the processor, not of the clock: a slow or busy machine ends no honest file. A robot arm with its sensors takes about
+a second. Memory is limited where the system can (Linux); elsewhere the time is what ends it.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import os
+import sys
+from typing import TextIO
+
+CPU_SECONDS = 10
+MEMORY_BYTES = 1 << 30
+OUT_OF_TIME = 1 if sys.platform == "win32" else -1
+"""The status with which the watchdog of Windows, which has no such limit, ends the process; xacro itself fails with 2."""
+
+_kept: list[TextIO] = []
+
+
+def run(seconds: int) -> None:
+    """Be xacro, with limits (seconds of the processor); the arguments are those of this process. Ends it."""
+    limit(seconds)
+    import xml.parsers.expat  # noqa: F401  # xacro names that module without importing it
+
+    from xacro import main  # type: ignore[import-untyped]
+
+    sys.argv[0] = "xacro"
+    try:
+        main()
+    except SystemExit as end:
+        if _is_caused_by(end, MemoryError):
+            sys.stderr.write(f"error: xacro was ended: it needed more than {MEMORY_BYTES >> 20} megabytes of memory\n")
+        raise
+
+
+def limit(seconds: int) -> None:
+    """Limit this process."""
+    if sys.platform == "win32":
+        _kept.append(open(os.devnull, "w"))  # noqa: SIM115  # it must be open when the time is up
+        faulthandler.dump_traceback_later(seconds, exit=True, file=_kept[0])
+        return
+    import resource
+
+    _lower(resource.RLIMIT_CORE, 0)
+    _lower(resource.RLIMIT_CPU, seconds)
+    if sys.platform == "linux":
+        _lower(resource.RLIMIT_AS, MEMORY_BYTES)
+
+
+if sys.platform != "win32":
+
+    def _lower(what: int, wanted: int) -> None:
+        import resource
+
+        _, most = resource.getrlimit(what)
+        lower = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
+        resource.setrlimit(what, (lower, most))
+
+
+def _is_caused_by(error: BaseException, kind: type[BaseException]) -> bool:
+    """Say whether an exception, or one that it was raised for, is of a kind; those of xacro hold theirs in `exc`."""
+    waiting: list[BaseException | None] = [error]
+    seen: set[int] = set()
+    while waiting:
+        each = waiting.pop()
+        if each is None or id(each) in seen:
+            continue
+        if isinstance(each, kind):
+            return True
+        seen.add(id(each))
+        held = getattr(each, "exc", None)
+        waiting += [each.__context__, each.__cause__, held if isinstance(held, BaseException) else None]
+    return False

@@ -1,0 +1,8 @@
+"""The type of what names a file."""
+
+from __future__ import annotations
+
+import os
+from typing import TypeVar
+
+FilePath = TypeVar("FilePath", str, bytes, os.PathLike)  # type: ignore[type-arg]

@@ -1,0 +1,1 @@
+"""The ROS package sensor_msgs_py: point clouds as numpy arrays."""

@@ -1,0 +1,6 @@
+"""The ROS package tf2_sensor_msgs: importing it teaches tf2_ros to transform point clouds."""
+
+from tf2_sensor_msgs.tf2_sensor_msgs import do_transform_cloud as do_transform_cloud
+from tf2_sensor_msgs.tf2_sensor_msgs import transform_points as transform_points
+
+__all__ = ["do_transform_cloud", "transform_points"]
