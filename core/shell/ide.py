@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
-from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
+from day6_tui.core.whole_file import replace_file
 
 LAUNCH_NAME = "day6: this Python file"
 _SHELL_OF = {"win32": "windows", "darwin": "osx"}
@@ -42,7 +42,7 @@ def write_stubs(folder: Path) -> int:
         for path, text in package_stubs(package).items():
             file = folder / path
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text, encoding="utf-8")
+            replace_file(file, text.encode("utf-8"), sync=False)
         count += 1
     return count
 
@@ -149,7 +149,7 @@ def write_pycharm(project: Path, stubs: Path) -> list[Path]:
     modules, template = idea / "modules.xml", idea / "runConfigurations" / "_template__of_Python.xml"
     _change(module, lambda text: _pycharm_module(text, [stubs, PYTHON_PATH]))
     if not modules.exists():
-        modules.write_text(_MODULES.format(name=module.name), encoding="utf-8")
+        replace_file(modules, _MODULES.format(name=module.name).encode("utf-8"))
     _change(template, _pycharm_template)
     return [module, modules, template]
 
@@ -233,4 +233,4 @@ def _change(file: Path, edit: Callable[[str], str]) -> None:
     except (ValueError, ElementTree.ParseError, AttributeError, TypeError) as error:
         raise ValueError(f"{file} is not understood and was left as it is: {error}") from error
     if after != before:
-        replace_file(file, after.replace("\n", os.linesep).encode("utf-8"))
+        replace_file(Path(os.path.realpath(file)), after.replace("\n", os.linesep).encode("utf-8"))

@@ -9,12 +9,11 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import tempfile
 import zipfile
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from pathlib import Path
 
+from day6_tui.core.whole_file import replacing
 from day6_tui.core.workspace.packages import Package, find_packages
 
 _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
@@ -98,19 +97,11 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> list[str]:
 
 def _write(packages: list[Package], source: Path, top: str, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
-    number, name = tempfile.mkstemp(prefix=".day6-", suffix=".zip", dir=target.parent)
-    try:
-        with os.fdopen(number, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
-            for package in packages:
-                for path in _files(package.path, target):
-                    archive.write(path, f"{top}/src/{path.relative_to(source).as_posix()}")
-        os.chmod(name, 0o644)
-        os.replace(name, target)
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(name)
-        raise
+    with replacing(target, mode=0o666) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
+        for package in packages:
+            for path in _files(package.path, target):
+                archive.write(path, f"{top}/src/{path.relative_to(source).as_posix()}")
 
 
 def _files(folder: Path, target: Path) -> Iterator[Path]:

@@ -1,12 +1,11 @@
-"""Writes files so that none is ever half there: into a temporary file beside the target, which then takes its name."""
+"""Puts files into build and install folders: written whole (`core.whole_file`), linked, or copied."""
 
 from __future__ import annotations
 
-import os
 import sys
-import tempfile
-from contextlib import suppress
 from pathlib import Path
+
+from day6_tui.core.whole_file import replace_file
 
 
 def write_text(path: Path, text: str, *, executable: bool = False) -> None:
@@ -17,31 +16,7 @@ def write_text(path: Path, text: str, *, executable: bool = False) -> None:
 def write_bytes(path: Path, data: bytes, *, executable: bool = False) -> None:
     """The same for bytes."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if path.is_symlink():
-        path.unlink()
-    number, temporary = tempfile.mkstemp(prefix=".day6-", dir=path.parent)
-    try:
-        with os.fdopen(number, "wb") as file:
-            file.write(data)
-        if sys.platform != "win32":
-            os.chmod(temporary, 0o755 if executable else 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except OSError as error:
-        with suppress(OSError):
-            os.unlink(temporary)
-        raise OSError(error.errno, error.strerror, str(path)) from error
-
-
-def _umask() -> int:
-    """The umask, read where reading does not change it for other threads."""
-    try:
-        with open("/proc/self/status", encoding="ascii", errors="replace") as file:
-            for line in file:
-                if line.startswith("Umask:"):
-                    return int(line.split()[1], 8)
-    except OSError:
-        pass  # not Linux: the usual one
-    return 0o022
+    replace_file(path, data, mode=0o777 if executable else 0o666, sync=False)
 
 
 def link_or_copy(source: Path, target: Path) -> None:

@@ -149,7 +149,7 @@ async def sed(session: Session) -> int:
 
 
 def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
-    from day6_tui.core.shell.editing.file import replace_file
+    from day6_tui.core.whole_file import replace_file
 
     status = 0
     for name in names:

@@ -7,7 +7,7 @@ import stat
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import FileOutput
+from day6_tui.core.session.streams import FileOutput, OutputStream, WriteError
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of
 from day6_tui.core.shell.outside import asking
@@ -33,22 +33,36 @@ async def cat(session: Session) -> int:
 
 async def tee(session: Session) -> int:
     options, names = parse(session.argv, "ai")
-    outputs = []
+    files: list[FileOutput] = []
+    targets: dict[str, OutputStream] = {"'standard output'": session.stdout}
     status = 0
     for name in names:
         try:
-            outputs.append(FileOutput(session.cwd / name, append="a" in options))
+            files.append(FileOutput(session.cwd / name, append="a" in options))
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             status = 1
+        else:
+            targets[name] = files[-1]
     try:
-        async for _, line in lines_of(session, [], []):
-            session.stdout.write(line)
-            for output in outputs:
-                output.write(line)
+        while targets and (line := await session.stdin.read_line()):
+            for name, target in list(targets.items()):
+                try:
+                    target.write(line)
+                    await target.drain()
+                except WriteError as error:
+                    complain(session, f"{name}: {reason(error)}")
+                    status = 1
+                    del targets[name]  # the others still get theirs
+        for name, target in targets.items():
+            try:
+                target.flush()
+            except WriteError as error:
+                complain(session, f"{name}: {reason(error)}")
+                status = 1
     finally:
-        for output in outputs:
-            output.close()
+        for file in files:
+            file.close()
     return status
 
 
