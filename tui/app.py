@@ -168,7 +168,7 @@ class Day6App(AppActions, App[None]):
             number = getattr(signal, name, None)
             if number is not None:
                 try:
-                    loop.add_signal_handler(number, self.exit)
+                    loop.add_signal_handler(number, self.end_by_signal)
                 except (NotImplementedError, RuntimeError, ValueError):
                     return  # Windows, or not the main thread (tests): the default stays
 
