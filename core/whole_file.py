@@ -23,12 +23,14 @@ _PRIVATE_FOLDER = 0o700
 
 
 @contextlib.contextmanager
-def replacing(target: Path, *, mode: int | None = None, sync: bool = True) -> Iterator[BinaryIO]:
+def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> Iterator[BinaryIO]:
     """A file to write, which takes the name `target` when the block has ended; after an error `target` is as it was.
 
     `mode` is that of the new file, less the umask; None keeps that of the old file. Without `sync` a power cut may still leave
-    an empty file. A link is replaced, not followed; a device is written to. Raises OSError with the name of `target` in it.
+    an empty file. A link is followed, or without `follow` replaced; a device is written to. Raises OSError, which names the file.
     """
+    if follow:
+        target = Path(os.path.realpath(target))
     temporary = target.parent / f".day6-{secrets.token_hex(6)}"
     with _named(target, temporary):
         before = _before(target)
@@ -53,9 +55,9 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True) -> It
             raise
 
 
-def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bool = True) -> None:
+def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> None:
     """Make `data` the content of `target`; see `replacing`. Raises OSError, and then the old file is untouched."""
-    with replacing(target, mode=mode, sync=sync) as file:
+    with replacing(target, mode=mode, sync=sync, follow=follow) as file:
         file.write(data)
 
 

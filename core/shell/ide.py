@@ -233,4 +233,4 @@ def _change(file: Path, edit: Callable[[str], str]) -> None:
     except (ValueError, ElementTree.ParseError, AttributeError, TypeError) as error:
         raise ValueError(f"{file} is not understood and was left as it is: {error}") from error
     if after != before:
-        replace_file(Path(os.path.realpath(file)), after.replace("\n", os.linesep).encode("utf-8"))
+        replace_file(file, after.replace("\n", os.linesep).encode("utf-8"))

@@ -16,7 +16,7 @@ def write_text(path: Path, text: str, *, executable: bool = False) -> None:
 def write_bytes(path: Path, data: bytes, *, executable: bool = False) -> None:
     """The same for bytes."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    replace_file(path, data, mode=0o777 if executable else 0o666, sync=False)
+    replace_file(path, data, mode=0o777 if executable else 0o666, sync=False, follow=False)
 
 
 def link_or_copy(source: Path, target: Path) -> None:

@@ -166,7 +166,7 @@ def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bo
             status = status or 2
             continue
         try:
-            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"))
+            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"), follow=False)
         except OSError as error:
             complain(session, f"couldn't flush {name}: {reason(error)}")
             return 4

@@ -7,7 +7,6 @@ import socket
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import urlsplit
 
@@ -126,7 +125,7 @@ def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Calla
         session.stdout.write(answer.body.decode("utf-8", "replace"))
         return 0
     try:
-        replace_file(Path(os.path.realpath(session.cwd / name)), answer.body)
+        replace_file(session.cwd / name, answer.body)
     except OSError as error:
         session.print_error(f"{name}: {error.strerror}")
         return 3
@@ -165,7 +164,7 @@ async def curl(session: Session) -> int:
             session.stdout.write(answer.body.decode("utf-8", "replace"))
             continue
         try:
-            replace_file(Path(os.path.realpath(session.cwd / name)), answer.body)
+            replace_file(session.cwd / name, answer.body)
         except OSError as error:
             return _curl_fails(session, 23, f"Failure writing output to destination: {name}: {error.strerror}", quiet)
     return 0

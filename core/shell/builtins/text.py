@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import errno
-import os
 import re
 from collections import deque
 from collections.abc import AsyncIterator
-from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
@@ -269,7 +267,7 @@ async def _sorted_into(session: Session, name: str, text: str) -> int:
     if not await agreed(session.name, [path], keys_of(session.stdin, session.stdout), session.stderr, session.env):
         return 2
     try:
-        replace_file(Path(os.path.realpath(path)), text.encode("utf-8", "surrogateescape"))
+        replace_file(path, text.encode("utf-8", "surrogateescape"))
     except OSError as error:
         failed = "write" if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EDQUOT) else "open"
         complain(session, f"{failed} failed: {name}: {reason(error)}")

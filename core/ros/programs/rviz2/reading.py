@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.session.threads import in_thread
+from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.manager import RViz
@@ -104,4 +105,4 @@ class Reader:
     def write(self, path: Path, text: str) -> None:
         """Write a small text file. Raises OSError."""
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="\n")
+        replace_file(path, text.encode("utf-8"))
