@@ -125,3 +125,32 @@ def test_our_own_output_on_a_full_disk(tmp_path: Path, line: str, says: str, sta
             check=False,
         )
     assert (result.stderr, result.returncode) == (says.format(*[NO_SPACE] * 2), status)
+
+
+LOGGER = """
+import rclpy
+rclpy.init()
+node = rclpy.create_node('a')
+for number in range(100):
+    node.get_logger().info('x' * 1000)
+print('alive')
+"""
+
+
+def test_a_program_that_logs_to_a_full_disk_goes_on(machine: Any, tmp_path: Path) -> None:
+    (tmp_path / "logger.py").write_text(LOGGER)
+    result = machine.run(f"cd {tmp_path}; DAY6_LINK=off python3 logger.py 2> /dev/full")
+    assert (result.out, result.status) == ("alive\n", 0)
+
+
+def test_a_node_of_ours_that_logs_to_a_full_disk_goes_on(machine: Any) -> None:
+    lines = "timeout 0.5 ros2 run turtlesim turtlesim_node {}; echo $?"
+    for where in ("2> /dev/full", "> /dev/full 2>&1"):
+        result = machine.run(lines.format(where), seconds=1.0)
+        assert (result.out, result.err) == ("124\n", "")
+
+
+def test_a_log_file_that_cannot_be_written_ends_nothing(machine: Any, tmp_path: Path) -> None:
+    (tmp_path / "log").write_text("a file, not a folder")
+    line = f"ROS_LOG_DIR={tmp_path}/log timeout 0.5 ros2 run turtlesim turtlesim_node; echo $?"
+    assert machine.run(line, seconds=1.0).out == "124\n"
