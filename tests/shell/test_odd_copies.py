@@ -151,6 +151,7 @@ LINES = [
     "cp -r d/. x; find x | sort",
     "cp d/* x",
     "mv d/* x; find . | sort",
+    "mkdir gone; cd gone; rmdir ../gone; cp /etc/hostname .; mv /etc/nope .; cp -r /etc/nope ./",
 ]
 
 

@@ -56,7 +56,8 @@ class _Transfer:
             complain(session, error)
             return 1
         *sources, target = names
-        into = bool(target) and (session.cwd / target).is_dir()
+        # A dot means a folder also where somebody has removed the one this is.
+        into = bool(target) and (os.path.basename(target) in (".", "..") or (session.cwd / target).is_dir())
         if len(sources) > 1 and not into:
             there = bool(target) and os.path.lexists(session.cwd / target)
             complain(session, f"target '{target}': {os.strerror(errno.ENOTDIR if there else errno.ENOENT)}")
