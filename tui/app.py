@@ -12,7 +12,8 @@ import os
 import sys
 import threading
 import time
-from typing import Any
+from pathlib import Path
+from typing import Any, TextIO
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -26,6 +27,7 @@ from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.screen import Screen
 
+from day6_tui.core.whole_file import append_private
 from day6_tui.tui import actions, chops, output
 from day6_tui.tui.app_actions import AppActions
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
@@ -168,7 +170,7 @@ class Day6App(AppActions, App[None]):
             number = getattr(signal, name, None)
             if number is not None:
                 try:
-                    loop.add_signal_handler(number, self.exit)
+                    loop.add_signal_handler(number, self.end_by_signal)
                 except (NotImplementedError, RuntimeError, ValueError):
                     return  # Windows, or not the main thread (tests): the default stays
 
@@ -382,10 +384,26 @@ class Day6App(AppActions, App[None]):
         return True
 
 
+class _LogFile(logging.FileHandler):
+    """A log for this user alone, which goes on without a word when the disk is full: the screen is no place for that."""
+
+    def _open(self) -> TextIO:  # type: ignore[override]
+        append_private(Path(self.baseFilename), b"")
+        return open(self.baseFilename, "a", encoding=self.encoding)
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        """Called instead of raising when a line could not be written."""
+
+
 def keep_log_off_the_screen(environ: Any = None) -> None:
     """Send the log of our own parts to the file $DAY6_LOG, or nowhere: Python's default, stderr, is the screen."""
     file = (os.environ if environ is None else environ).get("DAY6_LOG")
-    handler = logging.FileHandler(file, encoding="utf-8") if file else logging.NullHandler()
+    handler: logging.Handler = logging.NullHandler()
+    if file:
+        try:
+            handler = _LogFile(file, encoding="utf-8")
+        except OSError as error:
+            print(f"day6-tui: DAY6_LOG: {file}: {error.strerror or error}", file=sys.stderr)
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     logging.getLogger().addHandler(handler)
 

@@ -122,7 +122,7 @@ class AppActions:
                     pane.label,
                     texts("menu.window"),
                     partial(self.desktop.focus_pane, pane),
-                    pane.window.close_by_user,
+                    pane.close,
                 )
             )
         self.desktop.open_overlay(Menu(self.look, "menu.windows", entries))
@@ -160,7 +160,7 @@ class AppActions:
             if self.terminals.view is not None:
                 self.terminals.view.terminal.hang_up()
         elif isinstance(pane, WindowPane):
-            pane.window.close_by_user()
+            pane.close()
 
     def do_copy(self) -> None:
         if self.terminals.copy_selection():
@@ -205,7 +205,28 @@ class AppActions:
         self.start_scene("world")
 
     def do_quit(self) -> None:
-        self.exit()
+        """End the desktop; asks when a text would be lost with it, because there is no room for a copy of it."""
+        lost = self.lost_at_the_end()
+        if not lost:
+            self.exit()
+            return
+        from day6_tui.tui.prompt import Question
+
+        texts = self.look.texts
+        title = texts("quit.lost", what="; ".join(lost))
+        self.desktop.open_overlay(Question(self.look, texts("quit.title"), title, {"y": self.exit}))
+
+    def lost_at_the_end(self) -> list[str]:
+        """What the windows cannot keep if the desktop ends now, each with the reason."""
+        return [lost for pane in self.desktop.panes.values() if (lost := pane.loses_at_the_end())]
+
+    def end_by_signal(self) -> None:
+        """A closed terminal or `kill`: nobody can be asked, but what is lost is told."""
+        lost = self.lost_at_the_end()
+        if lost:
+            self.exit(return_code=1, message=self.look.texts("quit.was_lost", what="; ".join(lost)))
+        else:
+            self.exit()
 
     # -- looks ---------------------------------------------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from pathlib import Path
 
 _MODELS = Path(__file__).resolve().parent / "models"
@@ -26,6 +28,14 @@ def copy_model(folder: Path, name: str = "day6_bot") -> Path:
     A file of that name that is there already stays as it is: it may be somebody's work. Raises KeyError, OSError.
     """
     copy = folder / shipped_model(name).name
-    if not copy.exists():
-        copy.write_bytes(shipped_model(name).read_bytes())
+    if copy.exists():
+        return copy
+    data = shipped_model(name).read_bytes()
+    with copy.open("xb", buffering=0) as file:
+        try:
+            if file.write(data) != len(data):
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(copy))
+        except OSError:
+            copy.unlink()  # half a robot would be taken for somebody's work the next time
+            raise
     return copy

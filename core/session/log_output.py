@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.streams import WriteError
+
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 
 class LogOutput:
-    """A stream of its own for log lines. A terminal that was closed swallows them, as rcl's console output does."""
+    """A stream of its own for log lines. A closed terminal and a full disk swallow them, as rcl's console output does."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
@@ -21,7 +23,7 @@ class LogOutput:
         try:
             stream.write(text)
             stream.flush()
-        except BrokenPipeError:
+        except (BrokenPipeError, WriteError):
             return
 
     def isatty(self) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 
 from day6_tui.core.session.session import KilledBySignal, Main, Session
+from day6_tui.core.session.streams import WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, wait_for
 
 _log = logging.getLogger(__name__)
@@ -98,6 +100,18 @@ class Program:
 
 
 async def _status_of(session: Session, main: Main) -> int:
+    """The status that `main` ends with; what could not be written of its output is part of that."""
+    try:
+        status = await _end_of(session, main)
+        session.stdout.flush()
+    except WriteError as error:
+        status = session.on_write_error(session, error)
+    with contextlib.suppress(WriteError):  # nobody is left to be told
+        session.stderr.flush()
+    return status
+
+
+async def _end_of(session: Session, main: Main) -> int:
     try:
         return (await main(session)) or 0
     except SystemExit as end:
@@ -105,7 +119,7 @@ async def _status_of(session: Session, main: Main) -> int:
             return end.code or 0
         session.print_error(end.code)
         return 1
-    except BrokenPipeError:
+    except (BrokenPipeError, WriteError):
         raise
     except Exception as error:
         _log.debug("%s ended by an exception", session.name, exc_info=True)

@@ -15,7 +15,7 @@ from typing import TextIO
 
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.keys import split_keys
-from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream
+from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, wait_for
 
 
@@ -45,18 +45,42 @@ class RealOutput(OutputStream):
             self._backlog.write(self if self._held else None, text)
             if self._held:
                 return len(text)
-        try:
+        with self._failing():
             return self._file.write(text)
-        except BrokenPipeError:
-            self._muted = True
-            # Python flushes the file once more at exit; that must not fail a second time.
-            with contextlib.suppress(OSError, ValueError):
-                os.dup2(os.open(os.devnull, os.O_WRONLY), self._file.fileno())
-            raise
+        raise AssertionError("it is written or it fails")
 
     def flush(self) -> None:
         if not self._muted:
+            with self._failing():
+                self._file.flush()
+
+    @contextlib.contextmanager
+    def _failing(self) -> Iterator[None]:
+        """Inside, a reader that has gone mutes this stream, and what a full disk does not take is dropped (WriteError)."""
+        try:
+            yield
+        except BrokenPipeError:
+            self._muted = True
+            # Python flushes the file once more at exit; that must not fail a second time.
+            with contextlib.suppress(OSError, ValueError), open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), self._file.fileno())
+            raise
+        except OSError as error:
+            with contextlib.suppress(OSError, ValueError):
+                self._drop_waiting()
+            raise WriteError(error.errno, error.strerror) from None
+
+    def _drop_waiting(self) -> None:
+        """Empty the file's buffer, which Python would try to write again each time and at its own end."""
+        number = self._file.fileno()
+        kept = os.dup(number)
+        try:
+            with open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), number)
             self._file.flush()
+        finally:
+            os.dup2(kept, number)
+            os.close(kept)
 
     def copy_to(self, backlog: Backlog) -> None:
         """Let `backlog` know everything that is written, if this is a terminal (a file need not be watched)."""
@@ -75,7 +99,7 @@ class RealOutput(OutputStream):
         self._muted = True
 
     def flush_quietly(self) -> None:
-        with contextlib.suppress(BrokenPipeError):
+        with contextlib.suppress(BrokenPipeError, WriteError):
             self.flush()
 
     def isatty(self) -> bool:

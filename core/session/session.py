@@ -6,6 +6,7 @@ nothing process-wide. `day6_tui.core.session.program.Program` starts one and say
 
 from __future__ import annotations
 
+import contextlib
 import logging
 from collections.abc import Awaitable, Callable, Coroutine
 from pathlib import Path
@@ -14,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.display import Display, ProgramDisplay
 from day6_tui.core.session.scheduler import Scheduler
-from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.session.streams import InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
+from day6_tui.core.session.write_errors import told
 
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
@@ -77,6 +79,8 @@ class Session:
         """What a built-in wants its shell to do when it has returned: exit, break out of a loop …"""
         self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None
         """Runs `python3 ARGS` as a process with this session's streams and returns its status; see `run_python`."""
+        self.on_write_error: Callable[[Session, OSError], int] = told
+        """Says that this program's output could not be written, and what status that means; a shell has words of its own."""
         self.on_interrupt: Callable[[], bool] | None = None
         """Asked first at Ctrl-C; True means that somebody else (a command this one runs) was interrupted instead."""
         self.on_stop: Callable[[bool], None] | None = None
@@ -233,8 +237,9 @@ class Session:
             self.stdout.flush()
 
     def print_error(self, *values: object, sep: str = " ", end: str = "\n") -> None:
-        """`print(…, file=sys.stderr)`."""
-        self.stderr.write(sep.join(map(str, values)) + end)
+        """`print(…, file=sys.stderr)`. If that cannot be written either, there is nobody to tell."""
+        with contextlib.suppress(WriteError):
+            self.stderr.write(sep.join(map(str, values)) + end)
 
     # -- the end -------------------------------------------------------------------------------------------------------
 

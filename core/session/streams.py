@@ -7,6 +7,7 @@ that can produce without end calls `await stream.drain()` between its writes.
 from __future__ import annotations
 
 import contextlib
+import io
 import threading
 import time
 from collections import deque
@@ -23,6 +24,14 @@ PIPE_HIGH = 256 * 1024
 
 PIPE_LIMIT = 4 * 1024 * 1024
 """Characters a pipe holds at most; what is written beyond that without draining is dropped, whole writes at a time."""
+
+
+FILE_BLOCK = 64 * 1024
+"""Bytes that wait before they are written to a file: what a program says at once is there when it ends anyway."""
+
+
+class WriteError(OSError):
+    """A program's output could not be written: the disk is full, or a limit was reached. BrokenPipeError is none of these."""
 
 
 class KeyReceiver(Protocol):
@@ -285,23 +294,59 @@ class FileInput(InputStream):
 
 
 class FileOutput(OutputStream):
-    """Writes a file (`> FILE`, `>> FILE`). The constructor raises OSError as `open` does."""
+    """Writes a file (`> FILE`, `>> FILE`). The constructor raises OSError as `open` does.
+
+    What cannot be written is dropped and remembered as an error, as C's stdio does it: `write` and `close` never raise, `flush`
+    and `drain` do, once. Any thread may write.
+    """
 
     def __init__(self, path: Path, *, append: bool = False) -> None:
-        self._file: TextIO = path.open("a" if append else "w", encoding="utf-8", errors="surrogateescape", newline="")
+        self._file = io.FileIO(path, "a" if append else "w")
+        self._waiting = bytearray()
+        self._problem: OSError | None = None
+        self._lock = threading.Lock()
 
     def fileno(self) -> int | None:
-        self._file.flush()
+        with self._lock:
+            self._put()
         return self._file.fileno()
 
     def write(self, text: str) -> int:
-        return self._file.write(text)
+        with self._lock:
+            self._waiting += text.encode("utf-8", "surrogateescape")
+            if len(self._waiting) >= FILE_BLOCK:
+                self._put()
+        return len(text)
 
     def flush(self) -> None:
-        self._file.flush()
+        """Write what waits. Raises the first WriteError (or BrokenPipeError) since the last time."""
+        with self._lock:
+            self._put()
+        self._raise_problem()
+
+    async def drain(self) -> None:
+        self._raise_problem()
 
     def close(self) -> None:
-        self._file.close()
+        with self._lock, contextlib.suppress(OSError):  # whoever wants to know has flushed
+            self._put()
+            self._file.close()
+
+    def _raise_problem(self) -> None:
+        problem, self._problem = self._problem, None
+        if problem is not None:
+            raise problem
+
+    def _put(self) -> None:
+        """Write what waits; as much of it as fits is in the file afterwards, as with the system's own programs."""
+        data, self._waiting = memoryview(self._waiting), bytearray()
+        try:
+            while data and not self._file.closed:
+                data = data[self._file.write(data) or 0 :]
+        except BrokenPipeError as error:
+            self._problem = self._problem or error
+        except OSError as error:
+            self._problem = self._problem or WriteError(error.errno, error.strerror)
 
 
 class Captured(OutputStream):

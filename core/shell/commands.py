@@ -22,7 +22,8 @@ MODULES: dict[str, tuple[str, ...]] = {
         "variables": "export unset local declare typeset readonly let read alias unalias set shopt bind complete stty trap "
         "ulimit umask",
         "jobs": "jobs fg bg wait kill disown ps pkill killall",
-        "files": "cat mkdir rmdir touch rm cp mv tee chmod",
+        "files": "cat mkdir rmdir touch rm tee chmod",
+        "transfer": "cp mv",
         "listing": "ls tree",
         "text": "echo printf head tail wc sort uniq",
         "search": "grep egrep fgrep",

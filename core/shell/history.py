@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from day6_tui.core.whole_file import append_private
+
 KEPT = 1000
 
 
@@ -27,8 +29,7 @@ class History:
         if len(self.lines) > KEPT:
             del self.lines[0]
         try:
-            with self._file.open("a", encoding="utf-8") as file:
-                file.write(line.replace("\n", " ") + "\n")
+            append_private(self._file, (line.replace("\n", " ") + "\n").encode("utf-8", "replace"))
         except OSError:
             return  # a full or read-only disk must not make the terminal unusable
 

@@ -16,8 +16,8 @@ from typing import Any
 
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
 from day6_tui.core.session.places import data_folder
-from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
+from day6_tui.core.whole_file import replace_file
 
 LAUNCH_NAME = "day6: this Python file"
 _SHELL_OF = {"win32": "windows", "darwin": "osx"}
@@ -43,7 +43,7 @@ def write_stubs(folder: Path) -> int:
         for path, text in package_stubs(package).items():
             file = folder / path
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text, encoding="utf-8")
+            replace_file(file, text.encode("utf-8"), sync=False)
         count += 1
     return count
 
@@ -148,7 +148,7 @@ def write_pycharm(project: Path, stubs: Path) -> list[Path]:
     modules, template = idea / "modules.xml", idea / "runConfigurations" / "_template__of_Python.xml"
     _change(module, lambda text: _pycharm_module(text, [stubs, PYTHON_PATH]))
     if not modules.exists():
-        modules.write_text(_MODULES.format(name=module.name), encoding="utf-8")
+        replace_file(modules, _MODULES.format(name=module.name).encode("utf-8"))
     _change(template, _pycharm_template)
     return [module, modules, template]
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -108,11 +108,11 @@ def _write(draft: _Draft, destination: Path, name: str) -> None:
     target = destination / name
     target.parent.mkdir(parents=True, exist_ok=True)
     try:
-        folder = Path(tempfile.mkdtemp(prefix=".day6-new-", dir=target.parent))
+        folder = target.parent / f".day6-new-{secrets.token_hex(6)}"
+        folder.mkdir()
     except OSError as error:
         raise OSError(error.errno, error.strerror, draft.shown) from error
     try:
-        folder.chmod(0o755)
         for inner in draft.folders:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for path, text in draft.files.items():

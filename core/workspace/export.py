@@ -11,14 +11,13 @@ import argparse
 import os
 import stat
 import sys
-import tempfile
 import time
 import zipfile
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_tui.core.whole_file import replacing
 from day6_tui.core.workspace.packages import Package, find_packages, holds_packages
 
 _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache", "build", "install", "log"})
@@ -139,20 +138,12 @@ def _write(packages: list[Package], source: Path, top: str, target: Path) -> lis
     """Write the zip; return what was left out."""
     left_out: list[str] = []
     target.parent.mkdir(parents=True, exist_ok=True)
-    number, name = tempfile.mkstemp(prefix=".day6-", suffix=".zip", dir=target.parent)
-    try:
-        with os.fdopen(number, "wb") as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
-            for package in packages:
-                inside = package.path.relative_to(source) if package.path != source else Path(package.name)
-                for path in _files(package.path, {Path(name).resolve(), target.resolve()}, left_out):
-                    _add(archive, path, f"{top}/src/{(inside / path.relative_to(package.path)).as_posix()}")
-        os.chmod(name, 0o644)
-        os.replace(name, target)
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(name)
-        raise
+    with replacing(target, mode=0o666) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(f"{top}/README.txt", _README.format(names=", ".join(package.name for package in packages)))
+        for package in packages:
+            inside = package.path.relative_to(source) if package.path != source else Path(package.name)
+            for path in _files(package.path, {Path(file.name).resolve(), target.resolve()}, left_out):
+                _add(archive, path, f"{top}/src/{(inside / path.relative_to(package.path)).as_posix()}")
     return left_out
 
 

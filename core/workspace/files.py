@@ -3,7 +3,7 @@
 Build, install and log folder are ours; everything else is the user's. Whatever is written, linked or removed goes through
 `Output`, which looks where a path really leads: a link in a build folder leads into the sources (that is what
 --symlink-install is for), and what is done to `build/pkg/pkg/x.py` would then be done to the pupil's file. Every file is
-written beside its target and then takes its name, so that none is ever half there.
+written whole or not at all (`core.whole_file`).
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ import errno
 import os
 import shutil
 import sys
-import tempfile
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from pathlib import Path
+
+from day6_tui.core.whole_file import replace_file, replacing
 
 
 class NotOurs(OSError):
@@ -106,29 +106,19 @@ class Output:
 
     def write_bytes(self, path: Path, data: bytes) -> None:
         """The same for bytes."""
-        self._put(path, data, 0o666 & ~_umask())
+        self.make_way(path)
+        replace_file(path, data, mode=0o666, sync=False, follow=False)
 
     def copy(self, source: Path, target: Path, *, executable: bool = False) -> None:
         """Copy a file with its time and mode; a link is copied as the file it leads to."""
         status = source.stat()
         mode = status.st_mode & 0o777 | (0o111 if executable else 0)
-        self._put(target, source.read_bytes(), mode, (status.st_atime_ns, status.st_mtime_ns))
-
-    def _put(self, path: Path, data: bytes, mode: int, times: tuple[int, int] | None = None) -> None:
-        self.make_way(path)
-        number, temporary = tempfile.mkstemp(prefix=".day6-", dir=path.parent)
-        try:
-            with os.fdopen(number, "wb") as file:
-                file.write(data)
-            if times is not None:
-                os.utime(temporary, ns=times)
+        self.make_way(target)
+        with replacing(target, mode=mode, sync=False, follow=False) as file:
+            file.write(source.read_bytes())
             if sys.platform != "win32":
-                os.chmod(temporary, mode)
-            os.replace(temporary, path)  # a link of that name is replaced, not followed
-        except OSError as error:
-            with suppress(OSError):
-                os.unlink(temporary)
-            raise OSError(error.errno, error.strerror, str(path)) from error
+                os.fchmod(file.fileno(), mode)
+        os.utime(target, ns=(status.st_atime_ns, status.st_mtime_ns))
 
     def link(self, source: Path, target: Path) -> None:
         """Make `target` a link to `source`, in place of what was there; where links are not allowed (Windows) a copy."""
@@ -158,15 +148,3 @@ def _real(path: Path) -> Path:
     """Follow the links of the folders above, not that of the path itself."""
     whole = os.path.normpath(path.name) if path.name != ".." else ".."
     return Path(os.path.realpath(path)) if whole == ".." else Path(os.path.realpath(path.parent), path.name)
-
-
-def _umask() -> int:
-    """The umask, read where reading does not change it for other threads."""
-    try:
-        with open("/proc/self/status", encoding="ascii", errors="replace") as file:
-            for line in file:
-                if line.startswith("Umask:"):
-                    return int(line.split()[1], 8)
-    except OSError:
-        pass  # not Linux: the usual one
-    return 0o022

@@ -130,7 +130,7 @@ def test_a_full_disk_is_told_and_leaves_no_half_file(workshop: Workshop, monkeyp
     def full(*arguments: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("day6_tui.core.workspace.files.os.replace", full)
+    monkeypatch.setattr("os.replace", full)
     done = workshop.run("colcon build")
     assert done.status == 1
     assert "No space left on device" in done.err

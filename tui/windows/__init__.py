@@ -77,8 +77,16 @@ class WindowPane(Pane):
 
         desktop = self.parent
         others = desktop.other_tabs(self) if isinstance(desktop, Desktop) and desktop.active == self.number else []
-        close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.window.close_by_user)
+        close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)
         return [*others, close]
+
+    def close(self) -> None:
+        """Close the window for the user; one that would lose something asks first."""
+        self.window.close_by_user()
+
+    def loses_at_the_end(self) -> str:
+        """What is lost if the desktop ends now, and why; '' for nothing. Keeps what can be kept."""
+        return ""
 
     def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
         """Ask for a line of text: `taken` gets it and returns what is wrong with it, or None."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import time
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
@@ -49,8 +51,14 @@ class EditorPane(WindowPane):
         self._outside = False
         self._said = ""
         self._sought = ""
+        self._unkept = ""
+        """Why there is no copy of the unsaved text; '' if there is one, or nothing to keep."""
         self._again = ""
-        """What was asked for and will be done when it is asked for again: 'save', 'close', or ''."""
+        """What was asked for and will be done when it is asked for again: 'save', 'close', 'lose', or ''."""
+        self._gone = False
+        """Whether the file was there and is no more."""
+        self._discarded = False
+        """Whether the user wants the changes thrown away."""
         self._agreed: Path | None = None
         """The file outside the home folder that may be written."""
 
@@ -74,8 +82,10 @@ class EditorPane(WindowPane):
         colours, texts = self.look.colours, self.look.texts
         if self._said:
             return [Piece(f" {self._said} ", colours.warning)]
+        if self._unkept:
+            return [Piece(f" {texts('editor.not_kept', reason=self._unkept)} ", colours.warning)]
         if self._outside:
-            return [Piece(f" {texts('editor.outside')} ", colours.warning)]
+            return [Piece(f" {texts('editor.gone' if self._gone else 'editor.outside')} ", colours.warning)]
         if self.problem is not None:
             return [
                 Piece(
@@ -151,13 +161,24 @@ class EditorPane(WindowPane):
             self._keep_and_check()
         if now - self._looked >= LOOK_SECONDS:
             self._looked = now
-            outside = self.editor.changed_outside()
-            if outside and not self.changed:
-                self._reload()
-            elif outside != self._outside:
-                self._outside = outside
-                self.touch_frame()
+            self._look_at_the_disk()
         return True
+
+    def _look_at_the_disk(self) -> None:
+        """Take over what somebody else wrote, unless that would lose what only this window still has."""
+        if self._unkept:
+            self._keep_and_check()
+        outside = self.editor.changed_outside()
+        gone = outside and not self.editor.exists()
+        if gone and not self._gone:
+            self.editor.saved = ""  # what is here is nowhere else now
+            self._edited = time.monotonic()
+        before, self._gone = (self._outside, self._gone), gone
+        if outside and not gone and not self.changed:
+            self._reload()
+        elif (outside, gone) != before:
+            self._outside = outside
+            self.touch_frame()
 
     def typed_ahead(self) -> list[events.Key]:
         """Return what was typed in the terminal that runs the editor, since the last call."""
@@ -165,8 +186,6 @@ class EditorPane(WindowPane):
 
     def edited(self) -> None:
         """The text was changed."""
-        import time
-
         self._edited = time.monotonic()
         self._said = ""
         self._again = ""
@@ -187,17 +206,34 @@ class EditorPane(WindowPane):
 
     def _keep_and_check(self) -> None:
         text = self.area.text
-        if text != self._kept:
-            try:
-                self.editor.keep(text)
-            except OSError as error:
-                self._said = self.look.texts("editor.not_kept", reason=error.strerror or error)
-            self._kept = text
+        self._keep(text)
         problem = self.editor.check(text)
         if problem != self.problem:
             self.problem = problem
             self.area.forget_lines()
         self.touch_frame()
+
+    def _keep(self, text: str) -> bool:
+        """Keep a copy of an unsaved text; False (and the window says why) if that cannot be."""
+        if text != self._kept or self._unkept:
+            try:
+                self.editor.keep(text)
+            except OSError as error:
+                self._unkept = str(error.strerror or error)
+                return False
+            self._kept, self._unkept = text, ""
+        return True
+
+    def loses_at_the_end(self) -> str:
+        if not self.changed or self._keep(self.area.text):
+            return ""
+        return f"{self.editor.title()} ({self._unkept})"
+
+    def on_unmount(self) -> None:
+        """The program was ended from outside: what was typed last is kept too."""
+        if self.changed and not self._discarded:
+            with contextlib.suppress(OSError):  # the window that would say so is gone
+                self.editor.keep(self.area.text)
 
     # -- doing ---------------------------------------------------------------------------------------------------------
 
@@ -220,27 +256,36 @@ class EditorPane(WindowPane):
             self.touch_frame()
             return False
         self._kept, self._outside, self._said, self._again = self.area.text, False, "", ""
+        self._unkept, self._gone = "", False
         self._agreed = path
         self.touch_frame()
         return True
 
     def close(self) -> None:
-        """Close the window. Unsaved text: nano asks, the others want the key twice and keep a copy even then."""
+        """Close the window. Unsaved text: nano asks, the others want the key twice and keep a copy even then.
+
+        If there is no room for a copy, they want it a third time.
+        """
         if self.changed and self._is_nano:
             self._ask_before_leaving()
             return
-        if self.changed and self._again != "close":
+        if self.changed and self._again not in ("close", "lose"):
             self._again = "close"
             self._said = self.look.texts("editor.unsaved")
             self.touch_frame()
             return
-        self._keep_and_check()
+        if self.changed and not self._keep(self.area.text) and self._again != "lose":
+            self._again = "lose"
+            self._said = self.look.texts("editor.lose", reason=self._unkept)
+            self.touch_frame()
+            return
         self.window.close_by_user()
 
     def _ask_before_leaving(self) -> None:
         """nano's question: Y names the file once more and saves, N throws the changes away."""
 
         def discard() -> None:
+            self._discarded = True
             self.editor.keep(self.editor.saved)
             self.window.close_by_user()
 
@@ -333,7 +378,9 @@ class EditorPane(WindowPane):
         """Offer the files of the folder, and a new one."""
 
         def chosen(path: Path) -> None:
-            self._keep_and_check()
+            if self.changed and not self._keep(self.area.text):
+                self.touch_frame()  # it says why: the text would be gone
+                return
             try:
                 self.editor.open(path)
             except CannotEdit as error:

@@ -369,7 +369,7 @@ class RqtGraphPane(WindowPane):
                 else:
                     self.graph.load(name)
             except (OSError, ValueError) as error:
-                return str(error)
+                return str((error.strerror if isinstance(error, OSError) else None) or error)
             self.look.wake()
             return None
 

@@ -77,12 +77,13 @@ async def _run_process(session: Session, argv: list[str]) -> int:
 
 async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
     from day6_tui.core.ros.programs import load
+    from day6_tui.core.session.streams import WriteError
 
     try:
         status = await session.execute(load(package, executable.name), [str(executable.path), *argv])
     except KeyboardInterrupt:
         return 0  # a node that is well written ends cleanly on Ctrl-C, and so says nothing here
-    except BrokenPipeError:
+    except (BrokenPipeError, WriteError):
         raise
     except Exception as error:
         from day6_tui.core.ros.ros2.cli.failure import failure_text

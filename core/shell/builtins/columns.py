@@ -149,17 +149,27 @@ async def sed(session: Session) -> int:
 
 
 def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
-    from day6_tui.core.shell.editing.file import replace_file
+    """Edit the files themselves, each whole or not at all. Returns sed's status: 4 where it could not write."""
+    from day6_tui.core.whole_file import replace_file
 
     status = 0
     for name in names:
         path = session.cwd / name
+        if path.exists() and not path.is_file():
+            complain(session, f"couldn't edit {name}: not a regular file")
+            status = 4
+            continue
         try:
             lines = path.read_text(encoding="utf-8", errors="surrogateescape").splitlines(keepends=True)
-            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"))
         except OSError as error:
             complain(session, f"can't read {name}: {reason(error)}")
-            status = 2
+            status = status or 2
+            continue
+        try:
+            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"), follow=False)
+        except OSError as error:
+            complain(session, f"couldn't flush {name}: {reason(error)}")
+            return 4
     return status
 
 

@@ -13,8 +13,8 @@ from urllib.parse import urlsplit
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.builtins.options import UsageError, parse
-from day6_tui.core.shell.editing.file import replace_file
 from day6_tui.core.shell.outside import asking
+from day6_tui.core.whole_file import replace_file
 
 MOST_BYTES = 200_000_000
 PATIENCE = 20.0

@@ -1,13 +1,14 @@
-"""cat, mkdir, rmdir, touch, rm, cp, mv, tee, chmod."""
+"""cat, mkdir, rmdir, touch, rm, tee, chmod."""
 
 from __future__ import annotations
 
-import shutil
+import errno
+import os
 import stat
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import FileOutput
+from day6_tui.core.session.streams import FileOutput, OutputStream, WriteError
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of
 from day6_tui.core.shell.outside import asking
@@ -33,22 +34,36 @@ async def cat(session: Session) -> int:
 
 async def tee(session: Session) -> int:
     options, names = parse(session.argv, "ai")
-    outputs = []
+    files: list[FileOutput] = []
+    targets: dict[str, OutputStream] = {"'standard output'": session.stdout}
     status = 0
     for name in names:
         try:
-            outputs.append(FileOutput(session.cwd / name, append="a" in options))
+            files.append(FileOutput(session.cwd / name, append="a" in options))
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             status = 1
+        else:
+            targets[name] = files[-1]
     try:
-        async for _, line in lines_of(session, [], []):
-            session.stdout.write(line)
-            for output in outputs:
-                output.write(line)
+        while targets and (line := await session.stdin.read_line()):
+            for name, target in list(targets.items()):
+                try:
+                    target.write(line)
+                    await target.drain()
+                except WriteError as error:
+                    complain(session, f"{name}: {reason(error)}")
+                    status = 1
+                    del targets[name]  # the others still get theirs
+        for name, target in targets.items():
+            try:
+                target.flush()
+            except WriteError as error:
+                complain(session, f"{name}: {reason(error)}")
+                status = 1
     finally:
-        for output in outputs:
-            output.close()
+        for file in files:
+            file.close()
     return status
 
 
@@ -64,14 +79,36 @@ async def mkdir(session: Session) -> int:
     status = 0
     for name in names:
         try:
-            (session.cwd / name).mkdir(parents="p" in options, exist_ok="p" in options)
+            _make_folder(session.cwd, name, parents="p" in options)
+            if "m" in options:
+                (session.cwd / name).chmod(_new_mode(options["m"], 0o777))
+        except ValueError:
+            complain(session, f"invalid mode ‘{options['m']}’")
+            return 1
         except OSError as error:
-            complain(session, f"cannot create directory ‘{name}’: {reason(error)}")
+            complain(session, f"cannot create directory ‘{error.filename or name}’: {reason(error)}")
             status = 1
         else:
             if "v" in options:
                 session.print(f"mkdir: created directory '{name}'")
     return status
+
+
+def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
+    """Make a folder. Raises OSError, which names the part of `name` that could not be made."""
+    parts = [name]
+    while parents and os.path.dirname(parts[-1].rstrip("/")) not in ("", "/", "."):
+        parts.append(os.path.dirname(parts[-1].rstrip("/")))
+    for part in reversed(parts):
+        try:
+            os.mkdir(os.path.join(cwd, part) if part else "")
+        except FileExistsError as error:
+            if not parents or (part == name and not (cwd / part).is_dir()):
+                raise OSError(error.errno, error.strerror, part) from None
+            if not (cwd / part).is_dir():
+                raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), part) from None
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, part) from None
 
 
 async def rmdir(session: Session) -> int:
@@ -93,6 +130,8 @@ async def touch(session: Session) -> int:
         return 1
     for name in names:
         try:
+            if not name:
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
             (session.cwd / name).touch()
         except OSError as error:
             complain(session, f"cannot touch '{name}': {reason(error)}")
@@ -102,7 +141,9 @@ async def touch(session: Session) -> int:
 
 async def rm(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "rRfvid", "", {"--recursive": "r", "--force": "f", "--verbose": "v"})
+        options, names = parse(
+            session.argv, "rRfvid", "", {"--recursive": "r", "--force": "f", "--verbose": "v", "--interactive": "i"}
+        )
     except UsageError as error:
         complain(session, error)
         return 1
@@ -110,143 +151,74 @@ async def rm(session: Session) -> int:
         complain(session, "missing operand\nTry 'rm --help' for more information.")
         return 1
     status = 0
-    home = Path(session.env.get("HOME", "/"))
     for name in names:
-        path = session.cwd / name
-        whole = path.resolve()
-        if whole == home.resolve() or whole in home.resolve().parents:
-            complain(session, f"it is dangerous to operate recursively on '{name}'")
+        if not await _removed(session, name, options):
             status = 1
-            continue
-        recursive = "r" in options or "R" in options
-        try:
-            if "i" in options:
-                await _remove_asking(session, path, name, recursive=recursive)
-            else:
-                _remove(path, recursive=recursive)
-        except FileNotFoundError as error:
-            if "f" not in options:
-                complain(session, f"cannot remove '{name}': {reason(error)}")
-                status = 1
-        except OSError as error:
+    return status
+
+
+async def _removed(session: Session, name: str, options: dict[str, str]) -> bool:
+    """Remove one operand of rm; False (and a message) if anything of it is left that should not be."""
+    recursive = "r" in options or "R" in options
+    refusal = _refusal(session, name) if recursive else ""
+    if refusal:
+        complain(session, refusal)
+        return False
+    path = session.cwd / name
+    try:
+        if not name:
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+        found = path.lstat()
+        folder = stat.S_ISDIR(found.st_mode)
+        if name.endswith("/") and not folder:
+            raise NotADirectoryError(errno.ENOTDIR if recursive else errno.EISDIR, "")
+        if folder and not recursive:
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if "i" in options and not await _agreed_to_remove(session, name, found):
+            return True
+        inner = sorted(os.listdir(path)) if folder else []
+    except FileNotFoundError as error:
+        if "f" not in options:
             complain(session, f"cannot remove '{name}': {reason(error)}")
-            status = 1
-        else:
-            if "v" in options:
-                session.print(f"removed '{name}'")
-    return status
-
-
-def _remove(path: Path, *, recursive: bool) -> None:
-    if path.is_dir() and not path.is_symlink():
-        if not recursive:
-            raise IsADirectoryError(21, "Is a directory")
-        shutil.rmtree(path)
-    else:
-        path.unlink()
-
-
-async def _remove_asking(session: Session, path: Path, name: str, *, recursive: bool) -> None:
-    """`rm -i`: remove what the user agrees to, one by one."""
-    is_folder = path.is_dir() and not path.is_symlink()
-    if is_folder and recursive and any(path.iterdir()):
-        if await _agreed(session, f"descend into directory '{name}'"):
-            for inner in sorted(path.iterdir()):
-                await _remove_asking(session, inner, f"{name}/{inner.name}", recursive=True)
-            if not any(path.iterdir()) and await _agreed(session, f"remove directory '{name}'"):
-                path.rmdir()
-    elif is_folder and not recursive:
-        raise IsADirectoryError(21, "Is a directory")
-    elif await _agreed(session, f"remove {_kind(path)} '{name}'"):
-        path.rmdir() if is_folder else path.unlink()
-
-
-def _kind(path: Path) -> str:
-    """What coreutils calls it."""
-    if path.is_symlink():
-        return "symbolic link"
-    if path.is_dir():
-        return "directory"
-    if not path.is_file():
-        return "special file" if path.exists() else "file"
-    return "regular file" if path.stat().st_size else "regular empty file"
-
-
-async def _agreed(session: Session, question: str) -> bool:
-    session.stderr.write(f"{session.name}: {question}? ")
-    return (await session.stdin.read_line()).lstrip()[:1] in ("y", "Y")
-
-
-async def cp(session: Session) -> int:
-    return await _transfer(session, move=False)
-
-
-async def mv(session: Session) -> int:
-    return await _transfer(session, move=True)
-
-
-async def _transfer(session: Session, *, move: bool) -> int:
-    try:
-        options, names = parse(session.argv, "rRafvinpu", "", {"--recursive": "r", "--verbose": "v", "--force": "f"})
-    except UsageError as error:
-        complain(session, error)
-        return 1
-    if len(names) < 2:
-        missing = f"missing destination file operand after '{names[0]}'" if names else "missing file operand"
-        complain(session, f"{missing}\nTry '{session.name} --help' for more information.")
-        return 1
-    *sources, target = names
-    folder = (session.cwd / target).is_dir()
-    if len(sources) > 1 and not folder:
-        complain(
-            session, f"target '{target}' is not a directory" if not move else f"target '{target}': Not a directory"
-        )
-        return 1
-    status = 0
-    for name in sources:
-        source = session.cwd / name
-        goal = session.cwd / target / source.name if folder else session.cwd / target
-        shown = f"{target.rstrip('/')}/{source.name}" if folder else target
-        if "i" in options and goal.exists() and not await _agreed(session, f"overwrite '{shown}'"):
-            status = 1
-            continue
-        problem = _transfer_problem(session, source, goal, name, target, options, move=move)
-        if problem:
-            complain(session, problem)
-            status = 1
-    return status
-
-
-def _transfer_problem(
-    session: Session, source: Path, goal: Path, name: str, target: str, options: dict[str, str], *, move: bool
-) -> str:
-    """Copy or move one thing; '' if that worked, else what to complain about."""
-    recursive = bool({"r", "R", "a"} & options.keys())
-    if not source.exists() and not source.is_symlink():
-        return f"cannot stat '{name}': No such file or directory"
-    if source.is_dir() and not move and not recursive:
-        return f"-r not specified; omitting directory '{name}'"
-    if goal.exists() and source.resolve() == goal.resolve():
-        return f"'{name}' and '{target}' are the same file"
-    if source.is_dir() and source.resolve() in goal.resolve().parents:
-        if move:
-            return f"cannot move '{name}' to a subdirectory of itself, '{target}'"
-        return f"cannot copy a directory, '{name}', into itself, '{target}'"
-    if "n" in options and goal.exists():
-        return ""
-    try:
-        if move:
-            shutil.move(source, goal)
-        elif source.is_dir():
-            shutil.copytree(source, goal, symlinks=True, dirs_exist_ok=True)
-        else:
-            (shutil.copy2 if {"p", "a"} & options.keys() else shutil.copy)(source, goal)
+        return "f" in options
     except OSError as error:
-        what = f"move '{name}' to '{target}'" if move else f"create regular file '{target}'"
-        return f"cannot {what}: {reason(error)}"
-    if "v" in options:
-        session.print(f"{'renamed ' if move else ''}'{name}' -> '{target}'")
+        complain(session, f"cannot remove '{name}': {os.strerror(error.errno or 0)}")
+        return False
+    whole = all([await _removed(session, os.path.join(name, each), options) for each in inner])
+    try:
+        if whole:
+            path.rmdir() if folder else path.unlink()
+    except OSError as error:
+        complain(session, f"cannot remove '{name}': {reason(error)}")
+        return False
+    if whole and "v" in options:
+        session.print(f"removed {'directory ' if folder else ''}'{name}'")
+    return whole
+
+
+def _refusal(session: Session, name: str) -> str:
+    """Why a folder is never removed with all that is in it, '' for others: the root, the home folder and those above it, `.`."""
+    if os.path.basename(name.rstrip("/")) in (".", ".."):
+        return f"refusing to remove '.' or '..' directory: skipping '{name}'"
+    path = session.cwd / name
+    if path.is_symlink():
+        return ""
+    whole, home = path.resolve(), Path(session.env.get("HOME", "/")).resolve()
+    if whole.parent == whole:
+        return (
+            f"it is dangerous to operate recursively on '{name}'\nrm: use --no-preserve-root to override this failsafe"
+        )
+    if name and (whole == home or whole in home.parents):
+        return f"it is dangerous to operate recursively on '{name}'"
     return ""
+
+
+async def _agreed_to_remove(session: Session, name: str, found: os.stat_result) -> bool:
+    """`rm -i` asks."""
+    kinds = {stat.S_IFDIR: "directory", stat.S_IFLNK: "symbolic link"}
+    kind = kinds.get(stat.S_IFMT(found.st_mode), "regular file" if found.st_size else "regular empty file")
+    session.stderr.write(f"rm: remove {kind} '{name}'? ")
+    return (await session.stdin.read_line()).strip().lower() in ("y", "yes")
 
 
 async def chmod(session: Session) -> int:
@@ -297,8 +269,6 @@ COMMANDS: dict[str, Main] = {
     "rmdir": asking(rmdir, _all),
     "touch": asking(touch, _all),
     "rm": asking(rm, _all),
-    "cp": asking(cp, lambda names: names[-1:]),
-    "mv": asking(mv, _all),
     "tee": asking(tee, _all),
     "chmod": asking(chmod, lambda names: names[1:]),
 }

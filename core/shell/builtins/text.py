@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import re
 from collections import deque
 from collections.abc import AsyncIterator
@@ -9,6 +10,8 @@ from collections.abc import AsyncIterator
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.outside import agreed, keys_of
+from day6_tui.core.whole_file import replace_file
 
 _ESCAPES = {
     "n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "e": "\x1b", "E": "\x1b", "f": "\f", "v": "\v", "\\": "\\", "0": "\0",
@@ -232,7 +235,9 @@ async def wc(session: Session) -> int:
 
 async def sort(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "rnuf", "k", {"--reverse": "r", "--numeric-sort": "n", "--unique": "u"})
+        options, names = parse(
+            session.argv, "rnuf", "ko", {"--reverse": "r", "--numeric-sort": "n", "--unique": "u", "--output": "o"}
+        )
     except UsageError as error:
         complain(session, error)
         return 2
@@ -249,8 +254,25 @@ async def sort(session: Session) -> int:
     lines.sort(key=key, reverse="r" in options)
     if "u" in options:
         lines = list(dict.fromkeys(lines))
-    session.stdout.write("".join(line + "\n" for line in lines))
+    text = "".join(line + "\n" for line in lines)
+    if "o" in options:
+        return await _sorted_into(session, options["o"], text) or (2 if problems else 0)
+    session.stdout.write(text)
     return 2 if problems else 0
+
+
+async def _sorted_into(session: Session, name: str, text: str) -> int:
+    """`sort -o NAME`, which may be one of the files that were sorted: it stays whole if there is no room."""
+    path = session.cwd / name
+    if not await agreed(session.name, [path], keys_of(session.stdin, session.stdout), session.stderr, session.env):
+        return 2
+    try:
+        replace_file(path, text.encode("utf-8", "surrogateescape"))
+    except OSError as error:
+        failed = "write" if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EDQUOT) else "open"
+        complain(session, f"{failed} failed: {name}: {reason(error)}")
+        return 2
+    return 0
 
 
 async def uniq(session: Session) -> int:

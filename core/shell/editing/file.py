@@ -10,9 +10,10 @@ import contextlib
 import hashlib
 import json
 import os
-import tempfile
 from pathlib import Path
 from typing import NamedTuple
+
+from day6_tui.core.whole_file import replace_file, write_private
 
 LARGEST = 4_000_000
 """Bytes of the largest file that is opened: more is no program, and an editor in a terminal would crawl."""
@@ -75,8 +76,7 @@ class TextFile:
 
     def keep(self, text: str) -> None:
         """Keep a copy of an unsaved text. Raises OSError."""
-        self._copy.parent.mkdir(parents=True, exist_ok=True)
-        replace_file(self._copy, json.dumps({"path": str(self.path), "text": text}).encode("utf-8"))
+        write_private(self._copy, json.dumps({"path": str(self.path), "text": text}).encode("utf-8"))
 
     def kept(self) -> str | None:
         """Return the unsaved text of an earlier time, None if there is none."""
@@ -97,24 +97,3 @@ class TextFile:
         except OSError:
             return None
         return Stamp(found.st_mtime_ns, found.st_size)
-
-
-def replace_file(target: Path, data: bytes) -> None:
-    """Write a temporary file beside `target`, then put it in its place. Raises OSError; the old file then is untouched."""
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        with contextlib.suppress(OSError):
-            os.chmod(name, target.stat().st_mode)
-        if not target.exists():
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(name, 0o666 & ~mask)
-        os.replace(name, target)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(name)
-        raise

@@ -109,6 +109,10 @@ class Editor:
         """Say whether the file on the disk is not the one that was read."""
         return self.file is not None and self.file.changed_outside()
 
+    def exists(self) -> bool:
+        """Say whether there is such a file on the disk."""
+        return self.file is not None and self.file.path.exists()
+
     def check(self, text: str) -> Problem | None:
         """Return the first thing that is wrong in the text."""
         return None if self.file is None else check(self.file.path, text)

@@ -18,6 +18,7 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.streams import Captured, InputStream, Pipe
+from day6_tui.core.session.write_errors import told
 from day6_tui.core.shell.language import parser, syntax
 from day6_tui.core.shell.language.compound import run_compound
 from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
@@ -297,6 +298,7 @@ class Shell(ShellState):
         except BlockingIOError as error:
             raise SyntaxProblem(f"fork: {error.strerror}") from None
         program.session.background = self.background
+        program.session.on_write_error = write_error
         return program
 
     async def run_subshell(
@@ -358,6 +360,16 @@ class _Prepared:
 
 async def _nothing(session: Session) -> int:
     return 0
+
+
+def write_error(session: Session, error: OSError) -> int:
+    """Say that a command's output could not be written, as bash does for what is part of it; returns the status."""
+    from day6_tui.core.shell.commands import SHELL_BUILTINS
+
+    if session.shell is None or session.name not in SHELL_BUILTINS:
+        return told(session, error)
+    session.print_error(f"{session.shell.name}: {session.name}: write error: {error.strerror}")
+    return 1
 
 
 def subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:

@@ -12,6 +12,7 @@ from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
+from day6_tui.core.whole_file import replace_file
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt, before_replacing
 from day6_tui.urdf.model import Vector
@@ -174,9 +175,9 @@ def screenshot(pane: PicturePane) -> None:
             return texts("rviz.bad.picture")
         try:
             if path.suffix == ".png":
-                path.write_bytes(png(pane.view.snapshot()))
+                replace_file(path, png(pane.view.snapshot()))
             else:
-                path.write_text(svg(pane.view.snapshot(240)), encoding="utf-8")
+                replace_file(path, svg(pane.view.snapshot(240)).encode("utf-8"))
         except OSError as error:
             return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
         pane.say(texts("rviz.saved", file=str(path)))

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Cell, Picture, Rect
+from day6_tui.core.whole_file import replace_file
 
 CELL = (9, 20)
 """Pixels of a terminal cell in the picture."""
@@ -64,9 +65,9 @@ def write_image(picture: Picture, path: Path, warnings: Sequence[str] = ()) -> N
     shapes = list(_shapes(picture, set(warnings)))
     width, height = picture.width * CELL[0] + 2 * MARGIN, picture.height * CELL[1] + 2 * MARGIN
     if suffix == ".svg":
-        path.write_text(_svg(shapes, width, height), encoding="utf-8")
+        replace_file(path, _svg(shapes, width, height).encode("utf-8"))
     elif suffix in PILLOW_FORMATS:
-        path.write_bytes(_pixels(shapes, width, height, suffix))
+        replace_file(path, _pixels(shapes, width, height, suffix))
     else:
         raise ValueError(f"'{path.name}': .dot, .svg, {', '.join(PILLOW_FORMATS)}")
 

@@ -12,6 +12,7 @@ from day6_tui.core.ros.programs.rqt_graph._content import Content, Facts, Option
 from day6_tui.core.ros.programs.rqt_graph._dot import read_dot, write_dot
 from day6_tui.core.ros.programs.rqt_graph._fit import unfitted
 from day6_tui.core.ros.programs.rqt_graph._image import write_image
+from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -77,7 +78,7 @@ class RqtGraph:
         """
         path = self.path(name)
         if path.suffix.lower() == ".dot":
-            path.write_text(write_dot(self.content.boxes, self.content.edges), encoding="utf-8")
+            replace_file(path, write_dot(self.content.boxes, self.content.edges).encode("utf-8"))
         else:
             write_image(unfitted(self.content.boxes, self.content.edges), path, tuple(self.content.trouble))
         return path

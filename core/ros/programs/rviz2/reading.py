@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.graph import EndpointKind
 from day6_tui.core.link.remote import lives_here
 from day6_tui.core.session.threads import in_thread
+from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rviz2.model.manager import RViz
@@ -121,4 +122,4 @@ class Reader:
     def write(self, path: Path, text: str) -> None:
         """Write a small text file. Raises OSError."""
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="\n")
+        replace_file(path, text.encode("utf-8"))

@@ -15,6 +15,7 @@ from tf2_ros import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, Buffer, Transform
 
 from day6_tui.core.ros.ros2.cli.parser import Parser, ParserExit
 from day6_tui.core.session.threads import in_thread
+from day6_tui.core.whole_file import replace_file
 from rclpy.task import Future
 from rclpy.utilities import remove_ros_args
 
@@ -98,7 +99,7 @@ async def export(session: Session, node: Node, answer: Any, name: str | None) ->
         name = time.strftime("frames_%Y-%m-%d_%H.%M.%S", time.localtime(session.clock.now_ns() // 1_000_000_000))
     log.info(f"Exporting graph in {name}.pdf file...")
     source, drawing = session.cwd / f"{name}.gv", session.cwd / f"{name}.pdf"
-    source.write_text(as_dot(yaml.safe_load(answer.frame_yaml), recorded * 1e-9), encoding="utf-8")
+    replace_file(source, as_dot(yaml.safe_load(answer.frame_yaml), recorded * 1e-9).encode("utf-8"))
     graphviz = shutil.which("dot", path=session.env.get("PATH"))
     if graphviz is None:
         # The original says nothing and leaves no drawing.

@@ -11,6 +11,7 @@ import subprocess
 from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
+from day6_tui.core.whole_file import replace_file
 from day6_tui.urdf import Robot
 
 
@@ -29,9 +30,10 @@ async def main(session: Session) -> int:
     name = session.argv[2] if len(session.argv) == 3 else robot.name
     graph, picture = session.cwd / f"{name}.gv", session.cwd / f"{name}.pdf"
     try:
-        graph.write_text(dot_of(robot), encoding="utf-8")
+        replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape"))
     except OSError:
         session.print_error(f"Error: dot: can't open {name}.gv")
+        return FAILED  # the original goes on to say that it created the files
     session.print(f"Created file {name}.gv")
     dot = shutil.which("dot", path=session.env.get("PATH"))
     if dot is None:

@@ -100,7 +100,7 @@ class LoggingSettings:
             if sys.stderr is None:
                 return
             write = sys.stderr.write
-        write(text)
+        _write_or_not(write, text)
 
     def _line(self, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> str:
         form = self._format
@@ -122,7 +122,7 @@ class LoggingSettings:
             write = stream.write
         if self._colours(stream if stream is not None else getattr(write, "__self__", None)):
             text = f"{_COLOURS[severity]}{text}{_RESET}"
-        write(f"{text}\n")
+        _write_or_not(write, f"{text}\n")
 
     def _colours(self, stream: Any) -> bool:
         wish = self._env.get("RCUTILS_COLORIZED_OUTPUT")
@@ -130,6 +130,14 @@ class LoggingSettings:
             return wish == "1"
         isatty = getattr(stream, "isatty", None)
         return isatty is not None and isatty()
+
+
+def _write_or_not(write: Callable[[str], object], text: str) -> None:
+    """Write to the console, as rcutils does: a full disk or a reader that has gone never ends the program that logs."""
+    try:
+        write(text)
+    except (OSError, ValueError):  # ValueError: the program has closed its sys.stderr
+        return
 
 
 PROCESS = LoggingSettings()

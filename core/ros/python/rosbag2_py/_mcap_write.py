@@ -6,6 +6,7 @@ So a recorder that is killed leaves a file that every reader opens; at most the 
 from __future__ import annotations
 
 import zlib
+from contextlib import suppress
 from pathlib import Path
 
 from rosbag2_py import _mcap_records as records
@@ -38,7 +39,11 @@ class McapWriter:
         self._level = _LEVELS.get(preset)
         self._compress = zstd_codec()[0] if self._level is not None else None
         self._chunk_size = 4 * 1024 * 1024 if preset == "zstd_small" else CHUNK_SIZE
-        self._file = path.open("xb")
+        self._file = path.open("xb", buffering=0)
+        self._summary = b""
+        """What stands behind the data now."""
+        self._failure: OSError | None = None
+        """Why nothing more is written: the disk is full."""
         self._schemas: dict[str, Schema] = {}
         self._channels: dict[str, Channel] = {}
         self._unwritten: list[bytes] = []
@@ -102,24 +107,44 @@ class McapWriter:
             self.flush()
 
     def flush(self) -> None:
-        """Put everything on the disk, as a chunk with its index, and the summary behind it."""
-        if self._chunk:
-            self._write_chunk()
-        elif self._unwritten:
-            self._append(b"".join(self._unwritten))
-            self._unwritten.clear()
-        self._write_summary()
+        """Put everything on the disk, as a chunk with its index, and the summary behind it.
+
+        Raises OSError when it does not fit; the file then is as it was before, and stays so.
+        """
+        if self._failure is not None:
+            raise self._failure
+        end, summary = self._end, self._summary
+        try:
+            if self._chunk:
+                self._write_chunk()
+            elif self._unwritten:
+                self._append(b"".join(self._unwritten))
+                self._unwritten.clear()
+            self._write_summary()
+        except OSError as error:
+            self._failure = error
+            with suppress(OSError):  # it had its place there already
+                self._put(end, summary)
+                self._file.truncate()
+            raise
 
     def close(self) -> None:
-        """Flush for the last time."""
-        if not self._file.closed:
-            self.flush()
+        """Flush for the last time, unless that has failed before. Raises OSError as `flush`; closed it is in any case."""
+        try:
+            if not self._file.closed and self._failure is None:
+                self.flush()
+        finally:
             self._file.close()
 
     def _append(self, data: bytes) -> None:
-        self._file.seek(self._end)
-        self._file.write(data)
+        self._put(self._end, data)
         self._end += len(data)
+
+    def _put(self, place: int, data: bytes) -> None:
+        self._file.seek(place)
+        rest = memoryview(data)
+        while rest:
+            rest = rest[self._file.write(rest) or 0 :]
 
     def _write_chunk(self) -> None:
         data, crc, name = bytes(self._chunk), zlib.crc32(self._chunk), ""
@@ -168,10 +193,10 @@ class McapWriter:
         )
         crc = zlib.crc32(summary + offsets + footer[:-4])
         parts += [summary, offsets, footer[:-4], crc.to_bytes(4, "little"), records.MAGIC]
-        self._file.seek(start)
-        self._file.write(b"".join(parts))
+        summary = b"".join(parts)
+        self._put(start, summary)
         self._file.truncate()
-        self._file.flush()
+        self._summary = summary
 
     def _summary_groups(self, metadata_at: int, metadata: bytes) -> list[tuple[int, bytes]]:
         first, last = self._span or (0, 0)

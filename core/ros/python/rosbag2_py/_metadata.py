@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
+from day6_tui.core.whole_file import replace_file
 from rosbag2_py import _qos
 from rosbag2_py._storage import (
     BagMetadata,
@@ -46,10 +46,8 @@ class MetadataIo:
 
     def write_metadata(self, uri: str, metadata: BagMetadata) -> None:
         """Replace the folder's metadata.yaml in one step, so that whoever is killed leaves a whole one."""
-        target = Path(uri) / FILE_NAME
-        passing = target.with_name(f".{FILE_NAME}.{os.getpid()}")
-        passing.write_text("\n".join([f"{ROOT}:", *_lines(metadata, "  "), ""]), encoding="utf-8", newline="\n")
-        passing.replace(target)
+        text = "\n".join([f"{ROOT}:", *_lines(metadata, "  "), ""])
+        replace_file(Path(uri) / FILE_NAME, text.encode("utf-8"), mode=0o666, sync=False)
 
     def serialize_metadata(self, metadata: BagMetadata) -> str:
         """Return the metadata as YAML, without the name at the top of the file."""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sqlite3
 from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -53,16 +56,35 @@ class SqliteWriter:
             raise FileExistsError(f"Failed to create bag: File '{path}' already exists!")
         # The recorder of a classmate's program may be closed by another thread than the one that opened it.
         self._database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-        # Killing the process loses nothing that was committed; only the machine's own fall needs `synchronous`.
-        self._database.execute(f"PRAGMA synchronous={'NORMAL' if preset == 'resilient' else 'OFF'}")
-        self._database.executescript(_TABLES)
-        self._database.execute("INSERT INTO schema VALUES (?, ?)", (SCHEMA_VERSION, distro))
         self._topics: dict[str, int] = {}
         self._types: set[str] = set()
         self._waiting: list[tuple[int, int, bytes]] = []
         self._waiting_size = 0
         self.metadata: BagMetadata | None = None
-        self._database.execute("BEGIN")
+        self._failure: OSError | None = None
+        """Why nothing more is written: the disk is full."""
+        with self._writing():
+            # Killing the process loses nothing that was committed; only the machine's own fall needs `synchronous`.
+            self._database.execute(f"PRAGMA synchronous={'NORMAL' if preset == 'resilient' else 'OFF'}")
+            self._database.executescript(_TABLES)
+            self._database.execute("INSERT INTO schema VALUES (?, ?)", (SCHEMA_VERSION, distro))
+            self._database.execute("BEGIN")
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        """Inside, what SQLite cannot write is an OSError; the file then has what was committed, and stays so."""
+        if self._failure is not None:
+            raise self._failure
+        try:
+            yield
+        except sqlite3.Error as error:
+            full = "full" in str(error)
+            self._failure = OSError(
+                errno.ENOSPC if full else errno.EIO, os.strerror(errno.ENOSPC) if full else str(error)
+            )
+            with suppress(sqlite3.Error):
+                self._database.execute("ROLLBACK")
+            raise self._failure from error
 
     @property
     def size(self) -> int:
@@ -76,19 +98,25 @@ class SqliteWriter:
         if topic.name in self._topics:
             return
         profiles = "\n".join(yaml_lines(topic.offered_qos_profiles))
-        cursor = self._database.execute(
-            "INSERT INTO topics(name, type, serialization_format, offered_qos_profiles, type_description_hash) "
-            "VALUES (?, ?, ?, ?, ?)",
-            (topic.name, topic.type, topic.serialization_format, profiles, topic.type_description_hash),
-        )
-        self._topics[topic.name] = int(cursor.lastrowid or 0)
-        if topic.type not in self._types:
-            self._types.add(topic.type)
-            self._database.execute(
-                "INSERT INTO message_definitions(topic_type, encoding, encoded_message_definition, "
-                "type_description_hash) VALUES (?, ?, ?, ?)",
-                (topic.type, definition.encoding, definition.encoded_message_definition, topic.type_description_hash),
+        with self._writing():
+            cursor = self._database.execute(
+                "INSERT INTO topics(name, type, serialization_format, offered_qos_profiles, type_description_hash) "
+                "VALUES (?, ?, ?, ?, ?)",
+                (topic.name, topic.type, topic.serialization_format, profiles, topic.type_description_hash),
             )
+            self._topics[topic.name] = int(cursor.lastrowid or 0)
+            if topic.type not in self._types:
+                self._types.add(topic.type)
+                self._database.execute(
+                    "INSERT INTO message_definitions(topic_type, encoding, encoded_message_definition, "
+                    "type_description_hash) VALUES (?, ?, ?, ?)",
+                    (
+                        topic.type,
+                        definition.encoding,
+                        definition.encoded_message_definition,
+                        topic.type_description_hash,
+                    ),
+                )
 
     def write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
         """Add a message (this storage keeps one time only). KeyError for an unknown topic."""
@@ -98,26 +126,34 @@ class SqliteWriter:
             self._insert()
 
     def _insert(self) -> None:
-        self._database.executemany("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)", self._waiting)
+        with self._writing():
+            self._database.executemany(
+                "INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)", self._waiting
+            )
         self._waiting.clear()
         self._waiting_size = 0
 
     def flush(self) -> None:
-        """Commit."""
+        """Commit. Raises OSError when there is no room."""
         self._insert()
-        self._database.execute("COMMIT")
-        self._database.execute("BEGIN")
+        with self._writing():
+            self._database.execute("COMMIT")
+            self._database.execute("BEGIN")
 
     def close(self) -> None:
-        """Write the metadata of the whole bag too, and commit for the last time."""
-        self._insert()
-        if self.metadata is not None:
-            self._database.execute(
-                "INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)",
-                (self.metadata.version, MetadataIo().serialize_metadata(self.metadata)),
-            )
-        self._database.execute("COMMIT")
-        self._database.close()
+        """Write the metadata of the whole bag too, and commit for the last time; only close it if that has failed before."""
+        try:
+            if self._failure is None:
+                self._insert()
+                with self._writing():
+                    if self.metadata is not None:
+                        self._database.execute(
+                            "INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)",
+                            (self.metadata.version, MetadataIo().serialize_metadata(self.metadata)),
+                        )
+                    self._database.execute("COMMIT")
+        finally:
+            self._database.close()
 
 
 class SqliteReader:

@@ -6,9 +6,11 @@ import os
 import time
 import weakref
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from day6_tui.core.whole_file import replace_file
 from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_codec
 from rosbag2_py._definitions import LocalMessageDefinitionSource
 from rosbag2_py._files import (
@@ -128,14 +130,22 @@ class _Bag:
         self._kept: deque[tuple[str, bytes, int, int]] = deque()
         self._kept_size = 0
         self._closed = False
+        self._broken = False
         try:
             self.folder.mkdir(parents=True)
         except FileExistsError:
             raise RuntimeError(f"Bag directory already exists ({self.folder}), can't overwrite existing bag") from None
         except OSError:
             raise RuntimeError(f"Failed to create bag directory ({self.folder}).") from None
-        self._begin_file()
-        self._note()
+        try:
+            self._begin_file()
+            self._note()
+        except OSError:
+            for left in (self._path, self._path.with_name(f"{self._path.name}-journal")):
+                left.unlink(missing_ok=True)  # both are this bag's own, which has never been
+            with suppress(OSError):
+                self.folder.rmdir()
+            raise
 
     def _check(self) -> None:
         if self.storage not in SUFFIXES:
@@ -190,7 +200,7 @@ class _Bag:
         self._file.close()
         if self._pack is not None and self.compression.compression_mode == CompressionMode.FILE:
             packed = self._path.with_name(f"{self._path.name}.zstd")
-            packed.write_bytes(self._pack(self._path.read_bytes(), 1))
+            replace_file(packed, self._pack(self._path.read_bytes(), 1), mode=0o666, sync=False)
             self._path.unlink()
             self._files[-1].path = packed.name
 
@@ -211,11 +221,12 @@ class _Bag:
             self._write(topic, data, received_ns, sent_ns)
 
     def _write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
-        if self._is_full(received_ns):
-            self.split()
-        if self._pack is not None and self.compression.compression_mode == CompressionMode.MESSAGE:
-            data = self._pack(data, 1)
-        self._file.write(topic, data, received_ns, sent_ns)
+        with self._noticing():
+            if self._is_full(received_ns):
+                self.split()
+            if self._pack is not None and self.compression.compression_mode == CompressionMode.MESSAGE:
+                data = self._pack(data, 1)
+            self._file.write(topic, data, received_ns, sent_ns)
         self._counts[topic] = self._counts.get(topic, 0) + 1
         self._begin = received_ns if self._begin is None else min(self._begin, received_ns)
         self._last = max(self._last, received_ns)
@@ -249,13 +260,23 @@ class _Bag:
     # -- the disk ------------------------------------------------------------------------------------------------------
 
     def flush(self) -> None:
-        """Write what is not yet on the disk, if there is any."""
+        """Write what is not yet on the disk, if there is any. Raises OSError, and then again each time."""
         if self._dirty:
-            self._file.metadata = self.metadata()
-            self._file.flush()
-            self._note()
+            with self._noticing():
+                self._file.metadata = self.metadata()
+                self._file.flush()
+                self._note()
             self._dirty = False
         self._flushed = time.monotonic()
+
+    @contextmanager
+    def _noticing(self) -> Iterator[None]:
+        """Inside, a full disk (or a folder that is gone) means that nothing more is written to this bag."""
+        try:
+            yield
+        except OSError:
+            self._broken = True
+            raise
 
     def _note(self) -> None:
         MetadataIo().write_metadata(str(self.folder), self.metadata())
@@ -289,7 +310,12 @@ class _Bag:
         )
 
     def close(self) -> None:
-        if not self._closed:
-            self._end_file()
-            self._closed = True
-            self._note()
+        """Finish the bag. Raises OSError; what was on the disk before is whole then."""
+        if self._closed:
+            return
+        self._closed = True
+        if self._broken:
+            self._file.close()  # metadata.yaml says what is in it: what it said after the last flush
+            return
+        self._end_file()
+        self._note()

@@ -19,6 +19,7 @@ from day6_tui.core.ros.ros2.bag._options import (
 )
 from day6_tui.core.ros.ros2.cli.completion import message_types, service_names, topic_names
 from day6_tui.core.ros.ros2.cli.options import completed
+from day6_tui.core.session.streams import WriteError
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -324,11 +325,18 @@ async def main(session: Session, args: Namespace) -> str | None:
     if refusal is not None:
         return refusal
     overrides = qos_overrides(session, args.qos_profile_overrides_path)
-    with suppress(KeyboardInterrupt):
+    failure = None
+    try:
         await _record(session, args, folder, overrides)
+    except KeyboardInterrupt:
+        pass  # how a recording ends
+    except (BrokenPipeError, WriteError):
+        raise
+    except OSError as problem:
+        failure = error(f"Recording to '{args.output}' has ended: {problem.strerror or problem}")
     with suppress(OSError):
         folder.rmdir()  # nothing was written into it
-    return None
+    return failure
 
 
 async def _record(session: Session, args: Namespace, folder: Path, overrides: dict[str, Any]) -> None:

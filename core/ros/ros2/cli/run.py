@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.ros import environment
 from day6_tui.core.ros.ros2.cli.parser import ParserExit
 from day6_tui.core.ros.ros2.cli.tree import build_parser
+from day6_tui.core.session.streams import WriteError
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -44,7 +45,7 @@ async def _status_of(session: Session, args: Any) -> int:
         return end.status
     except KeyboardInterrupt:
         return int(signal.SIGINT)
-    except BrokenPipeError:
+    except (BrokenPipeError, WriteError):
         raise
     except RuntimeError as error:
         outcome = str(error)

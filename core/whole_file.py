@@ -1,0 +1,121 @@
+"""Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
+
+What was there before stays as it is until the new text is on the disk, whatever happens: a full disk, a folder that vanishes,
+`kill -9`. The system itself takes the umask off the mode of a new file, so nobody has to read it (which a process with threads
+cannot do safely).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import stat
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+PRIVATE = 0o600
+"""The mode of a file that is nobody else's business: what was typed, unsaved texts, passwords."""
+
+_PRIVATE_FOLDER = 0o700
+
+
+@contextlib.contextmanager
+def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> Iterator[BinaryIO]:
+    """A file to write, which takes the name `target` when the block has ended; after an error `target` is as it was.
+
+    `mode` is that of the new file, less the umask; None keeps that of the old file. Without `sync` a power cut may still leave
+    an empty file. A link is followed, or without `follow` replaced; a device is written to. Raises OSError, which names the file.
+    """
+    if follow:
+        target = Path(os.path.realpath(target))
+    temporary = target.parent / f".day6-{secrets.token_hex(6)}"
+    with _named(target, temporary):
+        before = _before(target)
+        if before is not None and not stat.S_ISREG(before.st_mode):
+            with open(target, "wb") as device:  # and it stays one
+                yield device
+            return
+        new = 0o666 if mode is None else mode
+        try:
+            with open(temporary, "xb", opener=lambda path, flags: os.open(path, flags, new)) as file:
+                if before is not None and mode is None:
+                    _keep_rights(file.fileno(), before)
+                yield file
+                file.flush()
+                if sync:
+                    os.fsync(file.fileno())
+            os.replace(temporary, target)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+            raise
+
+
+def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> None:
+    """Make `data` the content of `target`; see `replacing`. Raises OSError, and then the old file is untouched."""
+    with replacing(target, mode=mode, sync=sync, follow=follow) as file:
+        file.write(data)
+
+
+def write_private(target: Path, data: bytes) -> None:
+    """Replace a file that only this user may read, in a folder that only this user may enter. Raises OSError."""
+    make_private_folder(target.parent)
+    replace_file(target, data, mode=PRIVATE)
+
+
+def append_private(target: Path, data: bytes) -> None:
+    """Add to the end of a file that only this user may read; one that others could read becomes so. Raises OSError."""
+    with _named(target):
+        number = os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_BINARY", 0), PRIVATE)
+        with open(number, "wb", buffering=0) as file:
+            found = os.fstat(number)
+            if sys.platform != "win32" and stat.S_ISREG(found.st_mode) and found.st_mode & 0o077:
+                with contextlib.suppress(PermissionError):  # another user's: theirs to decide
+                    os.fchmod(number, stat.S_IMODE(found.st_mode) & ~0o077)
+            while data:
+                data = data[file.write(data) or 0 :]
+
+
+def make_private_folder(folder: Path) -> None:
+    """Make a folder of ours that only this user can enter, also one that is there already. Raises OSError."""
+    folder.mkdir(mode=_PRIVATE_FOLDER, parents=True, exist_ok=True)
+    if sys.platform != "win32" and folder.stat().st_mode & 0o077:
+        with contextlib.suppress(PermissionError):
+            folder.chmod(_PRIVATE_FOLDER)
+
+
+def _before(target: Path) -> os.stat_result | None:
+    """What is at `target` now, None for nothing or a link to nothing. Raises IsADirectoryError."""
+    try:
+        link = stat.S_ISLNK(target.lstat().st_mode)
+        found = target.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None  # where there is no folder either, making the file says so
+    if link:
+        return found if stat.S_ISREG(found.st_mode) else None
+    if stat.S_ISDIR(found.st_mode):
+        raise IsADirectoryError(21, "Is a directory", str(target))
+    return found
+
+
+def _keep_rights(number: int, before: os.stat_result) -> None:
+    if sys.platform == "win32":
+        return
+    with contextlib.suppress(OSError):  # a file system that knows no modes
+        if before.st_uid != os.fstat(number).st_uid:
+            os.fchown(number, before.st_uid, before.st_gid)
+        os.fchmod(number, stat.S_IMODE(before.st_mode))
+
+
+@contextlib.contextmanager
+def _named(target: Path, temporary: Path | None = None) -> Iterator[None]:
+    """Inside, an OSError that names no file, or one that nobody knows, names `target`."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno is None or error.filename not in (None, str(temporary)):
+            raise
+        raise OSError(error.errno, error.strerror, str(target)) from error
