@@ -11,7 +11,7 @@ import codecs
 import contextlib
 import re
 import sys
-from typing import Any, TextIO
+from typing import Any, Protocol, TextIO
 from unicodedata import category
 
 _CONTROLS = "\x00-\x1f\x7f-\x9f"
@@ -35,9 +35,20 @@ _IN_A_STREAM = re.compile(
 """Colours, ends of lines and tabs, which pass, before what does not (the group)."""
 
 
+class Output(Protocol):
+    """What says of itself whether it is a terminal."""
+
+    def isatty(self) -> bool: ...
+
+
 def one_line(text: str) -> str:
     """Return `text` as one line of cells: every control character is written out, newline and tab too."""
     return text if text.isprintable() else _HARMFUL.sub(_written, text)
+
+
+def in_a_list(name: str, output: Output) -> str:
+    """Return somebody's `name` as an entry of a list: on a terminal one line, so that it cannot pass for several entries."""
+    return one_line(name) if output.isatty() else name
 
 
 def lines(text: str) -> str:

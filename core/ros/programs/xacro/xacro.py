@@ -10,7 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
-_START = "import sys, xml.parsers.expat; from xacro import main; sys.argv[0] = 'xacro'; sys.exit(main())"
+_START = (
+    "from day6_tui.core.session.harmless import guard_standard_streams; guard_standard_streams(); "
+    "import sys, xml.parsers.expat; from xacro import main; sys.argv[0] = 'xacro'; sys.exit(main())"
+)
 # xml.parsers is for xacro itself: it names that module without importing it.
 
 
