@@ -240,3 +240,57 @@ def test_nodes_of_others_with_names_that_ros_has_not_are_in_no_list(place: Place
     finally:
         other.kill()
         other.wait()
+
+
+IN_XML = "\x9b2J\x9d0;T\x9c\u202e\u2028\u200b[@click=app.quit]"
+"""What XML can carry, which has no other control characters."""
+IN_XML_SHOWN = "\\x9b2J\\x9d0;T"
+
+WINDOWS = [
+    # what is typed, a word of the window, keys in the window, what is then to be seen
+    ("rqt_console", "Console", ["Up"], MARK),
+    ("rqt_topic", "Topic Monitor", ["Enter"], '"\\e]0;T\\a'),  # YAML has names for them
+    ("rqt_plot /chatter/data", "MatPlot", [], "no number"),
+    ("rqt_graph", "rqt_graph", ["t"], "/evil"),
+    ("rviz2 -f $'\\e]0;T\\a'", "RViz", ["Down", "Down"], MARK),
+    ("ros2 run joint_state_publisher_gui joint_state_publisher_gui soft.urdf", "Joint State", ["Right"], IN_XML_SHOWN),
+    ("ros2 run day6_bot car_view", "car_view", ["Down"], IN_XML_SHOWN),
+    ("ros2 run turtlesim turtlesim_node", "TurtleSim", [], "turtle1"),
+    ("ros2 launch day6_world world.launch.py", "world", [], "evil publishes"),
+]
+
+
+def test_every_window_title_tab_and_list_of_the_desktop_shows_hostile_texts_as_text(place: Place) -> None:
+    hostile_files(place.home)
+    place.home_file("soft.urdf", ROBOT.replace(RAW, IN_XML))
+    with place.desktop("--scene", "empty", columns=130, rows=40) as screen:
+        screen.wait("$")
+        screen.line("python3 evil.py 2> /dev/null &")
+        screen.line("ros2 run robot_state_publisher robot_state_publisher soft.urdf 2> /dev/null &")
+        screen.wait("nodes 2")
+        screen.line("clear; cat text.txt evil.py; ls -la")
+        screen.wait("'bytes'$'\\377")
+        for command, title, keys, wanted in WINDOWS:
+            screen.line("clear; " + command)
+            screen.wait(f"╭ {title}")
+            screen.press("F3")
+            screen.wait(f"┏ {title}")
+            screen.press(*keys)
+            screen.wait(wanted)
+            screen.press("F3")
+            screen.wait(f"╭ {title}")
+            screen.press("Ctrl-C")
+            screen.wait_gone(f"╭ {title}")
+        screen.press("F6")  # the inspector
+        screen.wait("Inspector")
+        screen.press("F6")
+        screen.line("cd ./*'[@click=app.quit]'; clear")
+        screen.wait("1 ~/^[]0;T^G\\x9b2J\\u202e\\")  # the tab
+        for key, wanted in (("F4", "terminal"), ("Ctrl-P", "Commands"), ("F1", "Help")):
+            screen.press(key)
+            screen.wait(wanted)
+            screen.press("Esc")
+        screen.line("cd; nano text.txt")
+        screen.wait("␛]0;T␇␛]52;c")
+        data = bytes(screen.output)
+    assert foreign(data, desktop=True) == []
