@@ -58,6 +58,11 @@ def lines(text: str) -> str:
     )
 
 
+def quotable(text: str) -> str:
+    """Return `text` as it may stand between the quotes of graphviz's language: it ends neither the quotes nor the line."""
+    return one_line(text).replace("\\", "\\\\").replace('"', '\\"')
+
+
 def same_length(text: str, *, pictures: bool) -> str:
     """Return `text` with one cell for every harmful character but tabs, where places are counted by characters.
 

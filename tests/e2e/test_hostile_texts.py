@@ -285,11 +285,12 @@ def test_every_window_title_tab_and_list_of_the_desktop_shows_hostile_texts_as_t
         screen.wait("Inspector")
         screen.press("F6")
         screen.line("cd ./*'[@click=app.quit]'; clear")
-        screen.wait("1 ~/^[]0;T^G\\x9b2J\\u202e\\")  # the tab
-        for key, wanted in (("F4", "terminal"), ("Ctrl-P", "Commands"), ("F1", "Help")):
+        screen.wait("1 ~/^[]0;T^G\\x9b2J")  # the tab
+        for key, title in (("F4", "┏ Windows"), ("Ctrl-P", "┏ Commands"), ("F1", "┏ Help")):
             screen.press(key)
-            screen.wait(wanted)
+            screen.wait(title)
             screen.press("Esc")
+            screen.wait_gone(title)
         screen.line("cd; nano text.txt")
         screen.wait("␛]0;T␇␛]52;c")
         data = bytes(screen.output)
