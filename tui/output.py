@@ -32,7 +32,7 @@ class Leaky:
                 function(*arguments)
             except UnicodeEncodeError:
                 # A character that the terminal's encoding lacks costs this character, not the screen.
-                encoding = self._file.encoding or "ascii"
+                encoding = getattr(self._file, "encoding", None) or "ascii"
                 function(*(text.encode(encoding, "replace").decode(encoding) for text in arguments))
             except (OSError, ValueError):  # hung up, or the file was closed
                 self._gone = True

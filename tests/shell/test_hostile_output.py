@@ -15,8 +15,8 @@ STRANGE = "".join(
 )
 STRANGE += "\ufdd0\uffff\U000e0041\U0010eeee"
 QUERIES = [
-    "\x1b[c", "\x1b[0c", "\x1b[>c", "\x1b[=c", "\x1b[5n", "\x1b[6n", "\x1b[?6n", "\x1bZ", "\x05", "\x1b[21t", "\x1b[18t", 
-    "\x1bP$qm\x1b\\", "\x1bP+q544e\x1b\\", "\x1b]10;?\x07", "\x1b]4;1;?\x07", "\x1b]52;c;?\x07", "\x1b[>q", 
+    "\x1b[c", "\x1b[0c", "\x1b[>c", "\x1b[=c", "\x1b[5n", "\x1b[6n", "\x1b[?6n", "\x1bZ", "\x05", "\x1b[21t", "\x1b[18t",
+    "\x1bP$qm\x1b\\", "\x1bP+q544e\x1b\\", "\x1b]10;?\x07", "\x1b]4;1;?\x07", "\x1b]52;c;?\x07", "\x1b[>q",
     "\x1b[x", "\x1b[?2026$p", "\x1b[?u",
 ]  # fmt: skip
 ANSWER = re.compile(r"(?:\x1b\[\?6c|\x1b\[0n|\x1b\[\d+;\d+R)*")
