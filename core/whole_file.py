@@ -39,8 +39,9 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
                 yield device
             return
         new = 0o666 if mode is None else mode
+        opened = open(temporary, "xb", opener=lambda path, flags: os.open(path, flags, new))
         try:
-            with open(temporary, "xb", opener=lambda path, flags: os.open(path, flags, new)) as file:
+            with opened as file:
                 if before is not None and mode is None:
                     _keep_rights(file.fileno(), before)
                 yield file

@@ -27,6 +27,7 @@ from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.screen import Screen
 
+from day6_tui.core.session.harmless import one_line
 from day6_tui.core.whole_file import append_private
 from day6_tui.tui import actions, chops, output
 from day6_tui.tui.app_actions import AppActions
@@ -146,7 +147,10 @@ class Day6App(AppActions, App[None]):
             self.machine.open(self.options)
         except OSError as error:
             path = error.filename or getattr(self.options, "home", None) or ""
-            self.exit(return_code=1, message=self.look.texts("error.home", path=path, reason=error.strerror or error))
+            from rich.text import Text
+
+            message = self.look.texts("error.home", path=path, reason=error.strerror or error)
+            self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
         self.new_terminal()
         self.set_timer(LINK_SECONDS, self.machine.open_link)

@@ -1,16 +1,34 @@
-"""Text measured in terminal cells: a Chinese character is two of them, a combining accent none."""
+"""Text measured in terminal cells: a Chinese character is two of them, a combining accent none, a control what `^[` takes."""
 
 from __future__ import annotations
 
-from rich.cells import cell_len, set_cell_size
+from collections.abc import Iterable, Iterator
 
-__all__ = ["cell_len", "clip", "fit", "wrap"]
+import rich.cells
+from rich.cells import set_cell_size
+from rich.segment import Segment
+
+from day6_tui.core.session.harmless import one_line
+
+__all__ = ["cell_len", "clip", "fit", "harmless", "wrap"]
+
+
+def harmless(segments: Iterable[Segment]) -> Iterator[Segment]:
+    """The same with every control character written out: here, where texts become cells, and nowhere else."""
+    for segment in segments:
+        yield segment if segment.text.isprintable() else Segment(one_line(segment.text), segment.style)
+
+
+def cell_len(text: str) -> int:
+    """Cells that `text` takes on the screen, where its control characters are written out."""
+    return rich.cells.cell_len(one_line(text))
 
 
 def clip(text: str, width: int, ellipsis: str = "…") -> str:
     """`text` in at most `width` cells; what does not fit is replaced by the ellipsis."""
     if width <= 0:
         return ""
+    text = one_line(text)
     if cell_len(text) <= width:
         return text
     if width <= cell_len(ellipsis):
@@ -27,7 +45,7 @@ def wrap(text: str, width: int) -> list[str]:
     """Break `text` into lines of at most `width` cells: between words, and anywhere between Chinese characters."""
     width = max(2, width)
     lines: list[str] = []
-    for paragraph in text.split("\n"):
+    for paragraph in map(one_line, text.split("\n")):
         line, used = "", 0
         for word in _words(paragraph):
             size = cell_len(word)

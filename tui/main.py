@@ -10,6 +10,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.harmless import guard_standard_streams
+
 if TYPE_CHECKING:
     from day6_tui.core.session.local import Foreground
 
@@ -84,6 +86,7 @@ def _endpoint(text: str) -> str:
 def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
+    guard_standard_streams()
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:
         return command(words[1:])

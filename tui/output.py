@@ -30,6 +30,10 @@ class Leaky:
         if not self._gone:
             try:
                 function(*arguments)
+            except UnicodeEncodeError:
+                # A character that the terminal's encoding lacks costs this character, not the screen.
+                encoding = getattr(self._file, "encoding", None) or "ascii"
+                function(*(text.encode(encoding, "replace").decode(encoding) for text in arguments))
             except (OSError, ValueError):  # hung up, or the file was closed
                 self._gone = True
 

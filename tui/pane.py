@@ -17,7 +17,7 @@ from textual.geometry import Region, Size
 from textual.strip import Strip
 from textual.widget import Widget
 
-from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.cells import cell_len, clip, harmless
 from day6_tui.tui.look import Look
 
 Action = Callable[[], object]
@@ -184,7 +184,7 @@ class Pane(Widget, can_focus=True):
     def _make_strip(self, y: int) -> Strip:
         width, height = self.extent
         if not self.framed:
-            segments = list(self.content_line(y, width))
+            segments = list(harmless(self.content_line(y, width)))
             strip = Strip(segments).adjust_cell_length(width, self.background)
         elif y == 0:
             strip = self._edge(0, self.title(), self.title_right())
@@ -193,7 +193,7 @@ class Pane(Widget, can_focus=True):
         else:
             border, style = self._border()
             self._hits.pop(y, None)
-            inside = Strip(self.content_line(y - 1, width - 2)).adjust_cell_length(width - 2, self.background)
+            inside = Strip(harmless(self.content_line(y - 1, width - 2))).adjust_cell_length(width - 2, self.background)
             side = Segment(border.vertical, style)
             strip = Strip([side, *inside, side], width)
         if not self.look.glyphs.unicode:
@@ -238,7 +238,7 @@ class Pane(Widget, can_focus=True):
             x += size
         segments.append(Segment(end, style))
         self._hits[y] = hits
-        return Strip(segments)
+        return Strip(harmless(segments))
 
     # -- events --------------------------------------------------------------------------------------------------------
 

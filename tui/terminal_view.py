@@ -314,16 +314,9 @@ class TerminalView:
 def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
     # Not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet.
-    from day6_tui.core.shell.light_pyte import Char
+    from day6_tui.core.shell.rows import cells_of
 
-    cells: list[Any] = []
-    for text, style in ((row, ()),) if isinstance(row, str) else row:
-        for char in text:
-            if char == "":
-                continue
-            cells.append(Char(char, *style))
-            if cell_len(char) == 2:
-                cells.append(Char("", *style))
+    cells = cells_of(row)
     return cells[:columns] + [blank] * (columns - len(cells))
 
 

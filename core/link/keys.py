@@ -10,9 +10,11 @@ A slash inside a name is written %, so each part is one chunk of the key.
 from __future__ import annotations
 
 import os
+import re
 from typing import NamedTuple
 
 from day6_tui.core.graph.endpoints import Endpoint, EndpointKind
+from day6_tui.core.graph.names import flaw_of_full_topic_name, flaw_of_namespace, flaw_of_node_name
 from day6_tui.core.graph.node import Node
 from day6_tui.core.graph.qos import QoS
 from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
@@ -23,6 +25,12 @@ _NODE = "NN"
 _NO_HASH = "TypeHashNotSupported"
 _NODE_PARTS = 9
 _ENDPOINT_PARTS = 13
+_LONGEST_TOKEN = 2048
+"""Characters: the longest names that ROS allows, one of each, and what stands between them."""
+_SESSION_ID = re.compile(r"[0-9a-fA-F]{1,32}", re.ASCII)
+_ENTITY_ID = re.compile(r"[0-9]{1,20}", re.ASCII)
+_TYPE = re.compile(r"(?=.{3,255}\Z)[A-Za-z]\w*(?:/[A-Za-z]\w*){1,2}", re.ASCII)
+_HASH = re.compile(r"RIHS[0-9]{2}_[0-9a-f]{1,64}", re.ASCII)
 
 
 class Announcement(NamedTuple):
@@ -88,24 +96,37 @@ def data_key(endpoint: Endpoint) -> str:
 
 
 def parse_token(token: str) -> Announcement | None:
-    """Return what a token says, or None for one that no rmw_zenoh makes."""
+    """Return what a token says, or None for one that no rmw_zenoh makes.
+
+    Every part is checked by the rules that rcl and rmw have for it, because whoever is on the link can declare any token:
+    a name of several lines would otherwise be several entries of `ros2 node list`.
+    """
     parts = token.split("/")
-    if len(parts) < _NODE_PARTS or not all(parts):
+    if len(token) > _LONGEST_TOKEN or len(parts) < _NODE_PARTS or not all(parts):
         return None
-    _, _, zid, node_id, _, kind, enclave, namespace, node_name, *topic_parts = parts
+    _, _, zid, node_id, entity_id, kind, enclave, namespace, node_name, *topic_parts = parts
     node = Announcement(zid, node_id, demangled(enclave), demangled(namespace), demangled(node_name))
-    if kind == _NODE:
-        return node
-    if len(parts) != _ENDPOINT_PARTS:
+    if not (_SESSION_ID.fullmatch(zid) and _ENTITY_ID.fullmatch(node_id) and _ENTITY_ID.fullmatch(entity_id)):
         return None
-    topic, dds_name, type_hash, qos = topic_parts
+    # rcl_validate_enclave_name is rmw_validate_namespace with a larger limit.
+    if flaw_of_node_name(node.node_name) or flaw_of_namespace(node.namespace) or flaw_of_namespace(node.enclave):
+        return None
+    if kind == _NODE:
+        return node if len(parts) == _NODE_PARTS else None
+    return _endpoint_of(node, kind, topic_parts) if len(parts) == _ENDPOINT_PARTS else None
+
+
+def _endpoint_of(node: Announcement, kind: str, parts: list[str]) -> Announcement | None:
+    topic, dds_name, type_hash, qos = parts
+    topic, type_name = demangled(topic), ros_type(dds_name)
+    type_hash = "" if type_hash == _NO_HASH else type_hash
+    if flaw_of_full_topic_name(topic) or not _TYPE.fullmatch(type_name):
+        return None
+    if type_hash and not _HASH.fullmatch(type_hash):
+        return None
     try:
         return node._replace(
-            kind=EndpointKind(kind),
-            topic=demangled(topic),
-            type_name=ros_type(dds_name),
-            type_hash="" if type_hash == _NO_HASH else type_hash,
-            qos=qos_from_text(qos),
+            kind=EndpointKind(kind), topic=topic, type_name=type_name, type_hash=type_hash, qos=qos_from_text(qos)
         )
     except ValueError:
         return None

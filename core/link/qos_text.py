@@ -6,6 +6,7 @@ for rmw_zenoh's default (reliable, volatile, keep last 42, infinite durations, a
 
 from __future__ import annotations
 
+import re
 from enum import IntEnum
 from typing import TypeVar
 
@@ -21,6 +22,10 @@ from day6_tui.core.graph.qos import (
 
 DEFAULT_DEPTH = 42
 _SECOND = 1_000_000_000
+_LARGEST_DEPTH = 0xFFFF_FFFF_FFFF_FFFF
+"""rmw's depth is a size_t."""
+_WRITTEN = re.compile(r"[0-9]{0,20}(?:[:,][0-9]{0,20}){10}", re.ASCII)
+"""Eleven numbers, each of which may be left out. Python's `int` alone would also take signs, blanks and foreign digits."""
 
 Policy = TypeVar("Policy", bound=IntEnum)
 
@@ -40,9 +45,11 @@ def qos_to_text(qos: QoS) -> str:
 def qos_from_text(text: str) -> QoS:
     """Return the profile a text stands for; raises ValueError for anything that is none."""
     fields = [field.split(",") for field in text.split(":")]
-    if [len(field) for field in fields] != [1, 1, 2, 2, 2, 3]:
+    if not _WRITTEN.fullmatch(text) or [len(field) for field in fields] != [1, 1, 2, 2, 2, 3]:
         raise ValueError(f"not a QoS profile: {text!r}")
     (reliability,), (durability,), (history, depth), deadline, lifespan, (liveliness, *lease) = fields
+    if depth and int(depth) > _LARGEST_DEPTH:
+        raise ValueError(f"not a QoS profile: {text!r}")
     return QoS(
         depth=int(depth) if depth else DEFAULT_DEPTH,
         history=_policy(history, History.KEEP_LAST),

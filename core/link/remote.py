@@ -47,11 +47,16 @@ class RemoteGraph:
         self._nodes: dict[tuple[str, str], _RemoteNode] = {}
         self._publishers: dict[bytes, Publisher] = {}
         self._strangers: dict[tuple[bytes, str], Publisher] = {}
+        self.refused = 0
+        """Tokens that announced nothing ROS could have: wrong names, types, hashes or QoS."""
 
     def appear(self, token: str) -> None:
         """Add what a token announces; a token seen before changes nothing."""
         announcement = parse_token(token)
-        if announcement is None or announcement.zid == self._own_zid:
+        if announcement is None:
+            self.refused += 1
+            return
+        if announcement.zid == self._own_zid:
             return
         known = self._nodes.get(announcement.node_key)
         if known is None:

@@ -10,26 +10,30 @@ import signal
 import sys
 import threading
 from collections import deque
-from collections.abc import Iterator
-from typing import TextIO
+from collections.abc import Callable, Iterator
+from typing import TextIO, TypeVar
 
 from day6_tui.core.session.backlog import Backlog
+from day6_tui.core.session.harmless import TerminalText, guarded
 from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, wait_for
 
+T = TypeVar("T")
+
 
 class RealOutput(OutputStream):
-    """Our own standard output or error. A reader that went away breaks it like a pipe."""
+    """Our own standard output or error. A reader that went away breaks it like a pipe.
+
+    Text for a terminal is made harmless (`harmless`), as `ls` and `git` do; into pipes and files it goes as it is.
+    """
 
     def __init__(self, file: TextIO) -> None:
-        self._file = file
+        self._file = guarded(file)
         self._muted = False
         self._backlog: Backlog | None = None
         self._held = False
         self.encoding = file.encoding or "utf-8"
-        with contextlib.suppress(AttributeError, ValueError):
-            file.reconfigure(errors="replace", line_buffering=True)  # type: ignore[attr-defined]
 
     @property
     def columns(self) -> int:
@@ -45,8 +49,18 @@ class RealOutput(OutputStream):
             self._backlog.write(self if self._held else None, text)
             if self._held:
                 return len(text)
+        return self._try(self._file.write, text)
+
+    def control(self, sequence: str) -> None:
+        if isinstance(self._file, TerminalText):
+            if not self._muted and not self._held:
+                self._try(self._file.control, sequence)
+        else:
+            self.write(sequence)
+
+    def _try(self, write: Callable[[str], T], text: str) -> T:
         with self._failing():
-            return self._file.write(text)
+            return write(text)
         raise AssertionError("it is written or it fails")
 
     def flush(self) -> None:

@@ -124,6 +124,10 @@ class OutputStream:
         """Append text, never waiting. Raises BrokenPipeError when nobody can ever read it."""
         return len(text)
 
+    def control(self, sequence: str) -> None:
+        """Write what steers a terminal (clear it, go up a line): where `write` lets only text pass, this is for the rest."""
+        self.write(sequence)
+
     def flush(self) -> None:
         """Does nothing where nothing is held back."""
 

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
+from unicodedata import normalize
 
 from day6_tui.core.shell.light_pyte import Char
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.shell.width import char_width, is_mark
 
 
 class Style(NamedTuple):
@@ -32,6 +33,9 @@ Row = str | tuple[Run, ...]
 PLAIN_STYLE = Style()
 
 BLANK = Char(" ")
+
+MOST_MARKS = 8
+"""Marks kept on one character."""
 
 
 class Scrollback(Sequence["CellRow"]):
@@ -95,13 +99,22 @@ def wrapped(line: str, columns: int) -> list[str]:
     return [*rows, line[start:]]
 
 
+def combined(cell: Char, char: str) -> Char:
+    """A cell with a character of no width put on it; the cell alone if it is no mark, or one too many."""
+    if not is_mark(char) or len(cell.data) > MOST_MARKS:
+        return cell
+    return cell._replace(data=normalize("NFC", cell.data + char))
+
+
 def cells_of(row: Row) -> list[Char]:
     cells: list[Char] = []
     for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
         for char in text:
             width = char_width(char)
-            if width == 0 and cells:
-                cells[-1] = cells[-1]._replace(data=cells[-1].data + char)
+            if width == 0:
+                base = -2 if cells and cells[-1].data == "" else -1
+                if len(cells) >= -base:
+                    cells[base] = combined(cells[base], char)
                 continue
             cells.append(Char(char, *style))
             if width == 2:

@@ -6,21 +6,21 @@ Only the thread that draws touches a screen; `Terminal.update` feeds it.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections import deque
 from typing import Any
 
+from day6_tui.core.session.harmless import for_emulation
 from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
 from day6_tui.core.shell.light_pyte import Screen as PyteScreen
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
-from day6_tui.core.shell.rows import Row, as_row, cells_of, fit, row_text, wrapped
+from day6_tui.core.shell.rows import Row, as_row, cells_of, combined, fit, row_text, wrapped
 from day6_tui.core.shell.width import char_width
 
 SCROLLBACK = 5000
 """Lines kept above the screen."""
 
-MOST_MARKS = 8
-"""Combining marks kept on one character."""
+MOST_ANSWERS = 100
+"""Queries answered in one go: a file full of them is no conversation."""
 
 ALTERNATE_MODES = frozenset({47, 1047, 1049})
 BRACKETED_PASTE = 2004 << 5
@@ -96,6 +96,7 @@ class Screen(PyteScreen):
 
     def feed(self, text: str) -> None:
         """Show what a program wrote."""
+        text = for_emulation(text)
         if self._stream.between_sequences and self._is_simple() and is_plain(text):
             self._feed_plain(text)
         else:
@@ -144,7 +145,7 @@ class Screen(PyteScreen):
 
     def draw(self, data: str) -> None:
         cursor = self.cursor
-        if data.isascii() and self._is_simple() and cursor.x + len(data) <= self.columns:
+        if data.isascii() and data.isprintable() and self._is_simple() and cursor.x + len(data) <= self.columns:
             cells = self._cells_for(cursor.attrs)
             line = self.buffer[cursor.y]
             x = cursor.x
@@ -194,15 +195,13 @@ class Screen(PyteScreen):
             line[end] = self.default_char
 
     def _combine(self, char: str) -> None:
-        if not unicodedata.combining(char) or not self.cursor.x:
+        if not self.cursor.x:
             return
         line = self.buffer[self.cursor.y]
         x = self.cursor.x - 1
         if line[x].data == "" and x:
             x -= 1
-        if len(line[x].data) > MOST_MARKS:
-            return
-        line[x] = line[x]._replace(data=unicodedata.normalize("NFC", line[x].data + char))
+        line[x] = combined(line[x], char)
         self.dirty.add(self.cursor.y)
 
     def _cells_for(self, attrs: Char) -> dict[str, Char]:
@@ -305,7 +304,8 @@ class Screen(PyteScreen):
         super().reset()
 
     def write_process_input(self, data: str) -> None:
-        self.answers.append(data)
+        if len(self.answers) < MOST_ANSWERS:
+            self.answers.append(data)
 
     # -- size ----------------------------------------------------------------------------------------------------------
 

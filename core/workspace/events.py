@@ -59,13 +59,15 @@ class Console:
 
     def wipe(self) -> None:
         if self.status:
-            self.stdout.write(" " * len(self.status) + "\r")
+            self.stdout.write(" " * len(self.status))
+            self.stdout.control("\r")
             self.status = ""
 
     def show_status(self, text: str) -> None:
         with self._lock:
             self.wipe()
-            self.stdout.write(text + "\r")
+            self.stdout.write(text)
+            self.stdout.control("\r")
             self.stdout.flush()
             self.status = text
 

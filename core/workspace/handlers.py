@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable
 from typing import NamedTuple
 
+from day6_tui.core.session.harmless import one_line
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Handler, Result, duration
 from day6_tui.core.workspace.logs import EventLog, JobLogs, LogFolder
 
@@ -198,7 +199,7 @@ class TerminalTitle:
         ended, queued = self._counts["ended"], self._counts["queued"]
         ongoing = self._counts["started"] - ended
         text = f"colcon {self._verb} [{ended}/{queued} done] [{ongoing} ongoing]"
-        self._console.stdout.write(f"\x1b]0;{text}\x07")
+        self._console.stdout.control(f"\x1b]0;{one_line(text)}\x07")
 
 
 class Nothing:

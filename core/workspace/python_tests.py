@@ -7,6 +7,7 @@ from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
+from day6_tui.core.session.harmless import one_line
 from day6_tui.core.workspace.files import Output
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.local_setup_util import Environment, source_package
@@ -43,7 +44,7 @@ def _write_missing(output: Output, path: Path, name: str) -> None:
     """Leave a failing result for a run that ends before it writes its own."""
     output.write_text(
         path,
-        f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{escape(name)}" tests="1" failures="0" time="0" '
-        f'errors="1" skipped="0">\n  <testcase classname="{escape(name)}" name="pytest.missing_result" time="0">\n'
+        f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{escape(one_line(name))}" tests="1" failures="0" time="0" '
+        f'errors="1" skipped="0">\n  <testcase classname="{escape(one_line(name))}" name="pytest.missing_result" time="0">\n'
         '    <failure message="The test invocation failed without generating a result file."/>\n  </testcase>\n</testsuite>\n',
     )

@@ -34,6 +34,7 @@ KEYS = {
     "Shift-F3": "\x1b[1;2R",
     "Shift-PageUp": "\x1b[5;2~",
     "F4": "\x1bOS",
+    "F6": "\x1b[17~",
     "F8": "\x1b[19~",
     "F9": "\x1b[20~",
     "Ctrl-C": "\x03",

@@ -95,3 +95,21 @@ def test_the_picture_opens_and_is_not_empty(tmp_path: Path, suffix: str) -> None
 def test_an_unknown_suffix_names_those_that_work(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"'graph.pdf': .dot, .svg, .png"):
         write_image(unfitted(BOXES, EDGES), tmp_path / "graph.pdf")
+
+
+HOSTILE = 'a\x1b]0;T\x07<script>\x9b2J\u202e\uffff&\n"b'
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".png"])
+def test_a_label_from_somebody_elses_file_is_text_in_the_picture(tmp_path: Path, suffix: str) -> None:
+    boxes = [Box("a", (HOSTILE,), "node"), Box("b", (HOSTILE,), "topic", "/" + HOSTILE)]
+    file = tmp_path / ("graph" + suffix)
+    write_image(unfitted(boxes, [Edge("a", "b", HOSTILE, "b")]), file)
+    if suffix == ".png":
+        assert Image.open(file).size[0] > 0
+        return
+    texts = [
+        element.text or "" for element in xml.etree.ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")
+    ]
+    assert [text for text in texts if text.startswith("a^[]0;T^G<script>\\x9b2J\\u202e\\uffff&^J")]
+    assert all(text.isprintable() for text in texts)

@@ -47,3 +47,15 @@ def test_what_is_written_arrives_whole_and_in_order() -> None:
         writer.write(f"{number} ")
     writer.stop()
     assert file.getvalue().split() == [str(number) for number in range(100)]
+
+
+def test_a_character_that_the_terminal_has_not_costs_this_character_alone() -> None:
+    output.install()
+    data = io.BytesIO()
+    file = io.TextIOWrapper(data, encoding="latin-1", write_through=True)
+    writer = WriterThread(file)
+    writer.start()
+    for text in ("one ", "\udcff小 ", "two"):
+        writer.write(text)
+    writer.stop()
+    assert data.getvalue() == b"one ?? two"

@@ -9,6 +9,7 @@ from textual import events
 from textual.color import Color
 from textual.widgets import TextArea
 
+from day6_tui.core.session.harmless import same_length
 from day6_tui.tui.look import Look
 
 if TYPE_CHECKING:
@@ -160,7 +161,9 @@ class EditorArea(TextArea):
         self._cut_row = -1
 
     def get_line(self, line_index: int) -> Text:
-        line = super().get_line(line_index)
+        # Character by character, because TextArea counts places in the line by them.
+        text = same_length(self.document.get_line(line_index), pictures=self._pane.look.glyphs.chinese)
+        line = Text(text, end="", no_wrap=True)
         problem = self._pane.problem
         if problem is not None and problem.line == line_index + 1:
             line.stylize("underline red")

@@ -38,7 +38,7 @@ async def help_(session: Session) -> int:
 
 async def clear(session: Session) -> int:
     if session.stdout.isatty():
-        session.print("\x1b[H\x1b[2J\x1b[3J", end="")
+        session.stdout.control("\x1b[H\x1b[2J\x1b[3J")
     return 0
 
 

@@ -31,12 +31,12 @@ async def tput(session: Session) -> int:
     if name in ("setaf", "setab") and numbers:
         kind = 3 if name == "setaf" else 4
         colour = f"{kind}{numbers[0]}" if numbers[0] < 8 else f"{kind}8;5;{numbers[0]}"
-        session.print(f"\x1b[{colour}m", end="")
+        session.stdout.control(f"\x1b[{colour}m")
         return 0
     if name not in _SEQUENCES:
         session.print_error(f"tput: unknown terminfo capability '{name}'")
         return 4
-    session.print(_SEQUENCES[name], end="")
+    session.stdout.control(_SEQUENCES[name])
     return 0
 
 

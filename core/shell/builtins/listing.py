@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 import time
 from pathlib import Path
@@ -107,10 +108,30 @@ def _coloured(path: Path, name: str, options: dict[str, str], colour: bool) -> t
         suffix, code = "@", "01;36"
     elif mode & 0o111 and os.name != "nt":
         suffix, code = "*", "01;32"
-    quoted = f"'{name}'" if colour and any(char in " '\"$&()|;<>*?" for char in name) else name
+    quoted = _quoted(name) if colour else name
     suffix = suffix if "F" in options or ("p" in options and suffix == "/") else ""
     text = f"\x1b[{code}m{quoted}\x1b[0m" if colour and code else quoted
     return text + suffix, text_width(quoted) + len(suffix)
+
+
+_CONTROLS = re.compile("([\x00-\x1f\x7f-\x9f\ud800-\udfff]+)")
+_ESCAPES = {"\a": "\\a", "\b": "\\b", "\f": "\\f", "\n": "\\n", "\r": "\\r", "\t": "\\t", "\v": "\\v"}
+
+
+def _quoted(name: str) -> str:
+    """A name as GNU ls writes it on a terminal (quoting style shell-escape), so that none is taken for two or for more."""
+    parts = _CONTROLS.split(name)
+    if len(parts) == 1:
+        return f"'{name}'" if any(char in " '\"$&()|;<>*?" for char in name) else name
+    shown = [f"'{text}'" if index % 2 == 0 else f"$'{_escaped(text)}'" for index, text in enumerate(parts)]
+    return "".join(shown[:-1] if not parts[-1] else shown)
+
+
+def _escaped(text: str) -> str:
+    return "".join(
+        _ESCAPES.get(char) or "".join(f"\\{byte:03o}" for byte in char.encode("utf-8", "surrogateescape"))
+        for char in text
+    )
 
 
 def _in_columns(shown: list[tuple[str, int]], columns: int) -> str:

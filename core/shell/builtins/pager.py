@@ -65,7 +65,7 @@ async def show_pages(session: Session, text: str, name: str) -> None:
         session.stdout.write(text if text.endswith("\n") or not text else text + "\n")
         return
     pager = _Pager(session, terminal, text.expandtabs().split("\n"), name)
-    session.stdout.write("\x1b[?1049h")
+    session.stdout.control("\x1b[?1049h")
     try:
         with keys.raw(signals=False):
             pager.show()
@@ -73,7 +73,7 @@ async def show_pages(session: Session, text: str, name: str) -> None:
                 await pager.press(key, keys)
                 pager.show()
     finally:
-        session.stdout.write("\x1b[?1049l")
+        session.stdout.control("\x1b[?1049l")
 
 
 class _Pager:
@@ -96,7 +96,8 @@ class _Pager:
         page = page + ["~"] * (self._height - len(page))
         at_end = self._top + self._height >= len(self._lines)
         below = "(END)" if at_end else (self._name if self._top == 0 and self._name else ":")
-        self._session.stdout.write("\x1b[H\x1b[2J" + "\r\n".join(page) + f"\r\n\x1b[7m{below}\x1b[0m")
+        self._session.stdout.control("\x1b[H\x1b[2J")
+        self._session.stdout.write("\r\n".join(page) + f"\r\n\x1b[7m{below}\x1b[0m")
 
     async def press(self, key: str, keys: InputStream) -> None:
         """Do what a key of less means."""
@@ -128,7 +129,7 @@ class _Pager:
 
     async def _ask(self, keys: InputStream) -> str:
         text = ""
-        self._session.stdout.write("\r\x1b[K/")
+        self._session.stdout.control("\r\x1b[K/")
         while True:
             key = await keys.read_key()
             if key in ("\r", "", "\x03", "\x1b"):
@@ -137,7 +138,8 @@ class _Pager:
                 text = text[:-1]
             elif key.isprintable():
                 text += key
-            self._session.stdout.write(f"\r\x1b[K/{text}")
+            self._session.stdout.control("\r\x1b[K/")
+            self._session.stdout.write(text)
 
 
 def _rows_of(line: str, width: int) -> Iterator[str]:

@@ -74,15 +74,17 @@ async def watch(session: Session) -> int:
         return 1
     shell: Shell = session.shell
     if session.stdout.isatty():
-        session.stdout.write("\x1b[?1049h")
-        session.defer(lambda: session.stdout.write("\x1b[?1049l"))
+        session.stdout.control("\x1b[?1049h")
+        session.defer(lambda: session.stdout.control("\x1b[?1049l"))
     while True:
         inner = shell.clone()
         session.on_interrupt = inner.interrupt
         found = await inner.output_of(line, Streams(InputStream(), session.stdout, session.stdout))
         session.on_interrupt = None
         title = "" if "t" in options else f"Every {seconds:.1f}s: {line}\n\n"
-        session.stdout.write(f"\x1b[H\x1b[2J{title}{found}\n" if session.stdout.isatty() else f"{title}{found}\n")
+        if session.stdout.isatty():
+            session.stdout.control("\x1b[H\x1b[2J")
+        session.stdout.write(f"{title}{found}\n")
         await session.sleep(seconds)
 
 

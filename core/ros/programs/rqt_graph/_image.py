@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Cell, Picture, Rect
+from day6_tui.core.session.harmless import one_line
 from day6_tui.core.whole_file import replace_file
 
 CELL = (9, 20)
@@ -158,7 +159,7 @@ def _element(shape: Shape) -> str:
     if isinstance(shape, Text):
         anchor = ' text-anchor="middle"' if shape.centred else ""
         place = f'x="{shape.at[0]:g}" y="{shape.at[1] + FONT_SIZE * 0.35:g}"'
-        return f'<text {place}{anchor} fill="{shape.colour}">{html.escape(shape.text)}</text>'
+        return f'<text {place}{anchor} fill="{shape.colour}">{html.escape(one_line(shape.text))}</text>'
     points = " ".join(f"{x:g},{y:g}" for x, y in shape.points)
     if isinstance(shape, Arrow):
         return f'<polygon points="{points}" fill="{INK}"/>'
@@ -182,7 +183,7 @@ def _pixels(shapes: Sequence[Shape], width: int, height: int, suffix: str) -> by
             )
         elif isinstance(shape, Text):
             place = (shape.at[0] * scale, shape.at[1] * scale)
-            draw.text(place, shape.text, fill=shape.colour, font=font, anchor="mm" if shape.centred else "lm")
+            draw.text(place, one_line(shape.text), fill=shape.colour, font=font, anchor="mm" if shape.centred else "lm")
         elif isinstance(shape, Arrow):
             draw.polygon([_scaled(point, scale) for point in shape.points], fill=INK)
         else:

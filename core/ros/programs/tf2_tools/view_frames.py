@@ -14,6 +14,7 @@ from tf2_msgs.srv import FrameGraph
 from tf2_ros import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, Buffer, TransformListener
 
 from day6_tui.core.ros.ros2.cli.parser import Parser, ParserExit
+from day6_tui.core.session.harmless import quotable
 from day6_tui.core.session.threads import in_thread
 from day6_tui.core.whole_file import replace_file
 from rclpy.task import Future
@@ -51,20 +52,20 @@ def as_dot(frames: dict[str, dict[str, Any]], now: float) -> str:
     root = None
     for frame, about in frames.items():
         label = (
-            f" Broadcaster: {about['broadcaster']}\\n"
+            f" Broadcaster: {quotable(str(about['broadcaster']))}\\n"
             f"Average rate: {about['rate']}\\n"
             f"Buffer length: {about['buffer_length']}\\n"
             f"Most recent transform: {about['most_recent_transform']}\\n"
             f"Oldest transform: {about['oldest_transform']}\\n"
         )
-        lines.append(f'"{about["parent"]}" -> "{frame}"[label="{label}"];')
+        lines.append(f'"{quotable(about["parent"])}" -> "{quotable(frame)}"[label="{label}"];')
         if about["parent"] not in frames:
             root = about["parent"]
     if root is not None:  # in a loop there is none
         lines.append("edge [style=invis];")
         lines.append(' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";')
         lines.append(f'"Recorded at time: {now}"[ shape=plaintext ] ;')
-        lines.append(f'}}->"{root}";')
+        lines.append(f'}}->"{quotable(root)}";')
     return "\n".join([*lines, "}"])
 
 

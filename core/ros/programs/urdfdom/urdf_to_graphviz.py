@@ -9,6 +9,7 @@ import shutil
 import subprocess
 
 from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
+from day6_tui.core.session.harmless import quotable
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.threads import in_thread
 from day6_tui.core.whole_file import replace_file
@@ -27,7 +28,8 @@ async def main(session: Session) -> int:
     robot = await read_robot(session, session.argv[1], hints)
     if robot is None:
         return FAILED
-    name = session.argv[2] if len(session.argv) == 3 else robot.name
+    name = session.argv[2] if len(session.argv) == 3 else robot.name.replace("/", "_")
+    # The original writes wherever a robot's name leads; a file from elsewhere shall not choose the place.
     graph, picture = session.cwd / f"{name}.gv", session.cwd / f"{name}.pdf"
     try:
         replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape"))
@@ -49,11 +51,12 @@ def dot_of(robot: Robot) -> str:
     """Return the robot as DOT text: boxes for links, ellipses for joints with their origins."""
     lines = ["digraph G {", "node [shape=box];"]
     order = [robot.root, *(joint.child for joint in robot.tree())]
-    lines += [f'"{name}" [label="{name}"];' for name in order]
+    lines += [f'"{name}" [label="{name}"];' for name in map(quotable, order)]
     lines.append("node [shape=ellipse, color=blue, fontcolor=blue];")
     for joint in robot.tree():
         xyz = " ".join(f"{value:g}" for value in joint.origin.xyz)
         rpy = " ".join(f"{value:g}" for value in joint.origin.rpy)
-        lines.append(f'"{joint.parent}" -> "{joint.name}" [label="xyz: {xyz} \\nrpy: {rpy}"]')
-        lines.append(f'"{joint.name}" -> "{joint.child}"')
+        parent, name, child = map(quotable, (joint.parent, joint.name, joint.child))
+        lines.append(f'"{parent}" -> "{name}" [label="xyz: {xyz} \\nrpy: {rpy}"]')
+        lines.append(f'"{name}" -> "{child}"')
     return "\n".join([*lines, "}", ""])

@@ -13,7 +13,10 @@ from day6_tui.core.ros.programs.xacro.limits import CPU_SECONDS, OUT_OF_TIME
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
-_START = "from day6_tui.core.ros.programs.xacro.limits import run; run({})"
+_START = (
+    "from day6_tui.core.session.harmless import guard_standard_streams; guard_standard_streams(); "
+    "from day6_tui.core.ros.programs.xacro.limits import run; run({})"
+)
 _FAILED = 2
 
 

@@ -127,20 +127,25 @@ class _ProgressBar:
 
     def _log(self, text: str) -> None:
         """A line of the log goes where the bar begins, and the bar below it."""
-        self._session.stdout.write(_BELOW)
+        self._session.stdout.control(_BELOW)
         self._session.stdout.flush()
         self._write(text)
         self._draw()
 
     def _draw(self) -> None:
         if self._on:
-            self._session.stdout.write(f"{_BELOW}\n{self._playing.progress()}\n{_UP}")
+            self._show()
+            self._session.stdout.control(_UP)
             self._session.stdout.flush()
+
+    def _show(self) -> None:
+        self._session.stdout.control(_BELOW)
+        self._session.stdout.write(f"\n{self._playing.progress()}\n")
 
     def end(self) -> None:
         """Leave the last state on the screen."""
         if self._on:
             self._on = False
             self._session.context._log_write = self._write
-            self._session.stdout.write(f"{_BELOW}\n{self._playing.progress()}\n")
+            self._show()
             self._session.stdout.flush()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.ros2.cli.options import add_strategy_options
 from day6_tui.core.ros.ros2.component._container import Container, add_container_argument, containers
+from day6_tui.core.session.harmless import in_a_list
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -44,5 +45,5 @@ async def _print(session: Session, args: Namespace, name: str, indent: str, wher
         except TimeoutError as error:
             return f"No 'list_nodes' {error} when listing components{where}"
     for number, node_name in components:
-        session.print(f"{indent}{number}  {node_name}")
+        session.print(f"{indent}{number}  {in_a_list(node_name, session.stdout)}")
     return None

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, NoReturn
 from day6_tui.core.ros.environment import PYTHON_PATH
 from day6_tui.core.ros.ros2.cli.completion import Typed, package_names
 from day6_tui.core.ros.ros2.cli.options import completed
+from day6_tui.core.session.real_streams import RealOutput
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -105,6 +106,7 @@ async def main(session: Session, args: Namespace) -> int:
         "debug": args.debug,
         "noninteractive": args.noninteractive,
         "show": show,
+        "guarded": isinstance(session.stdout, RealOutput),
     }
     env = dict(session.env)
     if args.show_all_subprocesses_output:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.ros2.cli.node import absolute
 from day6_tui.core.ros.ros2.lifecycle._services import LifecycleServices, add_node_argument, lifecycle_nodes
+from day6_tui.core.session.harmless import in_a_list
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -29,8 +30,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     except RuntimeError as error:
         return f"Exception while calling service of node '{args.node_name}': {error}"
     for each in transitions:
-        session.print(
-            f"- {each.transition.label} [{each.transition.id}]\n"
-            f"\tStart: {each.start_state.label}\n\tGoal: {each.goal_state.label}"
-        )
+        labels = (each.transition.label, each.start_state.label, each.goal_state.label)
+        transition, start, goal = (in_a_list(label, session.stdout) for label in labels)
+        session.print(f"- {transition} [{each.transition.id}]\n\tStart: {start}\n\tGoal: {goal}")
     return None

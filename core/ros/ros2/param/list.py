@@ -10,6 +10,7 @@ from day6_tui.core.ros.ros2.cli.node import absolute, graph_node, node_names, sp
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option
 from day6_tui.core.ros.ros2.param._services import ParameterServices, add_node_argument
 from day6_tui.core.ros.ros2.param._values import type_name
+from day6_tui.core.session.harmless import in_a_list
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -55,7 +56,8 @@ async def main(session: Session, args: Namespace) -> str | None:
             session.print(f"{name}:")
         types = await _types(of_node, parameters) if args.param_type and parameters else {}
         for each in parameters:
-            session.print(f"  {each} (type: {types[each]})" if args.param_type else f"  {each}")
+            shown = in_a_list(each, session.stdout)
+            session.print(f"  {shown} (type: {types[each]})" if args.param_type else f"  {shown}")
     return None
 
 

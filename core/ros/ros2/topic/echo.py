@@ -142,7 +142,7 @@ class _Echo:
         if self.future is not None and self.args.once:
             self.future.set_result(True)
         if self.args.clear:
-            self.session.print(CLEAR)
+            self.session.stdout.control(CLEAR + "\n")
         if not hasattr(selected, "__slots__"):
             self._print_bare(selected, info)
         elif self.args.csv:

@@ -33,7 +33,14 @@ def _become_a_ros_program() -> None:
 
 
 def _launch(options: dict[str, Any]) -> int:
-    """Launch, print or list the arguments of `path`. Options: path, arguments, debug, noninteractive, show."""
+    """Launch, print or list the arguments of `path`. Options: path, arguments, debug, noninteractive, show, guarded.
+
+    `guarded` is for the user's own terminal, which is no emulation of ours: it gets lines with colours and nothing else.
+    """
+    if options["guarded"]:
+        from day6_tui.core.session.harmless import guard_standard_streams
+
+        guard_standard_streams()
     from launch import _host
 
     _host.connect()
