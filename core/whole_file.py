@@ -38,10 +38,10 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
             with open(target, "wb") as device:  # and it stays one
                 yield device
             return
-        new = 0o666 if mode is None else mode
-        opened = open(temporary, "xb", opener=lambda path, flags: os.open(path, flags, new))
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+        number = os.open(temporary, flags, 0o666 if mode is None else mode)
         try:
-            with opened as file:
+            with open(temporary, "wb", opener=lambda path, flags: number) as file:  # so that it has a name
                 if before is not None and mode is None:
                     _keep_rights(file.fileno(), before)
                 yield file
