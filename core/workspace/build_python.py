@@ -64,6 +64,11 @@ class _Described:
         return value
 
     @property
+    def modules(self) -> list[str]:
+        """The files of single modules."""
+        return [f"{name.replace('.', os.sep)}.py" for name in self.data.get("py_modules") or []]
+
+    @property
     def sources(self) -> list[str]:
         """Files and top folders that a build in another folder needs links to."""
         where = self.data.get("package_dir") or {}
@@ -72,8 +77,7 @@ class _Described:
             for name in self.data.get("packages") or []
             if "." not in name
         ]
-        modules = [f"{name.replace('.', os.sep)}.py" for name in self.data.get("py_modules") or []]
-        return ["setup.py", *folders, *modules, *(self.data.get("scripts") or [])]
+        return ["setup.py", *folders, *self.modules, *(self.data.get("scripts") or [])]
 
 
 class _PythonBuild:
@@ -238,6 +242,9 @@ class _PythonBuild:
         return {"cwd": source, "commands": commands}
 
     def _develop(self, described: _Described) -> dict[str, Any]:
+        for name in described.modules:
+            if not (self.package.path / name).exists():
+                raise _failed(self.work, RuntimeError(f"Provided py_modules '{name}' does not exist"))
         for target, source in self._wanted_links(described).items():
             self.output.link(source, target)
         scripts = _based(described.option("develop", "script_dir"), self.prefix)
