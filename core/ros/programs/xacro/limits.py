@@ -40,23 +40,16 @@ def limit(seconds: int) -> None:
     if sys.platform == "win32":
         _kept.append(open(os.devnull, "w"))  # noqa: SIM115  # it must be open when the time is up
         faulthandler.dump_traceback_later(seconds, exit=True, file=_kept[0])
-        return
-    import resource
-
-    _lower(resource.RLIMIT_CORE, 0)
-    _lower(resource.RLIMIT_CPU, seconds)
-    if sys.platform == "linux":
-        _lower(resource.RLIMIT_AS, MEMORY_BYTES)
-
-
-if sys.platform != "win32":
-
-    def _lower(what: int, wanted: int) -> None:
+    else:
         import resource
 
-        _, most = resource.getrlimit(what)
-        lower = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
-        resource.setrlimit(what, (lower, most))
+        limits = [(resource.RLIMIT_CORE, 0), (resource.RLIMIT_CPU, seconds)]
+        if sys.platform == "linux":
+            limits.append((resource.RLIMIT_AS, MEMORY_BYTES))
+        for what, wanted in limits:
+            _, most = resource.getrlimit(what)
+            lower = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
+            resource.setrlimit(what, (lower, most))
 
 
 def _is_caused_by(error: BaseException, kind: type[BaseException]) -> bool:
