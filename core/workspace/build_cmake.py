@@ -226,7 +226,7 @@ class _CMakeBuild:
     # -- interfaces ----------------------------------------------------------------------------------------------------
 
     def _generate(self, command: Command) -> None:
-        if not self.found.keys() & {"rosidl_default_generators", "rosidl_cmake"}:
+        if not self.found.keys() & {"rosidl_default_generators", "rosidl_core_generators", "rosidl_cmake"}:
             raise CMakeError(f'Unknown CMake command "{_INTERFACES}".', command.line, "", command.file)
         if (
             self.package.manifest is not None

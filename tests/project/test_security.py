@@ -43,6 +43,10 @@ REASONS = {
         "xml",
     ): "expat only says what is no XML; every entity definition is refused; tried in tests/joint_state_publisher",
     ("core/ros/programs/rviz2/model/collada.py", "xml"): "a document type is refused; tried in tests/rviz2",
+    (
+        "core/ros/programs/xacro/limits.py",
+        "xml",
+    ): "for xacro, in a process with limits; tests/workspace/test_xacro_limits",
     ("core/shell/editing/checks.py", "xml"): "expat only says what is no XML; entity definitions are refused",
     ("core/shell/editing/checks.py", "compile"): "finds mistakes in the text of an editor; nothing is run",
     ("core/workspace/manifest.py", "xml"): "a text that defines entities is refused; tried in tests/workspace",

@@ -9,14 +9,14 @@ from __future__ import annotations
 import faulthandler
 import os
 import sys
-from typing import TextIO
+from typing import BinaryIO
 
 CPU_SECONDS = 10
 MEMORY_BYTES = 1 << 30
 OUT_OF_TIME = 1 if sys.platform == "win32" else -1
 """The status with which the watchdog of Windows, which has no such limit, ends the process; xacro itself fails with 2."""
 
-_kept: list[TextIO] = []
+_kept: list[BinaryIO] = []
 
 
 def run(seconds: int) -> None:
@@ -38,25 +38,18 @@ def run(seconds: int) -> None:
 def limit(seconds: int) -> None:
     """Limit this process."""
     if sys.platform == "win32":
-        _kept.append(open(os.devnull, "w"))  # noqa: SIM115  # it must be open when the time is up
+        _kept.append(open(os.devnull, "wb"))  # noqa: SIM115  # it must be open when the time is up
         faulthandler.dump_traceback_later(seconds, exit=True, file=_kept[0])
-        return
-    import resource
-
-    _lower(resource.RLIMIT_CORE, 0)
-    _lower(resource.RLIMIT_CPU, seconds)
-    if sys.platform == "linux":
-        _lower(resource.RLIMIT_AS, MEMORY_BYTES)
-
-
-if sys.platform != "win32":
-
-    def _lower(what: int, wanted: int) -> None:
+    else:
         import resource
 
-        _, most = resource.getrlimit(what)
-        lower = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
-        resource.setrlimit(what, (lower, most))
+        limits = [(resource.RLIMIT_CORE, 0), (resource.RLIMIT_CPU, seconds)]
+        if sys.platform == "linux":
+            limits.append((resource.RLIMIT_AS, MEMORY_BYTES))
+        for what, wanted in limits:
+            _, most = resource.getrlimit(what)
+            lower = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
+            resource.setrlimit(what, (lower, most))
 
 
 def _is_caused_by(error: BaseException, kind: type[BaseException]) -> bool:
