@@ -5,6 +5,7 @@ Scratch folders are nobody's. Scripts (`day6-tui exec`, another program's pipe) 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
@@ -20,11 +21,19 @@ YES = ("y", "yes", "是")
 
 def is_outside(path: Path, home: Path) -> bool:
     """Say whether `path` (absolute; links are followed) is neither in `home` nor in a scratch folder."""
+    real = path.resolve()
+    inside = (home.resolve(), _scratch().resolve(), Path("/dev"))
+    return not any(real == folder or folder in real.parents for folder in inside)
+
+
+def _scratch() -> Path:
+    """The folder for temporary files. Python looks for one by writing there, which fails on a full disk."""
     import tempfile
 
-    real = path.resolve()
-    inside = (home.resolve(), Path(tempfile.gettempdir()).resolve(), Path("/dev"))
-    return not any(real == folder or folder in real.parents for folder in inside)
+    try:
+        return Path(tempfile.gettempdir())
+    except OSError:
+        return Path(os.environ.get("TMPDIR") or "/tmp")
 
 
 async def agreed(
