@@ -14,10 +14,12 @@ from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
 from day6_tui.core.link.announcing import Announcements
-from day6_tui.core.link.config import command_config, gate_config, inner_config, outer_config, process_config
+from day6_tui.core.link.config import command_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
+from day6_tui.core.link.gate import Gate
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, sign, signs
+from day6_tui.core.link.limits import MOST_SIGNS, MOST_WAITING, Refusals
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
@@ -31,18 +33,27 @@ from day6_tui.core.link.paths import (
 )
 from day6_tui.core.link.remote import RemoteGraph
 from day6_tui.core.link.services import Services
+from day6_tui.core.link.state import Door, LinkState, read_doors
 from day6_tui.core.link.topics import Topics
 
 if TYPE_CHECKING:
     import zenoh
-
-    from day6_tui.core.link.bridge import Bridge
 
 _LOOK_AGAIN = 1.0
 """Seconds between looks whether the meeting point needs a keeper; the end of its token makes it look at once."""
 _SEARCH_AGAIN = 0.05
 """The same while no meeting point is known: a killed keeper's token may end before its lock does."""
 _MOST_PROBLEMS = 50
+_LONGEST_PROBLEM = 500
+_SIGN_PARTS = 4
+_LONGEST_ZID = 32
+_GATE_PATIENCE = 1.0
+"""Seconds that joining waits for the doors to other machines, which open in the background."""
+_SLICE = 0.005
+_PAUSE = 0.001
+"""Seconds of taking announcements, and of letting the program's own threads have the interpreter in between."""
+_ASK_AGAIN = 5.0
+"""At least so many seconds between two questions for what was refused."""
 
 
 _Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
@@ -63,6 +74,7 @@ class Link:
         connect: Sequence[str] = (),
         one_shot: bool = False,
         never_wait: bool = False,
+        secret: str | None = None,
     ) -> None:
         self.graph = graph
         self.zid = new_zid()
@@ -71,11 +83,16 @@ class Link:
         self._one_shot = one_shot
         self._never_wait = never_wait
         self._listen, self._connect = tuple(listen), tuple(connect)
-        self._remote = RemoteGraph(graph, self.zid)
+        self._secret = secret
+        self.refusals = Refusals()
+        self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
+        self._neighbourhood: tuple[int, frozenset[str]] = (-1, frozenset())
+        """When the meeting place had last changed, and the sessions of the processes in it."""
+        self._asked_again = 0.0
         self._place: Place | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
-        self._gate: zenoh.Session | Bridge | None = None
+        self._gate: Gate | None = None
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._announcements: Announcements | None = None
@@ -105,8 +122,6 @@ class Link:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
                 self._meeting.try_to_keep()
                 self._attach(zenoh.open(process_config(place, self.zid)))
-                if self._listen or self._connect:
-                    self._open_gate(place)
         except LinkError:
             self.close()
             raise
@@ -114,6 +129,9 @@ class Link:
             self.close()
             raise LinkError(f"{place.folder}: {error}") from error
         self._thread.start()
+        if self._listen or self._connect:
+            self._gate = Gate(place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report)
+            self._gate.start(_GATE_PATIENCE)
 
     def close(self) -> None:
         """Leave: tell the others, remove remote nodes from the graph. A second call does nothing."""
@@ -143,8 +161,8 @@ class Link:
             return
         import zenoh
 
-        sessions = [session for session in (self._session, self._gate) if session is not None]
-        for closing in (*(session.close for session in sessions), *((self._meeting.close,) if self._meeting else ())):
+        owners = [owner for owner in (self._gate, self._session, self._meeting) if owner is not None]
+        for closing in (owner.close for owner in owners):
             try:
                 closing()
             except zenoh.ZError as error:
@@ -239,23 +257,6 @@ class Link:
 
     # the session
 
-    def _open_gate(self, place: Place) -> None:
-        """Join the meeting point to other machines."""
-        import zenoh
-
-        if not place.tcp:
-            self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
-            return
-        from day6_tui.core.link.bridge import Bridge
-
-        inner = zenoh.open(inner_config(place))
-        try:
-            outer = zenoh.open(outer_config(self._listen, self._connect))
-        except zenoh.ZError:
-            inner.close()
-            raise
-        self._gate = Bridge(inner, outer, self.graph.domain_id, self._report)
-
     def _try_as_client(self) -> None:
         import zenoh
 
@@ -277,8 +278,8 @@ class Link:
         import zenoh
 
         domain_id = self.graph.domain_id
-        self._topics = Topics(session, self.zid, self._remote, self._report, never_wait=self._never_wait)
-        self._services = Services(session, self.zid, self._report)
+        self._topics = Topics(session, self.zid, self._remote, self._report, self.refusals, never_wait=self._never_wait)
+        self._services = Services(session, self.zid, self._report, self.refusals)
         self._announcements = Announcements(session, self.zid, self._topics, self._services)
         self._session = session
         liveliness = session.liveliness()
@@ -342,12 +343,44 @@ class Link:
                 return
             try:
                 self._take(entry)
-                while not self._inbox.empty():
-                    self._take(self._inbox.get())
+                self._take_waiting()
                 self._look_after_connection()
             except Exception as error:
                 # A listener of the graph failed, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
+
+    def _take_waiting(self) -> None:
+        """Take what came in meanwhile, in slices: however much others announce, the program's threads keep their pace."""
+        end = time.monotonic() + _SLICE
+        while not self._inbox.empty() and not self._closed:
+            if self._inbox.qsize() > MOST_WAITING:
+                self._begin_anew()
+            self._take(self._inbox.get())
+            if time.monotonic() > end:
+                time.sleep(_PAUSE)
+                end = time.monotonic() + _SLICE
+
+    def _begin_anew(self) -> None:
+        """Drop all announcements that wait, of which there are too many, and ask for what there is in the end."""
+        import zenoh
+
+        for _ in range(self._inbox.qsize()):
+            entry = self._inbox.get()
+            if not isinstance(entry, (zenoh.Sample, tuple)):
+                self._take(entry)
+        self.refusals.add("floods")
+        self._remote.clear()
+        self._ask_for_all()
+
+    def _ask_for_all(self) -> None:
+        """Ask what there is; the answers come in as announcements do."""
+        import zenoh
+
+        self._asked_again = time.monotonic()
+        if self._session is not None:
+            for key in (signs(self.graph.domain_id), all_tokens(self.graph.domain_id)):
+                handler = zenoh.handlers.Callback(callback(self._on_reply), indirect=False)
+                self._session.liveliness().get(key, handler, timeout=5.0)
 
     def _take(self, entry: _Entry) -> None:
         import zenoh
@@ -369,13 +402,28 @@ class Link:
             else:
                 self._remote.vanish(key)
             return
-        _, _, kind, zid = key.split("/")
+        sign_of = key.split("/")
+        if len(sign_of) != _SIGN_PARTS or sign_of[2] not in ("here", "meeting") or len(sign_of[3]) > _LONGEST_ZID:
+            self.refusals.add("names")
+            return
+        _, _, kind, zid = sign_of
         with self._changed:
-            if present:
+            if not present:
+                self._signs[kind].discard(zid)
+            elif len(self._signs[kind]) < MOST_SIGNS or self._is_neighbour(zid):
                 self._signs[kind].add(zid)
             else:
-                self._signs[kind].discard(zid)
+                self.refusals.add("signs")
             self._changed.notify_all()
+
+    def _is_neighbour(self, zid: str) -> bool:
+        """Say whether a session is a process of this user on this machine: in the meeting place nobody else can be."""
+        if self._place is None:
+            return False
+        changed = self._place.folder.stat().st_mtime_ns
+        if self._neighbourhood[0] != changed:
+            self._neighbourhood = changed, frozenset(each.zid for each in neighbours(self._place))
+        return zid in self._neighbourhood[1]
 
     def _patience(self) -> float | None:
         if self._meeting is not None:
@@ -389,8 +437,20 @@ class Link:
             self._meeting.try_to_keep()
         elif self._session is None:
             self._try_as_client()
+        if time.monotonic() - self._asked_again > _ASK_AGAIN and self._remote.take_room_again():
+            self._ask_for_all()
 
     # trouble
+
+    @property
+    def state(self) -> LinkState:
+        """What a person should know: why there is no link, how it stands with the doors, what was refused."""
+        doors = read_doors(self._place) if self._place is not None else ()
+        if not doors and (self._listen or self._connect):
+            # The link itself could not be opened.
+            kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
+            doors = tuple(Door(*each) for each in kinds)
+        return LinkState(self.problem, doors, self.refusals.counts)
 
     def abandon(self) -> None:
         """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""
@@ -404,4 +464,4 @@ class Link:
             close_inherited_sockets(self._place)
 
     def _report(self, what: str, error: Exception) -> None:
-        self.problems.append(f"{what}: {error}")
+        self.problems.append(f"{what}: {error}"[:_LONGEST_PROBLEM])

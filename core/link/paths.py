@@ -88,14 +88,14 @@ def meeting_place(domain_id: int) -> Place:
 def neighbours(place: Place) -> Iterator[Neighbour]:
     """Yield the processes whose sockets are there and that are alive, this one included."""
     for neighbour in _sockets(place):
-        if _process_exists(neighbour.pid):
+        if process_exists(neighbour.pid):
             yield neighbour
 
 
 def remove_dead_sockets(place: Place) -> None:
     """Remove what killed processes left behind."""
     for neighbour in _sockets(place):
-        if not _process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
+        if not process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
             for path in (neighbour.path, neighbour.path.with_name(neighbour.path.name + ".lock")):
                 path.unlink(missing_ok=True)
 
@@ -200,9 +200,10 @@ def _sockets(place: Place) -> Iterator[Neighbour]:
             yield Neighbour(zid, int(pid), place.folder / name)
 
 
-def _process_exists(pid: int) -> bool:
+def process_exists(pid: int) -> bool:
+    """Say whether a process with this number runs (of whatever user)."""
     if sys.platform == "win32":
-        return _windows_process_exists(pid)
+        return _windowsprocess_exists(pid)
     try:
         os.kill(pid, 0)
     except ProcessLookupError:
@@ -212,7 +213,7 @@ def _process_exists(pid: int) -> bool:
     return True
 
 
-def _windows_process_exists(pid: int) -> bool:
+def _windowsprocess_exists(pid: int) -> bool:
     # os.kill(pid, 0) would send a Ctrl-C there.
     import ctypes
 
