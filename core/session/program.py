@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 
+from day6_tui.core.graph.domain import DomainError
 from day6_tui.core.session.session import KilledBySignal, Main, Session
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, wait_for
 
@@ -107,6 +108,9 @@ async def _status_of(session: Session, main: Main) -> int:
         return 1
     except BrokenPipeError:
         raise
+    except DomainError as error:
+        session.print_error(str(error))  # as `ros2` does
+        return 1
     except Exception as error:
         _log.debug("%s ended by an exception", session.name, exc_info=True)
         session.print_error(f"{session.name}: {str(error) or type(error).__name__}")
