@@ -33,6 +33,7 @@ class Machine:
                 Path(home) if home else None,
                 listen=getattr(options, "listen", None),
                 connect=getattr(options, "connect", None),
+                secret=getattr(options, "secret", None),
             )
         desk.scheduler.on_activity = self._wake
         self._forget = desk.graph.add_listener(self._graph_changed)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 PROTOCOLS = ("tcp", "udp", "ws")
 """Those of the installed Zenoh that need neither certificates nor a path."""
 _NAME = re.compile(r"(?!-)[A-Za-z0-9_-]{1,63}(\.(?!-)[A-Za-z0-9_-]{1,63})*\.?")
+_BARE_IPV6 = re.compile(r"[0-9A-Fa-f:]*:[0-9A-Fa-f:]*")
 _NUMBERS = re.compile(r"[0-9.]+")
 
 
@@ -27,29 +28,31 @@ def address_of(endpoint: str, *, listening: bool) -> Address:
     """
     protocol, slash, rest = endpoint.partition("/")
     if not (protocol.isalnum() and slash and rest):
-        raise ValueError(f"'{endpoint}' is no endpoint like tcp/192.168.1.5:7447")
+        raise ValueError(f"{endpoint!r} is no endpoint like tcp/192.168.1.5:7447")
     if protocol not in PROTOCOLS:
-        raise ValueError(f"'{endpoint}' has an unknown protocol: use {', '.join(PROTOCOLS[:-1])} or {PROTOCOLS[-1]}")
+        raise ValueError(f"{endpoint!r} has an unknown protocol: use {', '.join(PROTOCOLS[:-1])} or {PROTOCOLS[-1]}")
     host, colon, port = rest.rpartition(":")
+    if not rest.isprintable():
+        raise ValueError(f"{endpoint!r} has no valid host name")
     if not colon or host.count("[") != host.count("]"):
-        raise ValueError(f"'{endpoint}' has no port: write {protocol}/{rest}:7447")
+        raise ValueError(f"{endpoint!r} has no port: write {protocol}/{rest}:7447")
     if not (port.isascii() and port.isdecimal() and 1 <= int(port) <= 65535):
-        raise ValueError(f"'{endpoint}' has no port from 1 to 65535")
+        raise ValueError(f"{endpoint!r} has no port from 1 to 65535")
     return Address(protocol, _host(endpoint, protocol, host, listening=listening), int(port))
 
 
 def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
     bracketed = host.startswith("[") and host.endswith("]")
-    if ":" in host and not bracketed:
-        raise ValueError(f"'{endpoint}' needs brackets around an IPv6 address: {protocol}/[::1]:7447")
+    if not bracketed and _BARE_IPV6.fullmatch(host):
+        raise ValueError(f"{endpoint!r} needs brackets around an IPv6 address: {protocol}/[::1]:7447")
     if bracketed or _NUMBERS.fullmatch(host):
         host = host.strip("[]")
         try:
             ip = ipaddress.IPv6Address(host) if bracketed else ipaddress.IPv4Address(host)
         except ValueError:
-            raise ValueError(f"'{endpoint}' has no valid address: {host}") from None
+            raise ValueError(f"{endpoint!r} has no valid address: {host}") from None
         if ip.is_unspecified and not listening:
-            raise ValueError(f"'{endpoint}' is every address of this machine, none to connect to")
+            raise ValueError(f"{endpoint!r} is every address of this machine, none to connect to")
     elif not _NAME.fullmatch(host):
-        raise ValueError(f"'{endpoint}' has no valid host name: {host or 'it is empty'}")
+        raise ValueError(f"{endpoint!r} has no valid host name: {host or 'it is empty'}")
     return host
