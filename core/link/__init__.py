@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
     from day6_tui.core.link.link import Link
-    from day6_tui.core.link.state import LinkState
+    from day6_tui.core.link.state import Door, LinkState
 
-__all__ = ["join", "leave", "state_of"]
+__all__ = ["doors_of", "join", "leave", "state_of"]
 
 _links: dict[Graph, Link] = {}
 _abandoned: list[Link] = []
@@ -90,6 +90,12 @@ def state_of(graph: Graph) -> LinkState:
 
     link = _links.get(graph)
     return link.state if link is not None else LinkState()
+
+
+def doors_of(graph: Graph) -> tuple[Door, ...]:
+    """Return the doors that this process itself opened for `graph`, from memory."""
+    link = _links.get(graph)
+    return link.doors if link is not None else ()
 
 
 def _wants_to_be_alone() -> bool:

@@ -443,14 +443,19 @@ class Link:
     # trouble
 
     @property
+    def doors(self) -> tuple[Door, ...]:
+        """How it stands with `listen` and `connect`."""
+        if self._gate is not None:
+            return self._gate.doors
+        # The link itself could not be opened.
+        kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
+        return tuple(Door(endpoint, listening, secret=self._secret is not None) for endpoint, listening in kinds)
+
+    @property
     def state(self) -> LinkState:
-        """What a person should know: why there is no link, how it stands with the doors, what was refused."""
+        """What a person should know: why there is no link, how it stands with everybody's doors, what was refused."""
         doors = read_doors(self._place) if self._place is not None else ()
-        if not doors and (self._listen or self._connect):
-            # The link itself could not be opened.
-            kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
-            doors = tuple(Door(*each) for each in kinds)
-        return LinkState(self.problem, doors, self.refusals.counts)
+        return LinkState(self.problem, doors or self.doors, self.refusals.counts)
 
     def abandon(self) -> None:
         """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""
