@@ -14,6 +14,8 @@ MOST_NODES_OF_ONE = 500
 """Nodes of one Zenoh session, which is one process."""
 MOST_ENDPOINTS = 20_000
 MOST_ENDPOINTS_OF_ONE = 5000
+MOST_WAITING_FOR_ROOM = 20_000
+"""Announcements that were refused and are taken when there is room again; beyond, they are only counted."""
 MOST_STRANGERS = 1000
 """Senders of messages that no token announced."""
 MOST_SIGNS = 5000

@@ -52,8 +52,8 @@ _GATE_PATIENCE = 1.0
 _SLICE = 0.005
 _PAUSE = 0.001
 """Seconds of taking announcements, and of letting the program's own threads have the interpreter in between."""
-_ASK_AGAIN = 5.0
-"""At least so many seconds between two questions for what was refused."""
+_LET_IN = 1.0
+"""Seconds between looks whether there is room for what was refused."""
 
 
 _Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
@@ -88,7 +88,7 @@ class Link:
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
         self._neighbourhood: tuple[int, frozenset[str]] = (-1, frozenset())
         """When the meeting place had last changed, and the sessions of the processes in it."""
-        self._asked_again = 0.0
+        self._let_in = 0.0
         self._place: Place | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
@@ -96,7 +96,8 @@ class Link:
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._announcements: Announcements | None = None
-        self._listeners: list[Any] = []
+        self._hearing: list[zenoh.Subscriber[None]] = []
+        self._sign: zenoh.LivelinessToken | None = None
         self._end_listening: Callable[[], None] | None = None
         # All that Zenoh's threads ever do with the graph's structure is to put something here: they may hold locks of theirs.
         self._inbox: SimpleQueue[_Entry] = SimpleQueue()
@@ -170,7 +171,8 @@ class Link:
         announcements, self._announcements = self._announcements, None
         if announcements is not None:
             announcements.clear()
-        self._listeners.clear()
+        self._hearing.clear()
+        self._sign = None
         for carrier in (self._topics, self._services):
             if carrier is not None:
                 carrier.close()
@@ -275,19 +277,13 @@ class Link:
 
     def _attach(self, session: zenoh.Session) -> None:
         """Join the graph to an open session."""
-        import zenoh
 
         domain_id = self.graph.domain_id
         self._topics = Topics(session, self.zid, self._remote, self._report, self.refusals, never_wait=self._never_wait)
         self._services = Services(session, self.zid, self._report, self.refusals)
         self._announcements = Announcements(session, self.zid, self._topics, self._services)
         self._session = session
-        liveliness = session.liveliness()
-        for key in (signs(domain_id), all_tokens(domain_id)):
-            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
-            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
-            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
-            self._listeners.append(liveliness.declare_subscriber(key, handler, history=True))
+        self._hear(session)
         self.graph.identify = self._identify
         self.graph.transport = self
         self._end_listening = self.graph.add_listener(self._on_graph_event)
@@ -299,7 +295,17 @@ class Link:
         if not self._one_shot:
             if self._place.tcp:
                 self._place.own_socket(self.zid).touch()
-            self._listeners.append(liveliness.declare_token(sign(domain_id, "here", self.zid)))
+            self._sign = session.liveliness().declare_token(sign(domain_id, "here", self.zid))
+
+    def _hear(self, session: zenoh.Session) -> None:
+        """Let everything that others announce come into the inbox."""
+        import zenoh
+
+        for key in (signs(self.graph.domain_id), all_tokens(self.graph.domain_id)):
+            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
+            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
+            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
+            self._hearing.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
     def _identify(self, endpoint: Endpoint) -> bytes:
         return gid_of(endpoint_token(endpoint, self.zid))
@@ -361,7 +367,7 @@ class Link:
                 end = time.monotonic() + _SLICE
 
     def _begin_anew(self) -> None:
-        """Drop all announcements that wait, of which there are too many, and ask for what there is in the end."""
+        """Drop all announcements that wait, of which there are too many, and listen anew: that begins with what there is."""
         import zenoh
 
         for _ in range(self._inbox.qsize()):
@@ -370,17 +376,10 @@ class Link:
                 self._take(entry)
         self.refusals.add("floods")
         self._remote.clear()
-        self._ask_for_all()
-
-    def _ask_for_all(self) -> None:
-        """Ask what there is; the answers come in as announcements do."""
-        import zenoh
-
-        self._asked_again = time.monotonic()
         if self._session is not None:
-            for key in (signs(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-                handler = zenoh.handlers.Callback(callback(self._on_reply), indirect=False)
-                self._session.liveliness().get(key, handler, timeout=5.0)
+            for _ in range(len(self._hearing)):
+                self._hearing.pop().undeclare()
+            self._hear(self._session)
 
     def _take(self, entry: _Entry) -> None:
         import zenoh
@@ -426,6 +425,8 @@ class Link:
         return zid in self._neighbourhood[1]
 
     def _patience(self) -> float | None:
+        if self._remote.has_room:
+            return _LET_IN
         if self._meeting is not None:
             if self._meeting.kept_here:
                 return None
@@ -437,8 +438,10 @@ class Link:
             self._meeting.try_to_keep()
         elif self._session is None:
             self._try_as_client()
-        if time.monotonic() - self._asked_again > _ASK_AGAIN and self._remote.take_room_again():
-            self._ask_for_all()
+        now = time.monotonic()
+        if now - self._let_in > _LET_IN:
+            self._let_in = now
+            self._remote.let_in()
 
     # trouble
 

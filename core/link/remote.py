@@ -21,6 +21,7 @@ from day6_tui.core.link.limits import (
     MOST_NODES,
     MOST_NODES_OF_ONE,
     MOST_STRANGERS,
+    MOST_WAITING_FOR_ROOM,
     Refusals,
 )
 
@@ -52,7 +53,10 @@ class RemoteGraph:
         self._nodes_of: Counter[str] = Counter()
         self._endpoints_of: Counter[str] = Counter()
         self._endpoint_count = 0
-        self._freed = False
+        self._waiting: dict[str, None] = {}
+        """Tokens that were refused for want of room, the oldest first."""
+        self._room = False
+        """Whether something has gone since they were looked at."""
         self._strangers_lock = threading.Lock()
         self._nodes: dict[tuple[str, str], _RemoteNode] = {}
         self._publishers: dict[bytes, Publisher] = {}
@@ -70,10 +74,11 @@ class RemoteGraph:
         is_node = announcement.kind is None
         if not is_node and known is not None and token in known.endpoints:
             return
-        if (known is None and self._full_of_nodes(announcement.zid)) or (
-            not is_node and self._full_of_endpoints(announcement.zid)
-        ):
-            self._refusals.add("nodes" if is_node or known is None else "endpoints")
+        if not self._has_room(announcement):
+            if token not in self._waiting:
+                self._refusals.add("nodes" if known is None else "endpoints")
+                if len(self._waiting) < MOST_WAITING_FOR_ROOM:
+                    self._waiting[token] = None
             return
         if known is None:
             known = self._nodes[announcement.node_key] = _RemoteNode(self._create_node(announcement))
@@ -92,12 +97,19 @@ class RemoteGraph:
 
     def vanish(self, token: str) -> None:
         """Remove what a token announced; with a node go its endpoints."""
+        if token in self._waiting:
+            del self._waiting[token]
+            return
         announcement = parse_token(token)
         if announcement is None:
             return
         known = self._nodes.get(announcement.node_key)
         if known is None:
             return
+        self._remove(known, announcement, token)
+        self._room = True
+
+    def _remove(self, known: _RemoteNode, announcement: Announcement, token: str) -> None:
         if announcement.kind is None:
             self._remove_node(announcement.node_key)
             return
@@ -111,18 +123,29 @@ class RemoteGraph:
 
     def clear(self) -> None:
         """Remove everything."""
+        self._waiting.clear()
         for key in list(self._nodes):
             self._remove_node(key)
         with self._strangers_lock:
             self._strangers.clear()
 
-    def take_room_again(self) -> bool:
-        """Say, once, that there is room again for some of what was refused: the announcements should be asked for anew."""
-        if not self._freed or not self._refusals.counts.keys() & {"nodes", "endpoints"}:
-            return False
-        self._freed = False
-        self._refusals.forget("nodes", "endpoints")
-        return True
+    @property
+    def has_room(self) -> bool:
+        """Say whether `let_in` may have something to do."""
+        return self._room and bool(self._waiting)
+
+    def let_in(self) -> None:
+        """Take what was refused for want of room, as far as there is room now. To be called now and then: it looks at all."""
+        if not self._room:
+            return
+        self._room = False
+        for token in list(self._waiting):
+            announcement = parse_token(token)
+            if announcement is not None and self._has_room(announcement):
+                del self._waiting[token]
+                self.appear(token)
+        if not self._waiting:
+            self._refusals.forget("nodes", "endpoints")
 
     def publisher_for(self, gid: bytes, subscription: Subscription) -> Publisher | None:
         """Return who sent a message to `subscription`; None when their QoS or types do not match.
@@ -146,6 +169,11 @@ class RemoteGraph:
         node = Node(self._graph, "", "/", "/", Origin(""))
         return Publisher(node, it.topic, it.type_name, it.type_hash, it.qos, gid, _same)
 
+    def _has_room(self, announcement: Announcement) -> bool:
+        if announcement.node_key not in self._nodes and self._full_of_nodes(announcement.zid):
+            return False
+        return announcement.kind is None or not self._full_of_endpoints(announcement.zid)
+
     def _full_of_nodes(self, zid: str) -> bool:
         if self._nodes_of[zid] >= MOST_NODES_OF_ONE:
             return True
@@ -161,7 +189,6 @@ class RemoteGraph:
         self._endpoints_of[zid] += change
         if not self._endpoints_of[zid]:
             del self._endpoints_of[zid]
-        self._freed = self._freed or change < 0
 
     def _create_node(self, announcement: Announcement) -> Node:
         origin = Origin(announcement.zid)
@@ -186,7 +213,6 @@ class RemoteGraph:
         self._nodes_of[zid] -= 1
         if not self._nodes_of[zid]:
             del self._nodes_of[zid]
-        self._freed = True
         if known.endpoints:
             self._count_endpoints(zid, -len(known.endpoints))
         for endpoint in known.endpoints.values():
