@@ -458,7 +458,8 @@ class Link:
     def state(self) -> LinkState:
         """What a person should know: why there is no link, how it stands with everybody's doors, what was refused."""
         doors = read_doors(self._place) if self._place is not None else ()
-        return LinkState(self.problem, doors or self.doors, self.refusals.counts)
+        passed_over = self._place.passed_over if self._place is not None else ()
+        return LinkState(self.problem, doors or self.doors, self.refusals.counts, passed_over)
 
     def abandon(self) -> None:
         """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""

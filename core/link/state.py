@@ -58,6 +58,8 @@ class LinkState(NamedTuple):
     problem: str | None = None
     doors: tuple[Door, ...] = ()
     refused: Mapping[str, int] = MappingProxyType({})
+    passed_over: tuple[str, ...] = ()
+    """Why the processes of this user do not meet in the usual folder."""
 
 
 def write_doors(place: Place, doors: tuple[Door, ...]) -> None:

@@ -201,7 +201,7 @@ def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, host
         ("00", sender),
         (claims_4_gigabytes, sender),
         ("ffff0000" + good[8:], sender),
-        (good, sender[:-2]),
+        (good, sender[:-4]),
         (good, "00"),
         (good, sender + "00" * 1000),
     ]

@@ -220,6 +220,7 @@ TEXTS = {
     "inspector.no_secret": "refused by {endpoint}: it asks for a secret, or it is no ROS",
     "inspector.unreachable": "{endpoint} cannot be called ({reason}); tried again",
     "inspector.alone": "programs of other processes cannot be seen: {reason}",
+    "inspector.elsewhere": "another folder than usual is used to meet other processes: {reason}",
     "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",

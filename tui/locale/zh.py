@@ -216,6 +216,7 @@ TEXTS = {
     "inspector.no_secret": "被 {endpoint} 拒绝：对方要求口令，或者那不是 ROS",
     "inspector.unreachable": "无法呼叫 {endpoint}（{reason}）；会再试",
     "inspector.alone": "看不到其他进程的程序：{reason}",
+    "inspector.elsewhere": "与其他进程会合没有用通常的文件夹：{reason}",
     "inspector.refused_many": "拒绝了其他进程的 {count} 个声明：太多了",
     "inspector.refused_names": "拒绝了其他进程的 {count} 个声明：ROS 不允许这样的名字",
     "inspector.refused_messages": "其他进程的 {count} 条消息无法读取，已丢弃",

@@ -44,6 +44,7 @@ TEXTS = {
     "inspector.no_secret": "refused by {endpoint}: it asks for a secret, or it is no ROS",
     "inspector.unreachable": "{endpoint} cannot be called ({reason}); tried again",
     "inspector.alone": "programs of other processes cannot be seen: {reason}",
+    "inspector.elsewhere": "another folder than usual is used to meet other processes: {reason}",
     "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
@@ -207,6 +208,8 @@ def link_findings(link: LinkState) -> Iterator[Finding]:
     """Yield what there is to say of other processes and machines: also that a door is open, whoever may use it."""
     if link.problem is not None:
         yield _finding("warning", "alone", reason=link.problem)
+    for reason in link.passed_over:
+        yield _finding("info", "elsewhere", reason=reason)
     yield from map(_door, link.doors)
     refused = Counter(link.refused)
     names, messages = refused.pop("names", 0), refused.pop("messages", 0)
