@@ -232,10 +232,7 @@ def _ask(address: Address) -> tuple[DoorState, frozenset[str]]:
         found = socket.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM)
     except OSError:
         return DoorState.NO_NAME, frozenset()
-    addresses = frozenset(
-        f"[{where[0]}]:{where[1]}" if family == socket.AF_INET6 else f"{where[0]}:{where[1]}"
-        for family, _, _, _, where in found
-    )
+    addresses = frozenset(_written(str(where[0]), int(where[1])) for _, _, _, _, where in found)
     if address.protocol == "udp":
         return DoorState.NO_ANSWER, addresses
     try:
@@ -245,6 +242,10 @@ def _ask(address: Address) -> tuple[DoorState, frozenset[str]]:
     except OSError:
         return DoorState.NO_ANSWER, addresses
     return DoorState.NOT_LET_IN, addresses
+
+
+def _written(host: str, port: int) -> str:
+    return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
 
 
 class _Why(NamedTuple):

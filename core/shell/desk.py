@@ -94,7 +94,7 @@ class Desk:
         secret: str | None = None,
     ) -> None:
         activate()
-        self._doors = {"listen": listen, "connect": connect, "secret": secret}
+        self._listen, self._connect, self._secret = listen, connect, secret
         self.home = (default_home() if home is None else home).expanduser().resolve()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = _own_domain() if domain_id is None else domain_id
@@ -285,7 +285,7 @@ class Desk:
 
         self._joined.add(graph)
         try:
-            join(graph, never_wait=True, **self._doors)
+            join(graph, never_wait=True, listen=self._listen, connect=self._connect, secret=self._secret)
         except Exception:
             # Without the link the desk still works for itself; who asks for other processes sees none.
             _log.warning("the link could not be opened", exc_info=True)
