@@ -35,6 +35,8 @@ _COMMON = {
 _STRANGERS = {
     "transport__link__rx__max_message_size": str(MOST_BYTES),
     "transport__unicast__max_sessions": str(MOST_MACHINES),
+    # A machine whose cable was pulled is forgotten after so many milliseconds without a sign of life (four are sent).
+    "transport__link__tx__lease": "4000",
     # Who does not let us in is not asked four times a second for ever.
     "connect__retry": "{period_init_ms: 100, period_max_ms: 2000, period_increase_factor: 2}",
 }
