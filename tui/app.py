@@ -2,7 +2,7 @@
 """The application: wires desk, panes, bars and actions together, and owns nothing else.
 
 `run(options)` is what the command line calls. `options` has `scene`, `robot`, `lang`, `glyphs`, `fps`, `home`, `listen`,
-`connect` (all may be None) and `reduced_motion`.
+`connect`, `secret` (all may be None) and `reduced_motion`.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from day6_tui.tui.app_actions import AppActions
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.doors import door_words
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.locale import Texts, detect
@@ -51,6 +52,9 @@ output.install()
 _log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 30.0
+DOOR_SECONDS = 1.0
+"""Between looks at the doors to other machines, where there are any."""
+NOTICE_SECONDS = 10.0
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library takes 50 ms of a core and 11 MB."""
 
@@ -154,6 +158,10 @@ class Day6App(AppActions, App[None]):
             return
         self.new_terminal()
         self.set_timer(LINK_SECONDS, self.machine.open_link)
+        if self._has_doors():
+            self.set_interval(DOOR_SECONDS, self.frames.wake)
+        if (endpoint := getattr(self.options, "listen", None)) and not getattr(self.options, "secret", None):
+            self.say(self.look.texts("notice.open", port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
         scene = getattr(self.options, "scene", None)
         if scene is not None:
             self.start_scene(scene)
@@ -287,6 +295,7 @@ class Day6App(AppActions, App[None]):
             Piece(f"{glyphs.chevron} ", colours.bar_muted),
             Piece(f"{texts(name)}   ", colours.bar_strong),
         ]
+        left += self._door_pieces()
         if machine.desk is None:
             left.append(Piece(texts("bar.starting"), colours.bar_muted))
         else:
@@ -308,6 +317,21 @@ class Day6App(AppActions, App[None]):
             Piece(f" {texts('bar.help')} ", colours.bar, self.do_help),
         ]
         return left, right
+
+    def _door_pieces(self) -> list[Piece]:
+        """How it stands with other machines; a click opens the inspector, which says it at length."""
+        machine, colours = self.machine, self.look.colours
+        if machine.desk is None or not self._has_doors():
+            return []
+        pieces = []
+        for door in machine.doors():
+            key, fine, words = door_words(door, self.look.glyphs.ellipsis)
+            style = colours.bar if fine else colours.warning
+            pieces.append(Piece(f"{self.look.texts(key, **words)}   ", style, self.do_inspector))
+        return pieces
+
+    def _has_doors(self) -> bool:
+        return any(getattr(self.options, name, None) for name in ("listen", "connect"))
 
     def bottom_pieces(self) -> tuple[list[Piece], list[Piece]]:
         look, texts = self.look, self.look.texts

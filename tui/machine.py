@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from day6_tui.core.link.state import Door
 
 
 class Machine:
@@ -33,6 +36,7 @@ class Machine:
                 Path(home) if home else None,
                 listen=getattr(options, "listen", None),
                 connect=getattr(options, "connect", None),
+                secret=getattr(options, "secret", None),
             )
         desk.scheduler.on_activity = self._wake
         self._forget = desk.graph.add_listener(self._graph_changed)
@@ -92,6 +96,12 @@ class Machine:
             self._counts = (len(nodes), sum("/_" not in name for name, _ in topics))
             self._counted = changes
         return self._counts
+
+    def doors(self) -> Sequence[Door]:
+        """How it stands with `--listen` and `--connect`; empty without them, or before the link is there."""
+        from day6_tui.core.link import doors_of
+
+        return doors_of(self.desk.graph)
 
     def run_tool(self, package: str, executable: str) -> None:
         """Start a program of ours that belongs to the desktop, not to a terminal; it ends when its window is closed."""

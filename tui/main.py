@@ -57,10 +57,23 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--reduced-motion", action="store_true", help="no pulses and no animation")
     parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ in the terminals")
     parser.add_argument(
-        "--listen", type=_endpoint, metavar="ENDPOINT", help="let other machines in, e.g. tcp/0.0.0.0:7447"
+        "--listen",
+        type=partial(_endpoint, listening=True),
+        metavar="ENDPOINT",
+        help="let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command",
     )
     parser.add_argument(
-        "--connect", type=_endpoint, metavar="ENDPOINT", help="join another machine, e.g. tcp/192.168.1.5:7447"
+        "--connect",
+        type=partial(_endpoint, listening=False),
+        metavar="ENDPOINT",
+        help="join another machine, e.g. tcp/192.168.1.5:7447",
+    )
+    parser.add_argument(
+        "--secret",
+        type=_secret,
+        metavar="FILE|WORD",
+        help="what the machines of --listen and --connect must have in common: better a file that only you can read "
+        "(chmod 600) than a word, which every user of this machine can see in the list of processes",
     )
     parser.add_argument("--version", action="store_true", help="print the version and exit")
     return parser
@@ -76,11 +89,23 @@ def _frame_rate(text: str) -> float:
     return rate
 
 
-def _endpoint(text: str) -> str:
-    protocol, slash, address = text.partition("/")
-    if not (protocol.isalnum() and slash and address):
-        raise argparse.ArgumentTypeError(f"'{text}' is no endpoint like tcp/192.168.1.5:7447")
+def _endpoint(text: str, *, listening: bool) -> str:
+    from day6_tui.core.link.addresses import address_of
+
+    try:
+        address_of(text, listening=listening)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
     return text
+
+
+def _secret(text: str) -> str:
+    from day6_tui.core.link.secret import secret_of
+
+    try:
+        return secret_of(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -93,7 +118,10 @@ def main(arguments: list[str] | None = None) -> int:
     if words and not words[0].startswith("-"):
         print(f"day6-tui: there is no command '{words[0]}'; day6-tui --help lists them", file=sys.stderr)
         return 2
-    options = build_parser().parse_args(words)
+    parser = build_parser()
+    options = parser.parse_args(words)
+    if options.secret is not None and not (options.listen or options.connect):
+        parser.error("argument --secret: needs --listen or --connect")
     if options.version:
         from importlib.metadata import version
 

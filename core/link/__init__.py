@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
     from day6_tui.core.link.link import Link
+    from day6_tui.core.link.state import Door, LinkState
 
-__all__ = ["join", "leave"]
+__all__ = ["doors_of", "join", "leave", "state_of"]
 
 _links: dict[Graph, Link] = {}
 _abandoned: list[Link] = []
@@ -30,6 +31,7 @@ def join(
     connect: str | Sequence[str] | None = None,
     one_shot: bool = False,
     never_wait: bool = False,
+    secret: str | None = None,
 ) -> Link:
     """Join `graph` to those of this user's other processes on this machine and domain; returns the link it has.
 
@@ -37,7 +39,8 @@ def join(
     up meanwhile, `Link.wait_settled` waits for them. Never raises for want of a network: `Link.problem` says why there
     is none, and a warning is logged. Every link is closed when the interpreter exits.
 
-    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine. `one_shot` is for
+    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine; what is wrong with
+    them is in `Link.state` and touches nothing else. Other machines must show `secret` there. `one_shot` is for
     commands that ask and go: a client of the meeting point that never keeps one. `never_wait` is for a process with a
     screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
     otherwise wait up to five seconds.
@@ -51,7 +54,12 @@ def join(
             return link
         _prepare()
         link = _links[graph] = Link(
-            graph, listen=_names(listen), connect=_names(connect), one_shot=one_shot, never_wait=never_wait
+            graph,
+            listen=_names(listen),
+            connect=_names(connect),
+            one_shot=one_shot,
+            never_wait=never_wait,
+            secret=secret,
         )
         if not (listen or connect) and _wants_to_be_alone():
             link.problem = "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"
@@ -74,6 +82,20 @@ def leave(graph: Graph) -> None:
         link = _links.pop(graph, None)
     if link is not None:
         link.close()
+
+
+def state_of(graph: Graph) -> LinkState:
+    """Return what a person should know of the link of `graph`; that of a graph without one says nothing."""
+    from day6_tui.core.link.state import LinkState
+
+    link = _links.get(graph)
+    return link.state if link is not None else LinkState()
+
+
+def doors_of(graph: Graph) -> tuple[Door, ...]:
+    """Return the doors that this process itself opened for `graph`, from memory."""
+    link = _links.get(graph)
+    return link.doors if link is not None else ()
 
 
 def _wants_to_be_alone() -> bool:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.link.limits import MOST_BYTES, MOST_MACHINES
 from day6_tui.core.link.paths import Place, password
+from day6_tui.core.link.secret import USER
 
 if TYPE_CHECKING:
     import zenoh
@@ -28,6 +31,16 @@ _COMMON = {
     "transport/link/tx/queue/size/data": "16",
     "transport/link/tx/queue/congestion_control/drop/wait_before_drop": "20000",
 }
+
+_STRANGERS = {
+    "transport__link__rx__max_message_size": str(MOST_BYTES),
+    "transport__unicast__max_sessions": str(MOST_MACHINES),
+    # A machine whose cable was pulled is forgotten after so many milliseconds without a sign of life (four are sent).
+    "transport__link__tx__lease": "4000",
+    # Who does not let us in is not asked four times a second for ever.
+    "connect__retry": "{period_init_ms: 100, period_max_ms: 2000, period_increase_factor: 2}",
+}
+"""Of the sessions that other machines reach."""
 
 
 def process_config(place: Place, zid: str) -> zenoh.Config:
@@ -69,19 +82,27 @@ def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> 
         connect__endpoints=json.dumps([place.meeting_endpoint, *connect]),
         connect__timeout_ms="-1",
         connect__exit_on_failure="false",
+        **_STRANGERS,
     )
 
 
-def outer_config(listen: Sequence[str], connect: Sequence[str]) -> zenoh.Config:
-    """Return the configuration of the half of a `Bridge` that meets other machines: a router without our password."""
-    return _config(
+def outer_config(listen: Sequence[str], connect: Sequence[str], secret: str | None, users: Path) -> zenoh.Config:
+    """Return the configuration of the half of a `Bridge` that meets other machines: a router without this machine's password.
+
+    With a `secret` it shows that one, and asks for it by the file `users`.
+    """
+    config = _config(
         None,
         mode='"router"',
         listen__endpoints=json.dumps(list(listen)),
         connect__endpoints=json.dumps(list(connect)),
         connect__timeout_ms="-1",
         connect__exit_on_failure="false",
+        **_STRANGERS,
     )
+    if secret is not None:
+        _ask_for_password(config, USER, secret, users)
+    return config
 
 
 def inner_config(place: Place) -> zenoh.Config:
@@ -105,7 +126,12 @@ def _config(place: Place | None, **settings: str) -> zenoh.Config:
     for name, value in settings.items():
         config.insert_json5(name.replace("__", "/"), value)
     if place is not None and place.tcp:
-        config.insert_json5("transport/auth/usrpwd/user", '"day6"')
-        config.insert_json5("transport/auth/usrpwd/password", json.dumps(password(place)))
-        config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(place.folder / "users")))
+        _ask_for_password(config, "day6", password(place), place.folder / "users")
     return config
+
+
+def _ask_for_password(config: zenoh.Config, user: str, word: str, users: Path) -> None:
+    """Show a password to all that are met, and ask them for one of those in the file `users`."""
+    config.insert_json5("transport/auth/usrpwd/user", json.dumps(user))
+    config.insert_json5("transport/auth/usrpwd/password", json.dumps(word))
+    config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(users)))

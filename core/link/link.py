@@ -14,10 +14,12 @@ from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
 from day6_tui.core.link.announcing import Announcements
-from day6_tui.core.link.config import command_config, gate_config, inner_config, outer_config, process_config
+from day6_tui.core.link.config import command_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
+from day6_tui.core.link.gate import Gate
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, sign, signs
+from day6_tui.core.link.limits import MOST_SIGNS, MOST_WAITING, Refusals
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
@@ -31,18 +33,27 @@ from day6_tui.core.link.paths import (
 )
 from day6_tui.core.link.remote import RemoteGraph
 from day6_tui.core.link.services import Services
+from day6_tui.core.link.state import Door, LinkState, read_doors
 from day6_tui.core.link.topics import Topics
 
 if TYPE_CHECKING:
     import zenoh
-
-    from day6_tui.core.link.bridge import Bridge
 
 _LOOK_AGAIN = 1.0
 """Seconds between looks whether the meeting point needs a keeper; the end of its token makes it look at once."""
 _SEARCH_AGAIN = 0.05
 """The same while no meeting point is known: a killed keeper's token may end before its lock does."""
 _MOST_PROBLEMS = 50
+_LONGEST_PROBLEM = 500
+_SIGN_PARTS = 4
+_LONGEST_ZID = 32
+_GATE_PATIENCE = 1.0
+"""Seconds that joining waits for the doors to other machines, which open in the background."""
+_SLICE = 0.005
+_PAUSE = 0.001
+"""Seconds of taking announcements, and of letting the program's own threads have the interpreter in between."""
+_LET_IN = 1.0
+"""Seconds between looks whether there is room for what was refused."""
 
 
 _Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
@@ -63,6 +74,7 @@ class Link:
         connect: Sequence[str] = (),
         one_shot: bool = False,
         never_wait: bool = False,
+        secret: str | None = None,
     ) -> None:
         self.graph = graph
         self.zid = new_zid()
@@ -71,15 +83,21 @@ class Link:
         self._one_shot = one_shot
         self._never_wait = never_wait
         self._listen, self._connect = tuple(listen), tuple(connect)
-        self._remote = RemoteGraph(graph, self.zid)
+        self._secret = secret
+        self.refusals = Refusals()
+        self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
+        self._neighbourhood: tuple[int, frozenset[str]] = (-1, frozenset())
+        """When the meeting place had last changed, and the sessions of the processes in it."""
+        self._let_in = 0.0
         self._place: Place | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
-        self._gate: zenoh.Session | Bridge | None = None
+        self._gate: Gate | None = None
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._announcements: Announcements | None = None
-        self._listeners: list[Any] = []
+        self._hearing: list[zenoh.Subscriber[None]] = []
+        self._sign: zenoh.LivelinessToken | None = None
         self._end_listening: Callable[[], None] | None = None
         # All that Zenoh's threads ever do with the graph's structure is to put something here: they may hold locks of theirs.
         self._inbox: SimpleQueue[_Entry] = SimpleQueue()
@@ -105,8 +123,6 @@ class Link:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
                 self._meeting.try_to_keep()
                 self._attach(zenoh.open(process_config(place, self.zid)))
-                if self._listen or self._connect:
-                    self._open_gate(place)
         except LinkError:
             self.close()
             raise
@@ -114,6 +130,9 @@ class Link:
             self.close()
             raise LinkError(f"{place.folder}: {error}") from error
         self._thread.start()
+        if self._listen or self._connect:
+            self._gate = Gate(place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report)
+            self._gate.start(_GATE_PATIENCE)
 
     def close(self) -> None:
         """Leave: tell the others, remove remote nodes from the graph. A second call does nothing."""
@@ -143,8 +162,8 @@ class Link:
             return
         import zenoh
 
-        sessions = [session for session in (self._session, self._gate) if session is not None]
-        for closing in (*(session.close for session in sessions), *((self._meeting.close,) if self._meeting else ())):
+        owners = [owner for owner in (self._gate, self._session, self._meeting) if owner is not None]
+        for closing in (owner.close for owner in owners):
             try:
                 closing()
             except zenoh.ZError as error:
@@ -152,7 +171,8 @@ class Link:
         announcements, self._announcements = self._announcements, None
         if announcements is not None:
             announcements.clear()
-        self._listeners.clear()
+        self._hearing.clear()
+        self._sign = None
         for carrier in (self._topics, self._services):
             if carrier is not None:
                 carrier.close()
@@ -239,23 +259,6 @@ class Link:
 
     # the session
 
-    def _open_gate(self, place: Place) -> None:
-        """Join the meeting point to other machines."""
-        import zenoh
-
-        if not place.tcp:
-            self._gate = zenoh.open(gate_config(place, self._listen, self._connect))
-            return
-        from day6_tui.core.link.bridge import Bridge
-
-        inner = zenoh.open(inner_config(place))
-        try:
-            outer = zenoh.open(outer_config(self._listen, self._connect))
-        except zenoh.ZError:
-            inner.close()
-            raise
-        self._gate = Bridge(inner, outer, self.graph.domain_id, self._report)
-
     def _try_as_client(self) -> None:
         import zenoh
 
@@ -274,19 +277,13 @@ class Link:
 
     def _attach(self, session: zenoh.Session) -> None:
         """Join the graph to an open session."""
-        import zenoh
 
         domain_id = self.graph.domain_id
-        self._topics = Topics(session, self.zid, self._remote, self._report, never_wait=self._never_wait)
-        self._services = Services(session, self.zid, self._report)
+        self._topics = Topics(session, self.zid, self._remote, self._report, self.refusals, never_wait=self._never_wait)
+        self._services = Services(session, self.zid, self._report, self.refusals)
         self._announcements = Announcements(session, self.zid, self._topics, self._services)
         self._session = session
-        liveliness = session.liveliness()
-        for key in (signs(domain_id), all_tokens(domain_id)):
-            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
-            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
-            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
-            self._listeners.append(liveliness.declare_subscriber(key, handler, history=True))
+        self._hear(session)
         self.graph.identify = self._identify
         self.graph.transport = self
         self._end_listening = self.graph.add_listener(self._on_graph_event)
@@ -298,7 +295,17 @@ class Link:
         if not self._one_shot:
             if self._place.tcp:
                 self._place.own_socket(self.zid).touch()
-            self._listeners.append(liveliness.declare_token(sign(domain_id, "here", self.zid)))
+            self._sign = session.liveliness().declare_token(sign(domain_id, "here", self.zid))
+
+    def _hear(self, session: zenoh.Session) -> None:
+        """Let everything that others announce come into the inbox."""
+        import zenoh
+
+        for key in (signs(self.graph.domain_id), all_tokens(self.graph.domain_id)):
+            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
+            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
+            handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
+            self._hearing.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
     def _identify(self, endpoint: Endpoint) -> bytes:
         return gid_of(endpoint_token(endpoint, self.zid))
@@ -342,12 +349,37 @@ class Link:
                 return
             try:
                 self._take(entry)
-                while not self._inbox.empty():
-                    self._take(self._inbox.get())
+                self._take_waiting()
                 self._look_after_connection()
             except Exception as error:
                 # A listener of the graph failed, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
+
+    def _take_waiting(self) -> None:
+        """Take what came in meanwhile, in slices: however much others announce, the program's threads keep their pace."""
+        end = time.monotonic() + _SLICE
+        while not self._inbox.empty() and not self._closed:
+            if self._inbox.qsize() > MOST_WAITING:
+                self._begin_anew()
+            self._take(self._inbox.get())
+            if time.monotonic() > end:
+                time.sleep(_PAUSE)
+                end = time.monotonic() + _SLICE
+
+    def _begin_anew(self) -> None:
+        """Drop all announcements that wait, of which there are too many, and listen anew: that begins with what there is."""
+        import zenoh
+
+        for _ in range(self._inbox.qsize()):
+            entry = self._inbox.get()
+            if not isinstance(entry, (zenoh.Sample, tuple)):
+                self._take(entry)
+        self.refusals.add("floods")
+        self._remote.clear()
+        if self._session is not None:
+            for _ in range(len(self._hearing)):
+                self._hearing.pop().undeclare()
+            self._hear(self._session)
 
     def _take(self, entry: _Entry) -> None:
         import zenoh
@@ -369,15 +401,32 @@ class Link:
             else:
                 self._remote.vanish(key)
             return
-        _, _, kind, zid = key.split("/")
+        sign_of = key.split("/")
+        if len(sign_of) != _SIGN_PARTS or sign_of[2] not in ("here", "meeting") or len(sign_of[3]) > _LONGEST_ZID:
+            self.refusals.add("names")
+            return
+        _, _, kind, zid = sign_of
         with self._changed:
-            if present:
+            if not present:
+                self._signs[kind].discard(zid)
+            elif len(self._signs[kind]) < MOST_SIGNS or self._is_neighbour(zid):
                 self._signs[kind].add(zid)
             else:
-                self._signs[kind].discard(zid)
+                self.refusals.add("signs")
             self._changed.notify_all()
 
+    def _is_neighbour(self, zid: str) -> bool:
+        """Say whether a session is a process of this user on this machine: in the meeting place nobody else can be."""
+        if self._place is None:
+            return False
+        changed = self._place.folder.stat().st_mtime_ns
+        if self._neighbourhood[0] != changed:
+            self._neighbourhood = changed, frozenset(each.zid for each in neighbours(self._place))
+        return zid in self._neighbourhood[1]
+
     def _patience(self) -> float | None:
+        if self._remote.has_room:
+            return _LET_IN
         if self._meeting is not None:
             if self._meeting.kept_here:
                 return None
@@ -389,8 +438,28 @@ class Link:
             self._meeting.try_to_keep()
         elif self._session is None:
             self._try_as_client()
+        now = time.monotonic()
+        if now - self._let_in > _LET_IN:
+            self._let_in = now
+            self._remote.let_in()
 
     # trouble
+
+    @property
+    def doors(self) -> tuple[Door, ...]:
+        """How it stands with `listen` and `connect`."""
+        if self._gate is not None:
+            return self._gate.doors
+        # The link itself could not be opened.
+        kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
+        return tuple(Door(endpoint, listening, secret=self._secret is not None) for endpoint, listening in kinds)
+
+    @property
+    def state(self) -> LinkState:
+        """What a person should know: why there is no link, how it stands with everybody's doors, what was refused."""
+        doors = read_doors(self._place) if self._place is not None else ()
+        passed_over = self._place.passed_over if self._place is not None else ()
+        return LinkState(self.problem, doors or self.doors, self.refusals.counts, passed_over)
 
     def abandon(self) -> None:
         """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""
@@ -404,4 +473,4 @@ class Link:
             close_inherited_sockets(self._place)
 
     def _report(self, what: str, error: Exception) -> None:
-        self.problems.append(f"{what}: {error}")
+        self.problems.append(f"{what}: {error}"[:_LONGEST_PROBLEM])

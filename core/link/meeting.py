@@ -31,7 +31,7 @@ class MeetingPoint:
         return self._session is not None
 
     def try_to_keep(self) -> bool:
-        """Become the keeper if there is none; say whether this process is it. Raises zenoh.ZError."""
+        """Become the keeper if there is none; say whether this process is it. Raises zenoh.ZError, OSError."""
         if self._session is not None:
             return True
         if not self._lock.try_acquire():
@@ -39,13 +39,25 @@ class MeetingPoint:
         import zenoh
 
         try:
-            session = zenoh.open(meeting_config(self._place))
-        except zenoh.ZError:
+            session = self._open()
+        except (zenoh.ZError, OSError):
             self._lock.release()
             raise
         self._token = session.liveliness().declare_token(sign(self._domain_id, "meeting", str(session.zid())))
         self._session = session
         return True
+
+    def _open(self) -> zenoh.Session:
+        import zenoh
+
+        try:
+            return zenoh.open(meeting_config(self._place))
+        except zenoh.ZError:
+            if not self._place.tcp:
+                raise
+        # Nobody keeps the meeting point, but somebody has its port: a program of anybody's.
+        self._place.choose_another_port()
+        return zenoh.open(meeting_config(self._place))
 
     def close(self) -> None:
         """Stop keeping it; another process takes over."""

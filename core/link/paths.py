@@ -4,8 +4,9 @@
     <base>/<domain>/meeting.lock         held by the process that keeps the meeting point
     <base>/<domain>/p-<zid>-<pid>        socket of one process (where sockets are TCP: an empty file as its sign)
 
-`base` is DAY6_RUNTIME_DIR, or `day6` in XDG_RUNTIME_DIR, or /tmp/day6-<uid>. Without Unix sockets (Windows, or
-DAY6_LINK=tcp) everything is on 127.0.0.1, and a user and password from a file of mode 0600 keep others out.
+`base` is DAY6_RUNTIME_DIR, or else the first of these that nobody else can have prepared: `day6` in XDG_RUNTIME_DIR,
+/tmp/day6-<uid>, ~/.cache/day6-tui/run. Without Unix sockets (Windows, or DAY6_LINK=tcp) everything is on 127.0.0.1, and a
+user and password from a file of mode 0600 keep others out.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import stat
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
@@ -35,6 +37,8 @@ class Place(NamedTuple):
 
     folder: Path
     tcp: bool
+    passed_over: tuple[str, ...] = ()
+    """Why better places could not be used."""
 
     @property
     def meeting_endpoint(self) -> str:
@@ -44,7 +48,21 @@ class Place(NamedTuple):
     @property
     def meeting_port(self) -> int:
         """The port of the meeting point where there are no Unix sockets: the same for one folder, seldom for two."""
+        with suppress(OSError, ValueError):
+            return int((self.folder / "port").read_text(encoding="ascii")[:5])
         return 21000 + crc32(os.fsencode(self.folder)) % 10000
+
+    def choose_another_port(self) -> None:
+        """Where another program has the meeting point's port: take a free one. Only for who holds `meeting_lock`; OSError."""
+        import socket
+
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        new = self.folder / f"port-{os.getpid()}"
+        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w") as file:
+            file.write(str(port))
+        os.replace(new, self.folder / "port")
 
     @property
     def meeting_lock(self) -> Path:
@@ -69,33 +87,44 @@ class Neighbour(NamedTuple):
 
 
 def meeting_place(domain_id: int) -> Place:
-    """Return the place for a domain, its folder made and verified; raises LinkError when it is not safe to use."""
+    """Return the place for a domain, its folder made and verified; raises LinkError when there is none that is safe.
+
+    All processes of a user find the same one: the first in which somebody is, else the first that is safe.
+    """
     tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
-    base = _base_folder()
-    if (
-        sys.platform != "win32"
-        and not tcp
-        and len(os.fsencode(base)) + len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH > LONGEST_SOCKET_PATH
-    ):
+    found: list[Place] = []
+    refusals: list[str] = []
+    for base in _base_folders():
+        try:
+            found.append(Place(_domain_folder(base, domain_id, tcp), tcp, tuple(refusals)))
+        except LinkError as error:
+            refusals.append(str(error))
+    if not found:
+        raise LinkError("; ".join(refusals))
+    return next((place for place in found if len(found) > 1 and any(neighbours(place))), found[0])
+
+
+def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
+    length = len(os.fsencode(base)) + len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH
+    if sys.platform != "win32" and not tcp and length > LONGEST_SOCKET_PATH:
         base = Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(base)):08x}"
         _private_folder(base.parent)
-    folder = base / str(domain_id)
-    for each in (base, folder):
-        _private_folder(each)
-    return Place(folder, tcp)
+    for folder in (base, base / str(domain_id)):
+        _private_folder(folder)
+    return base / str(domain_id)
 
 
 def neighbours(place: Place) -> Iterator[Neighbour]:
     """Yield the processes whose sockets are there and that are alive, this one included."""
     for neighbour in _sockets(place):
-        if _process_exists(neighbour.pid):
+        if process_exists(neighbour.pid):
             yield neighbour
 
 
 def remove_dead_sockets(place: Place) -> None:
     """Remove what killed processes left behind."""
     for neighbour in _sockets(place):
-        if not _process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
+        if not process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
             for path in (neighbour.path, neighbour.path.with_name(neighbour.path.name + ".lock")):
                 path.unlink(missing_ok=True)
 
@@ -162,28 +191,34 @@ def password(place: Place) -> str:
     return secret
 
 
-def _base_folder() -> Path:
+def _base_folders() -> list[Path]:
     named = os.environ.get("DAY6_RUNTIME_DIR")
     if named:
-        return Path(named).absolute()
+        return [Path(named).absolute()]
     if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home()) / "day6" / "run"
+        return [Path(os.environ.get("LOCALAPPDATA") or Path.home()) / "day6" / "run"]
+    folders = [Path(f"/tmp/day6-{os.getuid()}"), Path("~/.cache/day6-tui/run").expanduser()]
     runtime = os.environ.get("XDG_RUNTIME_DIR")
     if runtime and os.path.isdir(runtime) and os.access(runtime, os.W_OK):
-        return Path(runtime) / "day6"
-    return Path(f"/tmp/day6-{os.getuid()}")
+        folders.insert(0, Path(runtime) / "day6")
+    return folders
 
 
 def _private_folder(folder: Path) -> None:
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         status = folder.lstat()
+        above = folder.parent.stat()
         if sys.platform == "win32":
             return
         if not stat.S_ISDIR(status.st_mode):
             raise LinkError(f"{folder} is not a folder")
         if status.st_uid != os.geteuid():
             raise LinkError(f"{folder} belongs to another user")
+        if above.st_mode & 0o002 and not above.st_mode & stat.S_ISVTX:
+            raise LinkError(f"other users could replace {folder}")
+        if status.st_mode & 0o022:
+            raise LinkError(f"other users could write to {folder}")
         if status.st_mode & 0o077:
             folder.chmod(0o700)
     except LinkError:
@@ -200,9 +235,10 @@ def _sockets(place: Place) -> Iterator[Neighbour]:
             yield Neighbour(zid, int(pid), place.folder / name)
 
 
-def _process_exists(pid: int) -> bool:
+def process_exists(pid: int) -> bool:
+    """Say whether a process with this number runs (of whatever user)."""
     if sys.platform == "win32":
-        return _windows_process_exists(pid)
+        return _windowsprocess_exists(pid)
     try:
         os.kill(pid, 0)
     except ProcessLookupError:
@@ -212,7 +248,7 @@ def _process_exists(pid: int) -> bool:
     return True
 
 
-def _windows_process_exists(pid: int) -> bool:
+def _windowsprocess_exists(pid: int) -> bool:
     # os.kill(pid, 0) would send a Ctrl-C there.
     import ctypes
 

@@ -5,6 +5,9 @@ Only the link's thread changes it. Tokens may come in any order: an endpoint's b
 
 from __future__ import annotations
 
+import threading
+from collections import Counter
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from day6_tui.core.graph.endpoints import Endpoint, EndpointKind, Publisher, Subscription
@@ -12,6 +15,15 @@ from day6_tui.core.graph.graph import Graph
 from day6_tui.core.graph.node import Node
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import Announcement, parse_token
+from day6_tui.core.link.limits import (
+    MOST_ENDPOINTS,
+    MOST_ENDPOINTS_OF_ONE,
+    MOST_NODES,
+    MOST_NODES_OF_ONE,
+    MOST_STRANGERS,
+    MOST_WAITING_FOR_ROOM,
+    Refusals,
+)
 from day6_tui.core.link.paths import LinkError, meeting_place, neighbours
 
 
@@ -39,49 +51,82 @@ class _RemoteNode:
 
 
 class RemoteGraph:
-    """Keeps the nodes and endpoints of all sessions but `own_zid` in `graph`."""
+    """Keeps the nodes and endpoints of all sessions but `own_zid` in `graph`, as many as `limits` allows.
 
-    def __init__(self, graph: Graph, own_zid: str) -> None:
+    `is_neighbour` says whether a session is one of this user's processes on this machine: strangers cannot take their places.
+    """
+
+    def __init__(self, graph: Graph, own_zid: str, refusals: Refusals, is_neighbour: Callable[[str], bool]) -> None:
         self._graph = graph
         self._own_zid = own_zid
+        self._refusals = refusals
+        self._is_neighbour = is_neighbour
+        self._nodes_of: Counter[str] = Counter()
+        self._endpoints_of: Counter[str] = Counter()
+        self._endpoint_count = 0
+        self._waiting: dict[str, None] = {}
+        """Tokens that were refused for want of room, the oldest first."""
+        self._room = False
+        """Whether something has gone since they were looked at."""
+        self._strangers_lock = threading.Lock()
         self._nodes: dict[tuple[str, str], _RemoteNode] = {}
         self._publishers: dict[bytes, Publisher] = {}
         self._strangers: dict[tuple[bytes, str], Publisher] = {}
-        self.refused = 0
-        """Tokens that announced nothing ROS could have: wrong names, types, hashes or QoS."""
 
     def appear(self, token: str) -> None:
         """Add what a token announces; a token seen before changes nothing."""
         announcement = parse_token(token)
         if announcement is None:
-            self.refused += 1
+            self._refusals.add("names")
             return
         if announcement.zid == self._own_zid:
             return
         known = self._nodes.get(announcement.node_key)
+        is_node = announcement.kind is None
+        if not is_node and known is not None and token in known.endpoints:
+            return
+        if not self._has_room(announcement):
+            if token not in self._waiting:
+                self._refusals.add("nodes" if known is None else "endpoints")
+                if len(self._waiting) < MOST_WAITING_FOR_ROOM:
+                    self._waiting[token] = None
+            return
         if known is None:
             known = self._nodes[announcement.node_key] = _RemoteNode(self._create_node(announcement))
-        if announcement.kind is None:
+            self._nodes_of[announcement.zid] += 1
+        if is_node:
             known.announced = True
-        elif token not in known.endpoints:
-            endpoint = self._create_endpoint(known.node, announcement, gid_of(token))
-            known.endpoints[token] = endpoint
-            if isinstance(endpoint, Publisher):
-                self._publishers[endpoint.gid] = endpoint
+        else:
+            self._add_endpoint(known, announcement, token)
+
+    def _add_endpoint(self, known: _RemoteNode, announcement: Announcement, token: str) -> None:
+        endpoint = self._create_endpoint(known.node, announcement, gid_of(token))
+        known.endpoints[token] = endpoint
+        self._count_endpoints(announcement.zid, 1)
+        if isinstance(endpoint, Publisher):
+            self._publishers[endpoint.gid] = endpoint
 
     def vanish(self, token: str) -> None:
         """Remove what a token announced; with a node go its endpoints."""
+        if token in self._waiting:
+            del self._waiting[token]
+            return
         announcement = parse_token(token)
         if announcement is None:
             return
         known = self._nodes.get(announcement.node_key)
         if known is None:
             return
+        self._remove(known, announcement, token)
+        self._room = True
+
+    def _remove(self, known: _RemoteNode, announcement: Announcement, token: str) -> None:
         if announcement.kind is None:
             self._remove_node(announcement.node_key)
             return
         endpoint = known.endpoints.pop(token, None)
         if endpoint is not None:
+            self._count_endpoints(announcement.zid, -1)
             self._publishers.pop(endpoint.gid, None)
             endpoint.destroy()
         if not known.announced and not known.endpoints:
@@ -89,9 +134,29 @@ class RemoteGraph:
 
     def clear(self) -> None:
         """Remove everything."""
+        self._waiting.clear()
         for key in list(self._nodes):
             self._remove_node(key)
-        self._strangers.clear()
+        with self._strangers_lock:
+            self._strangers.clear()
+
+    @property
+    def has_room(self) -> bool:
+        """Say whether `let_in` may have something to do."""
+        return self._room and bool(self._waiting)
+
+    def let_in(self) -> None:
+        """Take what was refused for want of room, as far as there is room now. To be called now and then: it looks at all."""
+        if not self._room:
+            return
+        self._room = False
+        for token in list(self._waiting):
+            announcement = parse_token(token)
+            if announcement is not None and self._has_room(announcement):
+                del self._waiting[token]
+                self.appear(token)
+        if not self._waiting:
+            self._refusals.forget("nodes", "endpoints")
 
     def publisher_for(self, gid: bytes, subscription: Subscription) -> Publisher | None:
         """Return who sent a message to `subscription`; None when their QoS or types do not match.
@@ -103,14 +168,38 @@ class RemoteGraph:
         if publisher is not None:
             return publisher if subscription in publisher.matched else None
         key = (gid, subscription.topic)
-        stranger = self._strangers.get(key)
-        if stranger is None:
-            node = Node(self._graph, "", "/", "/", Origin(""))
-            stranger = Publisher(
-                node, subscription.topic, subscription.type_name, subscription.type_hash, subscription.qos, gid, _same
-            )
-            self._strangers[key] = stranger
+        with self._strangers_lock:
+            stranger = self._strangers.get(key)
+            if stranger is None:
+                if len(self._strangers) >= MOST_STRANGERS:
+                    del self._strangers[next(iter(self._strangers))]
+                stranger = self._strangers[key] = self._stand_in(gid, subscription)
         return stranger
+
+    def _stand_in(self, gid: bytes, it: Subscription) -> Publisher:
+        node = Node(self._graph, "", "/", "/", Origin(""))
+        return Publisher(node, it.topic, it.type_name, it.type_hash, it.qos, gid, _same)
+
+    def _has_room(self, announcement: Announcement) -> bool:
+        if announcement.node_key not in self._nodes and self._full_of_nodes(announcement.zid):
+            return False
+        return announcement.kind is None or not self._full_of_endpoints(announcement.zid)
+
+    def _full_of_nodes(self, zid: str) -> bool:
+        if self._nodes_of[zid] >= MOST_NODES_OF_ONE:
+            return True
+        return len(self._nodes) >= MOST_NODES and not self._is_neighbour(zid)
+
+    def _full_of_endpoints(self, zid: str) -> bool:
+        if self._endpoints_of[zid] >= MOST_ENDPOINTS_OF_ONE:
+            return True
+        return self._endpoint_count >= MOST_ENDPOINTS and not self._is_neighbour(zid)
+
+    def _count_endpoints(self, zid: str, change: int) -> None:
+        self._endpoint_count += change
+        self._endpoints_of[zid] += change
+        if not self._endpoints_of[zid]:
+            del self._endpoints_of[zid]
 
     def _create_node(self, announcement: Announcement) -> Node:
         origin = Origin(announcement.zid)
@@ -131,6 +220,12 @@ class RemoteGraph:
 
     def _remove_node(self, key: tuple[str, str]) -> None:
         known = self._nodes.pop(key)
+        zid, _ = key
+        self._nodes_of[zid] -= 1
+        if not self._nodes_of[zid]:
+            del self._nodes_of[zid]
+        if known.endpoints:
+            self._count_endpoints(zid, -len(known.endpoints))
         for endpoint in known.endpoints.values():
             self._publishers.pop(endpoint.gid, None)
         known.node.destroy()

@@ -17,6 +17,7 @@ from day6_tui.core.link.classes import service_class
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.limits import Refusals
 from day6_tui.core.link.paths import LinkError
 from day6_tui.core.link.topics import Report
 
@@ -34,10 +35,11 @@ _MOST_OPEN_QUESTIONS = 5000
 class Services:
     """Carries requests to remote servers and to local ones, and the responses back."""
 
-    def __init__(self, session: zenoh.Session, zid: str, report: Report) -> None:
+    def __init__(self, session: zenoh.Session, zid: str, report: Report, refusals: Refusals) -> None:
         self._session: zenoh.Session | None = session
         self._zid = zid
         self._report = report
+        self._refusals = refusals
         # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
         self._lock = threading.RLock()
         self._questions: dict[Service, dict[RequestId, zenoh.Query]] = {}
@@ -169,6 +171,8 @@ class Services:
                 if self._remember(service, request_id, query):
                     service.receive(request, request_id)
             except Exception as error:
+                query.drop()
+                self._refusals.add("messages")
                 self._report(f"a request to {service.topic} was lost", error)
 
         return receive
@@ -198,6 +202,7 @@ class Services:
             response_class = service_class(client.type_name).Response
             client.receive(deserialize(sample.payload.to_bytes(), response_class), number)
         except Exception as error:
+            self._refusals.add("messages")
             self._report(f"a response of {client.topic} was lost", error)
 
 

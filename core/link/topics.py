@@ -15,6 +15,7 @@ from day6_tui.core.link.classes import message_class
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.keys import data_key, endpoint_token
+from day6_tui.core.link.limits import Refusals
 from day6_tui.core.link.paths import LinkError
 from day6_tui.core.link.remote import RemoteGraph
 
@@ -57,12 +58,20 @@ class Topics:
     """Carries the messages of local publishers out and those of remote publishers in."""
 
     def __init__(
-        self, session: zenoh.Session, zid: str, remote: RemoteGraph, report: Report, *, never_wait: bool = False
+        self,
+        session: zenoh.Session,
+        zid: str,
+        remote: RemoteGraph,
+        report: Report,
+        refusals: Refusals,
+        *,
+        never_wait: bool = False,
     ) -> None:
         self._session: zenoh.Session | None = session
         self._zid = zid
         self._remote = remote
         self._report = report
+        self._refusals = refusals
         self._never_wait = never_wait
         # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
         self._lock = threading.RLock()
@@ -178,6 +187,7 @@ class Topics:
                 publisher.delivered += 1
                 subscription.receive((message, source_timestamp, number, publisher))
             except Exception as error:
+                self._refusals.add("messages")
                 self._report(f"a message on {subscription.topic} was lost", error)
 
         return receive

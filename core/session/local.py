@@ -72,15 +72,18 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
     Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen.
     """
     from day6_tui.core.graph import graph_for_domain
+    from day6_tui.core.graph.domain import domain_from_text
     from day6_tui.core.ros.environment import activate
 
     activate()
     clock = WorldClock()
     scheduler = Scheduler(clock)
-    graph = graph_for_domain(_domain())
+    joined: list[Graph] = []
     display = Display() if show is not None else None
 
     def linked_graph() -> Graph:
+        graph = graph_for_domain(domain_from_text(os.environ.get("ROS_DOMAIN_ID", "")))
+        joined.append(graph)
         if os.environ.get("DAY6_LINK") != "off":
             from day6_tui.core.link import join
 
@@ -120,7 +123,8 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
         if os.environ.get("DAY6_LINK") != "off":
             from day6_tui.core.link import leave
 
-            leave(graph)
+            for graph in joined:
+                leave(graph)
     return program.status or 0
 
 
@@ -137,11 +141,6 @@ def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -
             output.hold(False)
         with contextlib.suppress(BrokenPipeError):
             foreground.backlog.release()
-
-
-def _domain() -> int:
-    text = os.environ.get("ROS_DOMAIN_ID", "").strip()
-    return int(text) if text.isdigit() else 0
 
 
 def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None]:

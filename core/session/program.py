@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import logging
 
+from day6_tui.core.graph.domain import DomainError
 from day6_tui.core.session.session import KilledBySignal, Main, Session
 from day6_tui.core.session.streams import WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, wait_for
@@ -121,6 +122,9 @@ async def _end_of(session: Session, main: Main) -> int:
         return 1
     except (BrokenPipeError, WriteError):
         raise
+    except DomainError as error:
+        session.print_error(str(error))  # as `ros2` does
+        return 1
     except Exception as error:
         _log.debug("%s ended by an exception", session.name, exc_info=True)
         session.print_error(f"{session.name}: {str(error) or type(error).__name__}")

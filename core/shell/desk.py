@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.graph.domain import DomainError, domain_from_text
 from day6_tui.core.graph.graph import Graph
 from day6_tui.core.ros.environment import activate, program_environment
 from day6_tui.core.session.clock import WorldClock
@@ -66,7 +67,7 @@ class Desk:
 
     `home` is created with a `ros2_ws/src` in it; OSError if it cannot be. `join_link` lets its graph meet the other processes of
     this user; that happens in the background, when `start` or `open_link` is called. `listen` and `connect` are Zenoh endpoints
-    (`tcp/0.0.0.0:7447`), the only way to leave this machine.
+    (`tcp/0.0.0.0:7447`), the only way to leave this machine; other machines must show `secret` there.
     """
 
     def __init__(
@@ -79,12 +80,14 @@ class Desk:
         display: bool = True,
         listen: str | None = None,
         connect: str | None = None,
+        secret: str | None = None,
     ) -> None:
         activate()
-        self._doors = {"listen": listen, "connect": connect}
+        self._listen, self._connect, self._secret = listen, connect, secret
         self.home = (default_home() if home is None else home).expanduser().resolve()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
-        self.domain_id = domain_of(os.environ, 0) if domain_id is None else domain_id
+        self.domain_id = _own_domain() if domain_id is None else domain_id
+        self._domain_text = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else str(domain_id)
         self._link_opened = False
         self.clock = WorldClock() if clock is None else clock
         self.graphs: dict[int, Graph] = {}
@@ -141,7 +144,7 @@ class Desk:
             LOGNAME=USER,
             SHELL="/bin/bash",
             TERM="xterm-256color",
-            ROS_DOMAIN_ID=str(self.domain_id),
+            ROS_DOMAIN_ID=self._domain_text,
         )
         return env
 
@@ -175,7 +178,7 @@ class Desk:
 
         session = Session(
             self.scheduler,
-            lambda: self._linked_graph_of(domain_of(env, self.domain_id)),
+            lambda: self._linked_graph_of(domain_of(env)),
             argv,
             env=env,
             cwd=cwd,
@@ -275,7 +278,7 @@ class Desk:
 
         self._joined.add(graph)
         try:
-            join(graph, never_wait=True, listen=self._doors["listen"], connect=self._doors["connect"])
+            join(graph, never_wait=True, listen=self._listen, connect=self._connect, secret=self._secret)
         except Exception:
             # Without the link the desk still works for itself; who asks for other processes sees none.
             _log.warning("the link could not be opened", exc_info=True)
@@ -324,7 +327,14 @@ class Desk:
                 self._changed.wait(left)
 
 
-def domain_of(env: Mapping[str, str], default: int) -> int:
-    """The domain that ROS_DOMAIN_ID names; `default` if it is not set or no number."""
-    text = env.get("ROS_DOMAIN_ID", "").strip()
-    return int(text) if text.isdigit() else default
+def domain_of(env: Mapping[str, str]) -> int:
+    """The domain of programs with these variables; raises DomainError for a ROS_DOMAIN_ID that rcl refuses."""
+    return domain_from_text(env.get("ROS_DOMAIN_ID", ""))
+
+
+def _own_domain() -> int:
+    """The domain that the desk itself looks at: the environment's, and 0 where every program will refuse that one."""
+    try:
+        return domain_of(os.environ)
+    except DomainError:
+        return 0

@@ -6,6 +6,7 @@ import pytest
 
 from day6_tui.core.graph.graph import Graph
 from day6_tui.core.link.keys import parse_token
+from day6_tui.core.link.limits import Refusals
 from day6_tui.core.link.remote import RemoteGraph
 
 PARTS = {
@@ -94,12 +95,13 @@ def test_a_node_is_not_announced_with_more_behind_its_name() -> None:
 
 def test_what_is_refused_is_counted_and_makes_nothing() -> None:
     graph = Graph(0)
-    remote = RemoteGraph(graph, "def")
+    refusals = Refusals()
+    remote = RemoteGraph(graph, "def", refusals, lambda zid: True)
     remote.appear(token(name="a\nb"))
     remote.appear(token(topic="%a\n%b"))
     remote.vanish(token(name="a\nb"))
-    assert remote.refused == 2
+    assert refusals.counts == {"names": 2}
     assert list(graph.nodes) == []
     remote.appear(token())
-    assert remote.refused == 2
+    assert refusals.counts == {"names": 2}
     assert [node.name for node in graph.nodes] == ["talker"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
 from day6_tui.core.graph.names import full_name
+from day6_tui.core.link.state import LinkState
 from day6_tui.core.ros.programs.day6_inspector._rules import End, Facts, Finding, findings
 from day6_tui.urdf.check import check_text
 from day6_tui.urdf.model import MOVING_TYPES
@@ -31,8 +33,9 @@ STILL_S = 3.0
 class Inspector:
     """The model of the window: `findings` is replaced as a whole and `version` raised when it changed."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: Node, link: Callable[[], LinkState] = LinkState) -> None:
         self._node = node
+        self._link = link
         self._arrivals: deque[int] = deque(maxlen=MEMORY)
         self._heard: tuple[str, ...] = ()
         self._joints: frozenset[str] | None = None
@@ -100,6 +103,7 @@ class Inspector:
             rates={JOINT_STATES: rate} if (rate := self._rate()) is not None else {},
             heard_joints=self._heard if speaks else (),
             joints=self._joints,
+            link=self._link(),
         )
 
     def _rate(self) -> float | None:

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from day6_tui.core.link.state import Door, DoorState, LinkState
 from day6_tui.core.ros.programs._remark import Remark
 
 TEXTS = {
@@ -27,6 +28,26 @@ TEXTS = {
     ),
     "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
     "inspector.slow": "{topic} comes {rate} times a second; the eye needs about 20",
+    "inspector.open": (
+        "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and command"
+    ),
+    "inspector.open_secret": "{endpoint} is open to who knows the secret, {joined} joined",
+    "inspector.opening": "{endpoint} is about to be opened",
+    "inspector.in_use": "{endpoint}: another program has this port, so no other machine can join; tried again",
+    "inspector.no_name": "{endpoint}: nobody knows this name; tried again",
+    "inspector.shut": "{endpoint} cannot be opened ({reason}), so no other machine can join; tried again",
+    "inspector.calling": "{endpoint} is being called",
+    "inspector.joined": "joined to {endpoint}",
+    "inspector.nobody": "no answer from {endpoint}: the machine is there, but no program listens on this port; tried again",
+    "inspector.no_answer": "no answer from {endpoint}; tried again",
+    "inspector.wrong_secret": "refused by {endpoint}: wrong secret, or it asks for none",
+    "inspector.no_secret": "refused by {endpoint}: it asks for a secret, or it is no ROS",
+    "inspector.unreachable": "{endpoint} cannot be called ({reason}); tried again",
+    "inspector.alone": "programs of other processes cannot be seen: {reason}",
+    "inspector.elsewhere": "another folder than usual is used to meet other processes: {reason}",
+    "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
+    "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
+    "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
     "inspector.well": "nothing is wrong",
 }
 """English texts by id; names stand in the parameters as they are."""
@@ -69,6 +90,7 @@ class Facts:
     """Names in the newest joint states."""
     joints: frozenset[str] | None = None
     """Names of the movable joints of the robot description; None while there is none."""
+    link: LinkState = field(default_factory=LinkState)
 
 
 class Finding(Remark):
@@ -173,4 +195,46 @@ def _slow(facts: Facts) -> Iterator[Finding]:
             yield _finding("info", "slow", topic=topic, rate=f"{rate:.1f}".rstrip("0").rstrip("."))
 
 
-_RULES = (_mismatched_types, _mismatched_qos, _joints, _fights, _twins, _one_sided, _slow)
+_SHUT = {DoorState.IN_USE: "in_use", DoorState.NO_NAME: "no_name", DoorState.FAILED: "shut"}
+_UNJOINED = {
+    DoorState.NO_NAME: "no_name",
+    DoorState.NOBODY: "nobody",
+    DoorState.NO_ANSWER: "no_answer",
+    DoorState.FAILED: "unreachable",
+}
+
+
+def link_findings(link: LinkState) -> Iterator[Finding]:
+    """Yield what there is to say of other processes and machines: also that a door is open, whoever may use it."""
+    if link.problem is not None:
+        yield _finding("warning", "alone", reason=link.problem)
+    for reason in link.passed_over:
+        yield _finding("info", "elsewhere", reason=reason)
+    yield from map(_door, link.doors)
+    refused = Counter(link.refused)
+    names, messages = refused.pop("names", 0), refused.pop("messages", 0)
+    for key, count in (("many", refused.total()), ("names", names), ("messages", messages)):
+        if count:
+            yield _finding("warning", f"refused_{key}", count=count)
+
+
+def _door(door: Door) -> Finding:
+    endpoint = door.endpoint
+    if door.state == DoorState.OPEN:
+        if not door.listening:
+            return _finding("info", "joined", endpoint=endpoint)
+        return _finding("info", "open_secret" if door.secret else "open", endpoint=endpoint, joined=door.joined)
+    if door.state == DoorState.OPENING:
+        return _finding("info", "opening" if door.listening else "calling", endpoint=endpoint)
+    if door.state == DoorState.NOT_LET_IN:
+        return _finding("error", "wrong_secret" if door.secret else "no_secret", endpoint=endpoint)
+    key = (_SHUT if door.listening else _UNJOINED)[door.state]
+    reason = {"reason": door.reason} if door.state == DoorState.FAILED else {}
+    return _finding("error", key, endpoint=endpoint, **reason)
+
+
+def _link(facts: Facts) -> Iterator[Finding]:
+    return link_findings(facts.link)
+
+
+_RULES = (_link, _mismatched_types, _mismatched_qos, _joints, _fights, _twins, _one_sided, _slow)

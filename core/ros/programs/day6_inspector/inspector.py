@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from day6_tui.core.link import state_of
+from day6_tui.core.link.state import LinkState
 from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
 from day6_tui.core.session.session import Session
 
@@ -13,7 +15,8 @@ SETTLE_SECONDS = 1.5
 async def main(session: Session) -> int | None:
     """Watch until interrupted; without a display print the findings and end with 1 if there are errors."""
     node = session.create_node(f"_day6_inspector_{session.pid}", start_parameter_services=False)
-    model = Inspector(node)
+    graph = session.graph
+    model = Inspector(node, (lambda: state_of(graph)) if graph is not None else LinkState)
     session.spawn(session.spin(node))
     if session.display is None:
         for _ in range(3):

@@ -15,6 +15,7 @@ from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import Graph, graph_for_domain
+from day6_tui.core.graph.domain import DomainError, domain_from_text
 from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
@@ -312,15 +313,11 @@ def _valid_contexts() -> list[Context]:
 
 
 def _domain_from_environment() -> int:
-    """Read ROS_DOMAIN_ID as rcl does: unset or empty is 0, anything else must be a number (RCLError)."""
-    text = os.environ.get("ROS_DOMAIN_ID", "")
-    if not text:
-        return 0
-    if not text.isdigit():
-        raise RCLError(
-            "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
-        )
-    return int(text)
+    """Read ROS_DOMAIN_ID as rcl does; raises RCLError."""
+    try:
+        return domain_from_text(os.environ.get("ROS_DOMAIN_ID", ""))
+    except DomainError as error:
+        raise RCLError(str(error)) from None
 
 
 def _open_log_file(arguments: RosArguments) -> None:

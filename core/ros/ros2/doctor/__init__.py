@@ -46,7 +46,7 @@ async def main(session: Session, args: Namespace) -> None:
             return
         failed: list[str] = []
         for category, check in CHECKS.items():
-            complaints = list(check(node))
+            complaints = list(check(session, node))
             for complaint in complaints:
                 _warn(session, complaint)
             if any(complaint.is_error or args.include_warnings for complaint in complaints):
@@ -78,15 +78,21 @@ def _print_report(session: Session, node: Node, title: str) -> None:
         session.print(f"{name:{width}}: {value}")
 
 
-def _check_network(node: Node) -> Iterator[Complaint]:
-    """Say whether the graph this command sees can be seen by other programs of this machine."""
+def _check_network(session: Session, node: Node) -> Iterator[Complaint]:
+    """Say whether the graph this command sees can be seen by other programs, and how it stands with other machines."""
     import os
 
+    from day6_tui.core.link import state_of
+    from day6_tui.core.ros.programs.day6_inspector._rules import link_findings
+
+    if session.graph is not None:
+        for finding in link_findings(state_of(session.graph)):
+            yield Complaint(finding.level == "error", finding.text)
     if os.environ.get("DAY6_LINK") == "off":
         yield Complaint(False, "The link to other programs is switched off (DAY6_LINK=off).")
 
 
-def _check_qos(node: Node) -> Iterator[Complaint]:
+def _check_qos(session: Session, node: Node) -> Iterator[Complaint]:
     from rclpy.qos import QoSCompatibility
 
     for topic, _, _, compatibility, reason in _pairs(node):
@@ -97,7 +103,7 @@ def _check_qos(node: Node) -> Iterator[Complaint]:
             yield Complaint(True, f"QoS compatibility error found on topic '{topic}': {text}")
 
 
-def _check_topics(node: Node) -> Iterator[Complaint]:
+def _check_topics(session: Session, node: Node) -> Iterator[Complaint]:
     for topic, _ in node.get_topic_names_and_types():
         publishers, subscribers = node.count_publishers(topic), node.count_subscribers(topic)
         if topic in _SKIPPED:
@@ -120,8 +126,12 @@ def _pairs(node: Node) -> Iterator[tuple[str, Any, Any, Any, str]]:
 
 
 def _report_network(session: Session, node: Node) -> Iterator[tuple[str, object]]:
+    from day6_tui.core.link import state_of
+    from day6_tui.core.ros.programs.day6_inspector._rules import link_findings
     from day6_tui.core.ros.ros2.doctor._network import interfaces
 
+    if session.graph is not None:
+        yield from (("link", finding.text) for finding in link_findings(state_of(session.graph)))
     for interface in interfaces():
         yield from ((name, value) for name, value in interface.items() if value)
 
@@ -188,7 +198,7 @@ def _report_topics(session: Session, node: Node) -> Iterator[tuple[str, object]]
         yield "subscriber count", node.count_subscribers(topic) if topics else 0
 
 
-CHECKS: dict[str, Callable[[Node], Iterator[Complaint]]] = {
+CHECKS: dict[str, Callable[[Session, Node], Iterator[Complaint]]] = {
     "network": _check_network,
     "middleware": _check_qos,
     "topic": _check_topics,

@@ -1,0 +1,58 @@
+"""Zenoh endpoints as people type them (`tcp/0.0.0.0:7447`): what is wrong with one is said before anything is opened."""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+from typing import NamedTuple
+
+PROTOCOLS = ("tcp", "udp", "ws")
+"""Those of the installed Zenoh that need neither certificates nor a path."""
+_NAME = re.compile(r"(?!-)[A-Za-z0-9_-]{1,63}(\.(?!-)[A-Za-z0-9_-]{1,63})*\.?")
+_BARE_IPV6 = re.compile(r"[0-9A-Fa-f:]*:[0-9A-Fa-f:]*")
+_NUMBERS = re.compile(r"[0-9.]+")
+
+
+class Address(NamedTuple):
+    """The parts of an endpoint. `host` is without the brackets of an IPv6 address."""
+
+    protocol: str
+    host: str
+    port: int
+
+
+def address_of(endpoint: str, *, listening: bool) -> Address:
+    """Return the parts of an endpoint to listen on or to connect to; raises ValueError that says what is wrong with it.
+
+    Whether a name is known to anybody is not asked here: that may take seconds, and may change.
+    """
+    protocol, slash, rest = endpoint.partition("/")
+    if not (protocol.isalnum() and slash and rest):
+        raise ValueError(f"{endpoint!r} is no endpoint like tcp/192.168.1.5:7447")
+    if protocol not in PROTOCOLS:
+        raise ValueError(f"{endpoint!r} has an unknown protocol: use {', '.join(PROTOCOLS[:-1])} or {PROTOCOLS[-1]}")
+    host, colon, port = rest.rpartition(":")
+    if not rest.isprintable():
+        raise ValueError(f"{endpoint!r} has no valid host name")
+    if not colon or host.count("[") != host.count("]"):
+        raise ValueError(f"{endpoint!r} has no port: write {protocol}/{rest}:7447")
+    if not (port.isascii() and port.isdecimal() and 1 <= int(port) <= 65535):
+        raise ValueError(f"{endpoint!r} has no port from 1 to 65535")
+    return Address(protocol, _host(endpoint, protocol, host, listening=listening), int(port))
+
+
+def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
+    bracketed = host.startswith("[") and host.endswith("]")
+    if not bracketed and _BARE_IPV6.fullmatch(host):
+        raise ValueError(f"{endpoint!r} needs brackets around an IPv6 address: {protocol}/[::1]:7447")
+    if bracketed or _NUMBERS.fullmatch(host):
+        host = host.strip("[]")
+        try:
+            ip = ipaddress.IPv6Address(host) if bracketed else ipaddress.IPv4Address(host)
+        except ValueError:
+            raise ValueError(f"{endpoint!r} has no valid address: {host}") from None
+        if ip.is_unspecified and not listening:
+            raise ValueError(f"{endpoint!r} is every address of this machine, none to connect to")
+    elif not _NAME.fullmatch(host):
+        raise ValueError(f"{endpoint!r} has no valid host name: {host or 'it is empty'}")
+    return host

@@ -1,0 +1,87 @@
+"""What ROS_DOMAIN_ID may be: the answers of real rclpy (kilted), taken from it value by value."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from day6_tui.core.graph.domain import DomainError, domain_from_text
+
+NO_NUMBER = "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
+TOO_LARGE = "failed to initialize rcl: ROS_DOMAIN_ID is out of range, at /project/src/rcl/domain_id.c:53"
+
+
+@pytest.mark.parametrize(
+    ("text", "domain"),
+    [
+        ("", 0),
+        ("5", 5),
+        (" 5", 5),
+        ("5 ", 5),
+        ("5x", 5),
+        ("+5", 5),
+        ("0", 0),
+        ("0x10", 16),
+        ("010", 8),
+        ("-1", 0),
+        ("233", 233),
+        ("99999", 99999),
+        ("4294967296", 4294967296),
+        ("18446744073709551615", 0),
+    ],
+)
+def test_a_domain_is_read_as_by_c(text: str, domain: int) -> None:
+    assert domain_from_text(text) == domain
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("abc", NO_NUMBER),
+        (" ", NO_NUMBER),
+        ("-", NO_NUMBER),
+        ("0 ", NO_NUMBER),
+        ("08", NO_NUMBER),
+        ("0x", NO_NUMBER),
+        ("五", NO_NUMBER),
+        ("٥", NO_NUMBER),
+        ("99999999999999999999999", TOO_LARGE),
+    ],
+)
+def test_what_is_no_domain_is_refused_in_the_words_of_rcl(text: str, words: str) -> None:
+    with pytest.raises(DomainError) as caught:
+        domain_from_text(text)
+    assert str(caught.value) == words
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("ros2", "node", "list"), NO_NUMBER + "\n"),
+        (("exec", "-c", "ros2 topic list"), NO_NUMBER + "\n"),
+        (("exec", "-c", "ros2 run turtlesim turtlesim_node"), NO_NUMBER + "\n"),
+    ],
+)
+def test_a_command_in_no_domain_ends_with_the_reason(words: tuple[str, ...], expected: str) -> None:
+    done = _run("-m", "day6_tui.tui.main", *words)
+    assert done.returncode == 1 and done.stdout in ("", "[ros2run]: Process exited with failure 1\n")
+    assert done.stderr.endswith(expected) and "Traceback" not in done.stderr
+
+
+def test_a_program_of_a_student_in_no_domain_fails_in_init() -> None:
+    done = _run("-m", "day6_tui.tui.main", "python", "-c", "import rclpy\nrclpy.init()")
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == f"rclpy._rclpy_pybind11.RCLError: {NO_NUMBER}"
+
+
+def _run(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *words],
+        env={**os.environ, "ROS_DOMAIN_ID": "abc", "DAY6_LINK": "off", "PYTHONPATH": ""},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )

@@ -1,0 +1,271 @@
+"""A hostile machine behind an open door: what it costs, what it cannot take from others, and that it is forgotten."""
+
+from __future__ import annotations
+
+import json
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from link_harness import World, until
+from link_peer import Peer
+
+from day6_tui.core.graph import Graph
+from day6_tui.core.graph.endpoints import Subscription
+from day6_tui.core.interfaces import get_message, serialize
+from day6_tui.core.link import state_of
+from day6_tui.core.link.attachment import pack
+from day6_tui.core.link.keys import data_key
+from day6_tui.core.link.limits import (
+    MOST_ENDPOINTS_OF_ONE,
+    MOST_NODES,
+    MOST_NODES_OF_ONE,
+    MOST_STRANGERS,
+    Refusals,
+)
+from day6_tui.core.link.remote import RemoteGraph
+
+PATIENCE = 60.0
+MANY = 3000
+NODES = "@ros2_lv/0/ffffffffffffffff/{}/{}/NN/%/%/flood{}"
+PEERS = "@ros2_lv/0/f{}0/1/1/NN/%/%/flood{}"
+TOPIC = "@ros2_lv/0/ffffffffffffffff/1/{}/MP/%/%/flood/%topic{}/std_msgs::msg::dds_::String_/RIHS01_0/::,1:,:,:,,"
+
+
+class Hostile:
+    def __init__(self, port: int) -> None:
+        script = Path(__file__).with_name("hostile_peer.py")
+        self.process = subprocess.Popen(
+            [sys.executable, str(script), str(port)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+        assert self._line() == "ready"
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        def call(*positional: Any, **named: Any) -> Any:
+            assert self.process.stdin is not None
+            self.process.stdin.write(json.dumps([name, positional, named]) + "\n")
+            self.process.stdin.flush()
+            return json.loads(self._line())
+
+        return call
+
+    def _line(self) -> str:
+        assert self.process.stdout is not None
+        return self.process.stdout.readline().strip()
+
+    def kill(self) -> None:
+        self.process.kill()
+        self.process.wait()
+
+
+@pytest.fixture
+def port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+@pytest.fixture
+def open_desk(world: World, port: int) -> Peer:
+    return world.here(listen=f"tcp/127.0.0.1:{port}")
+
+
+@pytest.fixture
+def hostile(open_desk: Peer, port: int) -> Iterator[Hostile]:
+    peer = Hostile(port)
+    yield peer
+    peer.kill()
+
+
+def refused(peer: Peer, reason: str) -> int:
+    return state_of(peer.graph).refused.get(reason, 0)
+
+
+def remote_graph(neighbours: tuple[str, ...] = ()) -> tuple[Graph, RemoteGraph, Refusals]:
+    graph, refusals = Graph(), Refusals()
+    return graph, RemoteGraph(graph, "0", refusals, neighbours.__contains__), refusals
+
+
+def test_one_process_has_so_many_nodes_and_no_more() -> None:
+    graph, remote, refusals = remote_graph()
+    for number in range(20_000):
+        remote.appear(NODES.replace("{}", str(number)))
+    assert len(graph.nodes) == MOST_NODES_OF_ONE
+    assert refusals.counts == {"nodes": 20_000 - MOST_NODES_OF_ONE}
+    for number in range(20_000):
+        remote.vanish(NODES.replace("{}", str(number)))
+    assert graph.nodes == ()
+    remote.let_in()
+    assert graph.nodes == () and refusals.counts == {}
+
+
+def test_who_came_too_late_is_let_in_when_another_goes() -> None:
+    graph, remote, refusals = remote_graph()
+    for number in range(MOST_NODES_OF_ONE + 2):
+        remote.appear(NODES.replace("{}", str(number)))
+    remote.vanish(NODES.replace("{}", "7"))
+    remote.let_in()
+    names = [node.name for node in graph.nodes]
+    assert len(names) == MOST_NODES_OF_ONE and names[-1] == f"flood{MOST_NODES_OF_ONE}"
+    remote.vanish(NODES.replace("{}", "8"))
+    remote.let_in()
+    assert graph.nodes[-1].name == f"flood{MOST_NODES_OF_ONE + 1}" and refusals.counts == {}
+
+
+def test_many_that_give_themselves_many_names_leave_room_for_the_processes_of_this_machine() -> None:
+    graph, remote, _ = remote_graph(neighbours=("abc1",))
+    for number in range(20_000):
+        remote.appear(PEERS.replace("{}", str(number)))
+    assert len(graph.nodes) == MOST_NODES
+    remote.appear("@ros2_lv/0/abc2/1/1/NN/%/%/stranger")
+    remote.appear("@ros2_lv/0/abc1/1/1/NN/%/%/neighbour")
+    remote.appear("@ros2_lv/0/abc1/1/2/MP/%/%/neighbour/%chatter/std_msgs::msg::dds_::String_/RIHS01_0/::,1:,:,:,,")
+    assert graph.nodes[-1].name == "neighbour" and len(graph.nodes[-1].endpoints) == 1
+    assert len(graph.nodes) == MOST_NODES + 1
+
+
+def test_one_process_has_so_many_endpoints_and_no_more() -> None:
+    graph, remote, refusals = remote_graph()
+    for number in range(20_000):
+        remote.appear(TOPIC.replace("{}", str(number)))
+    (node,) = graph.nodes
+    assert len(node.endpoints) == MOST_ENDPOINTS_OF_ONE
+    assert refusals.counts == {"endpoints": 20_000 - MOST_ENDPOINTS_OF_ONE}
+    for number in range(20_000):
+        remote.vanish(TOPIC.replace("{}", str(number)))
+    assert graph.nodes == ()
+    remote.appear(TOPIC.replace("{}", "1"))
+    assert len(graph.nodes) == 1
+
+
+def test_senders_that_nothing_announced_do_not_pile_up() -> None:
+    graph, remote, _ = remote_graph()
+    node = graph.create_node("listener")
+    peer = Peer(graph)
+    peer.things.append(node)
+    subscription: Subscription = peer.things[peer.subscription(0, "/chatter")]
+    first = remote.publisher_for(bytes(16), subscription)
+    assert remote.publisher_for(bytes(16), subscription) is first
+    for number in range(10 * MOST_STRANGERS):
+        assert remote.publisher_for(number.to_bytes(16, "big"), subscription) is not None
+    assert len(remote._strangers) == MOST_STRANGERS
+
+
+def test_thousands_of_nodes_of_a_stranger_are_bounded_and_forgotten_and_nobody_else_notices(
+    world: World, open_desk: Peer, hostile: Hostile
+) -> None:
+    beside = world.process()
+    beside.node("pupil")
+    assert hostile.tokens(NODES, MANY) == MANY
+    assert until(lambda: refused(open_desk, "nodes") > 0, PATIENCE)
+    assert len(open_desk.graph.nodes) <= MOST_NODES_OF_ONE + 1
+    late = world.process()
+    late.node("late")
+    for peer in (open_desk, beside, late):
+        assert until(lambda peer=peer: {"/pupil", "/late"} <= set(peer.nodes()), PATIENCE)
+    publisher = late.publisher(late.node("talker"), "/chatter")
+    subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
+    assert until(lambda: late.matched(publisher) == 1 and open_desk.matched(subscription) == 1, PATIENCE)
+    late.publish(publisher, data="still here")
+    assert until(lambda: open_desk.messages(subscription) == ["still here"], PATIENCE)
+    hostile.kill()
+    everyone = ["/late", "/listener", "/pupil", "/talker"]
+    assert until(lambda: open_desk.nodes() == beside.nodes() == late.nodes() == everyone, PATIENCE)
+
+
+def test_leaving_while_thousands_of_nodes_come_in_takes_no_longer_than_a_moment(
+    open_desk: Peer, hostile: Hostile
+) -> None:
+    hostile.tokens(NODES, MANY)
+    before = time.process_time()
+    open_desk.leave()
+    assert time.process_time() - before < 2.0
+    assert open_desk.nodes() == []
+
+
+def test_bad_messages_are_counted_and_the_good_ones_arrive(open_desk: Peer, hostile: Hostile) -> None:
+    subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
+    thing: Subscription = open_desk.things[subscription]
+    key = data_key(thing)
+    good = serialize(get_message("std_msgs/msg/String")(data="good")).hex()
+    sender = pack(1, 1, b"\1" * 16).hex()
+    assert until(lambda: hostile.messages(key, good, sender, 1) and open_desk.messages(subscription), PATIENCE)
+    claims_4_gigabytes = "00010000ffffffff41"
+    bad = [
+        ("", sender),
+        ("00", sender),
+        (claims_4_gigabytes, sender),
+        ("ffff0000" + good[8:], sender),
+        (good, sender[:-4]),
+        (good, "00"),
+        (good, sender + "00" * 1000),
+    ]
+    for payload, attachment in bad:
+        hostile.messages(key, payload, attachment, 1)
+    assert until(lambda: refused(open_desk, "messages") == len(bad), PATIENCE)
+    hostile.messages(key, good, sender, 1)
+    assert until(lambda: "good" in open_desk.messages(subscription), PATIENCE)
+    assert all(len(problem) <= 500 for problem in open_desk.problems())
+
+
+def test_a_flood_of_messages_from_ever_new_senders_fills_no_memory(open_desk: Peer, hostile: Hostile) -> None:
+    subscription = open_desk.subscription(open_desk.node("listener"), "/chatter", depth=5)
+    thing: Subscription = open_desk.things[subscription]
+    good = serialize(get_message("std_msgs/msg/String")(data="x")).hex()
+    sender = pack(1, 1, b"\2" * 16).hex()
+    assert until(
+        lambda: hostile.messages(data_key(thing), good, sender, 1) and open_desk.length(subscription), PATIENCE
+    )
+    hostile.messages(data_key(thing), good, sender, 3 * MOST_STRANGERS, vary=True)
+    link: Any = open_desk.graph.transport
+    assert until(lambda: len(link._remote._strangers) == MOST_STRANGERS, PATIENCE)
+    assert open_desk.length(subscription) == 5
+
+
+def test_a_flood_of_bad_questions_leaves_the_server_answering(world: World, open_desk: Peer, hostile: Hostile) -> None:
+    server = open_desk.service(open_desk.node("server"), "/add")
+    key = data_key(open_desk.things[server])
+    sender = pack(1, 1, b"\3" * 16).hex()
+    assert until(lambda: hostile.queries(key, "00", sender, 1) and refused(open_desk, "messages"), PATIENCE)
+    hostile.queries(key, "00", sender, 500)
+    hostile.queries(key, "00", "0102", 500)
+    assert until(lambda: refused(open_desk, "messages") > 1000, PATIENCE)
+    beside = world.process()
+    client = beside.client(beside.node("asker"), "/add")
+    assert until(lambda: beside.matched(client) == 1, PATIENCE)
+    number = beside.call(client, 1, 2)
+    assert until(lambda: beside.responses(client) == [[number, 3]], PATIENCE)
+
+
+def test_tokens_of_wrong_forms_are_counted_and_passed_over(world: World, open_desk: Peer, hostile: Hostile) -> None:
+    for pattern in ("@ros2_lv/0/x", "@ros2_lv/0/a/b/c/d/e/f", "@day6/0/here", "@day6/0/nowhere/1", "@day6/0/here/1/2"):
+        hostile.tokens(pattern, 1)
+    assert until(lambda: refused(open_desk, "names") >= 5, PATIENCE)
+    beside = world.process()
+    beside.node("pupil")
+    assert until(lambda: open_desk.nodes() == ["/pupil"], PATIENCE)
+
+
+def test_a_message_under_a_local_senders_name_is_passed_over(open_desk: Peer, hostile: Hostile) -> None:
+    publisher = open_desk.publisher(open_desk.node("talker"), "/chatter")
+    subscription = open_desk.subscription(open_desk.node("listener"), "/chatter")
+    open_desk.publish(publisher, data="own")
+    thing: Subscription = open_desk.things[subscription]
+    link: Any = open_desk.graph.transport
+    link.publish(open_desk.things[publisher], get_message("std_msgs/msg/String")(data="own"), 1, 2)
+    (own,) = link._topics._own_gids
+    key, sender = data_key(thing), pack(1, 1, b"\4" * 16).hex()
+    text = {word: serialize(get_message("std_msgs/msg/String")(data=word)).hex() for word in ("forged", "theirs")}
+    assert until(
+        lambda: hostile.messages(key, text["theirs"], sender, 1) and open_desk.length(subscription) > 1, PATIENCE
+    )
+    hostile.messages(key, text["forged"], pack(7, 7, own).hex(), 1)
+    hostile.messages(key, text["theirs"], pack(9, 9, b"\4" * 16).hex(), 1)
+    heard: list[Any] = []
+    assert until(lambda: heard.extend(open_desk.samples(subscription)) or 9 in [it["number"] for it in heard], PATIENCE)
+    assert {it["data"] for it in heard} == {"own", "theirs"}

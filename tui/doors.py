@@ -1,0 +1,24 @@
+"""How it stands with the doors to other machines (`--listen`, `--connect`), in the few words the top line has room for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from day6_tui.tui.cells import clip
+
+if TYPE_CHECKING:
+    from day6_tui.core.link.state import Door
+
+_LONGEST_HOST = 20
+_FINE = ("open", "joined", "opening", "calling")
+
+
+def door_words(door: Door, ellipsis: str) -> tuple[str, bool, dict[str, object]]:
+    """The text of a door to other machines in the top line: its id, whether all is well, its parameters."""
+    address = door.endpoint.partition("/")[2]
+    host, _, port = address.rpartition(":")
+    name = door.state.value
+    if not door.listening:
+        name = {"open": "joined", "opening": "calling"}.get(name, name)
+    words = {"host": clip(host, _LONGEST_HOST, ellipsis), "port": port, "joined": door.joined}
+    return f"bar.door.{name}", name in _FINE, words
