@@ -7,6 +7,7 @@ import re
 from day6_tui.core.session.keys import key_end
 
 END_OF_FILE = "\x04"
+_PLAIN = re.compile(r"[^\x00-\x1f\x7f-\x9f]+")
 _LINE_END = re.compile(r"[\r\n\x04]")
 
 
@@ -39,9 +40,16 @@ class TypedText:
         at = self._look()
         return self._take(key_end(self._text, at)) if self._size else None
 
+    def take_plain(self) -> str:
+        """Remove and return the characters at the front that are no keys with a meaning of their own."""
+        start = self._look()
+        match = _PLAIN.match(self._text, start)
+        return self._take(match.end()) if match else ""
+
     def take_line(self) -> str | None:
         """Remove and return the first line with its newline (without, where Ctrl-D ended it); None if it is not complete."""
-        match = _LINE_END.search(self._text, self._look())
+        start = self._look()
+        match = _LINE_END.search(self._text, start)
         if match is None:
             return None
         line = self._take(match.end())[:-1]

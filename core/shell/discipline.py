@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, KeyReceiver, OutputStream
-from day6_tui.core.session.task import Signal, wait_for
+from day6_tui.core.session.task import Signal, sleep_until, wait_for
 from day6_tui.core.session.typed_text import END_OF_FILE, TypedText
 from day6_tui.core.shell.width import char_width
 
@@ -23,6 +23,9 @@ INTERRUPT, SUSPEND, QUIT, ERASE, KILL_LINE, KILL_WORD = "\x03", "\x1a", "\x1c", 
 END = END_OF_FILE
 MOST_TYPED_AHEAD = 4 * 1024 * 1024
 """Characters nobody has read yet from which a terminal only beeps: a kernel keeps 4 kB, but what is pasted is not to be lost."""
+
+READS_IN_A_ROW = 256
+"""Keys or lines a program takes before others have a turn, also those whose time has come."""
 
 _RUN = re.compile(r"[^\x03\x04\b\n\r\x15\x17\x1a\x1c\x7f]+|.", re.DOTALL)
 """What is typed in one go: text that only has to be kept, or one character that does something."""
@@ -156,6 +159,10 @@ class Discipline:
         """The next key, None if there is none."""
         return self._ready.take_key()
 
+    def take_plain(self) -> str:
+        """The characters that come next, as far as they are plain text."""
+        return self._ready.take_plain()
+
     def take_line(self) -> str | None:
         """The next line with its newline ('' for Ctrl-D at its beginning), None if there is none."""
         return self._ready.take_line()
@@ -206,6 +213,7 @@ class TtyInput(InputStream):
         self.is_raw = False
         self.signals = True
         self.receiver: KeyReceiver | None = None
+        self._reads = 0
 
     @property
     def terminal(self) -> Terminal:
@@ -245,6 +253,7 @@ class TtyInput(InputStream):
         self.terminal.send(text)
 
     async def read_key(self) -> str:
+        await self._take_turns()
         while True:
             if self.discipline.front is self:
                 key = self.discipline.take_key()
@@ -255,6 +264,7 @@ class TtyInput(InputStream):
             await self._more()
 
     async def read_line(self) -> str:
+        await self._take_turns()
         while True:
             if self.discipline.front is self:
                 line = self.discipline.take_line()
@@ -263,6 +273,10 @@ class TtyInput(InputStream):
                 if self.discipline.hung_up:
                     return END_OF_INPUT
             await self._more()
+
+    def take_plain(self) -> str:
+        """Return the characters that have been typed behind the last key and are plain text, without waiting for more."""
+        return self.discipline.take_plain() if self.discipline.front is self else ""
 
     async def read_up_to(self, mark: str) -> str:
         """Return what is typed before `mark`, which is taken away, or before the end of the input."""
@@ -285,6 +299,12 @@ class TtyInput(InputStream):
             if discipline.front is self and (discipline._ready or discipline.hung_up):
                 return True
             await self._more()
+
+    async def _take_turns(self) -> None:
+        """Let others have their time in between, when much was typed ahead."""
+        self._reads += 1
+        if self._reads % READS_IN_A_ROW == 0:
+            await sleep_until(self.terminal.desk.clock.steady_ns())
 
     async def _more(self) -> None:
         self.discipline.arrived.clear()

@@ -100,7 +100,9 @@ class LineEditor:
         elif action := _KEYS.get(key):
             action(self)
         elif len(key) == 1 and key >= " ":
-            self._line.insert(key)
+            stdin = self._session.stdin
+            assert isinstance(stdin, TtyInput)
+            self._line.insert(key + stdin.take_plain())
         if not self._done:
             self._draw_if_changed()
 

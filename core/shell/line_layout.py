@@ -75,7 +75,9 @@ def lay_out(text: str, at: int, columns: int, *, indent: int = 0) -> Layout:
         if newline < 0:
             break
         if end > begin and column == 0 and starts[-1] == end:
-            starts[-1] = newline + 1  # the line filled its row: a terminal that has not wrapped yet just goes to the next one
+            starts[-1] = (
+                newline + 1
+            )  # the line filled its row: a terminal that has not wrapped yet just goes to the next one
         else:
             row, column = row + 1, 0
             starts.append(newline + 1)

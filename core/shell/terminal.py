@@ -173,7 +173,13 @@ class Terminal:
     @property
     def idle(self) -> bool:
         """Whether the prompt waits and nothing has been typed after it."""
-        return self.waiting_at_prompt and not self._unhandled and not self._typed and not self.discipline.has_pending and not self.closed
+        return (
+            self.waiting_at_prompt
+            and not self._unhandled
+            and not self._typed
+            and not self.discipline.has_pending
+            and not self.closed
+        )
 
     @property
     def reading_keys(self) -> bool:
