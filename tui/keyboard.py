@@ -28,6 +28,10 @@ SILENCE = 1.0
 """Seconds without a byte after which a paste whose end never came is given on, and a single key is a key again."""
 
 _log = logging.getLogger(__name__)
+_ENDLESS = re.compile(r"\x1b\[[0-?]{32,}")
+"""A control sequence longer than any; Textual would type it."""
+
+_REST_OF_IT = re.compile(r"[0-?]*[ -/]*[@-~]?")
 _HIGH = re.compile(rb"[\x80-\xff]+")
 
 
@@ -109,6 +113,8 @@ class KeyboardParser(XTermParser):
         """The end of what came, while it may be the beginning of a mark."""
         self._fed = 0.0
         """When something came last."""
+        self._in_endless = False
+        """What comes is the rest of a control sequence longer than any."""
 
     def feed(self, data: str) -> Iterable[Message]:
         """Yield the events in `data`. '' is the end of the input."""
@@ -124,18 +130,38 @@ class KeyboardParser(XTermParser):
             mark = BRACKETED_PASTE_START if self._paste is None else BRACKETED_PASTE_END
             before, found, rest = data.partition(mark)
             if not found:
-                before, self._held = _without_beginning_of(mark, before)
+                # Outside a paste a lone escape is more likely a key.
+                before, self._held = _without_beginning_of(mark, before, 2 if self._paste is None else 1)
             if self._paste is not None:
                 self._paste.append(before)
                 if found:
                     yield from self._end_paste()
             else:
+                before = self._without_endless(before)
                 if before:
                     yield from super().feed(before)
                 if found:
                     yield from self._finish_key()
                     self._paste = []
             data = rest
+
+    def _without_endless(self, text: str) -> str:
+        kept = []
+        while text:
+            if self._in_endless:
+                rest = _REST_OF_IT.match(text)
+                end = rest.end() if rest else 0
+                self._in_endless = end == len(text) and not "@" <= text[-1] <= "~"
+                text = text[end:]
+                continue
+            begin = _ENDLESS.search(text)
+            if begin is None:
+                kept.append(text)
+                break
+            kept.append(text[: begin.start()])
+            text = text[begin.end() :]
+            self._in_endless = True
+        return "".join(kept)
 
     def tick(self) -> Iterable[Message]:
         """Yield what is decided by nothing having come for a while."""
@@ -179,9 +205,9 @@ class KeyboardParser(XTermParser):
             return []
 
 
-def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:
-    """Divide `text` before what may be the beginning of `mark` at its end; a lone escape is more likely a key."""
-    for size in range(min(len(mark) - 1, len(text)), 1, -1):
+def _without_beginning_of(mark: str, text: str, shortest: int) -> tuple[str, str]:
+    """Divide `text` before what may be the beginning of `mark` at its end, if that is no shorter than `shortest`."""
+    for size in range(min(len(mark) - 1, len(text)), shortest - 1, -1):
         if text.endswith(mark[:size]):
             return text[:-size], mark[:size]
     return text, ""

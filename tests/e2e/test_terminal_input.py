@@ -55,7 +55,7 @@ def test_whatever_a_terminal_sends_the_desktop_stays(place: Place) -> None:
             desk.send_bytes(data)
             desk.look(0.3)
             assert desk.status is None, name
-            desk.line("")
+            desk.press("Ctrl-C")
         survives(desk)
         leave(desk)
         assert before[3] != desk.attributes()[3]  # echo and line editing are the terminal's again
