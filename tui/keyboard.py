@@ -130,8 +130,7 @@ class KeyboardParser(XTermParser):
             mark = BRACKETED_PASTE_START if self._paste is None else BRACKETED_PASTE_END
             before, found, rest = data.partition(mark)
             if not found:
-                # Outside a paste a lone escape is more likely a key.
-                before, self._held = _without_beginning_of(mark, before, 2 if self._paste is None else 1)
+                before, self._held = _without_beginning_of(mark, before)
             if self._paste is not None:
                 self._paste.append(before)
                 if found:
@@ -205,9 +204,9 @@ class KeyboardParser(XTermParser):
             return []
 
 
-def _without_beginning_of(mark: str, text: str, shortest: int) -> tuple[str, str]:
-    """Divide `text` before what may be the beginning of `mark` at its end, if that is no shorter than `shortest`."""
-    for size in range(min(len(mark) - 1, len(text)), shortest - 1, -1):
+def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:
+    """Divide `text` before what may be the beginning of `mark` at its end."""
+    for size in range(min(len(mark) - 1, len(text)), 0, -1):
         if text.endswith(mark[:size]):
             return text[:-size], mark[:size]
     return text, ""

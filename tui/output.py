@@ -14,7 +14,6 @@ from typing import IO
 
 from textual.drivers._writer_thread import WriterThread
 
-
 _log = logging.getLogger(__name__)
 
 HELD = 8192
