@@ -25,6 +25,7 @@ from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_tui.core.session.task import Signal, TaskCancelled, wait_for
+from day6_tui.core.shell.feeder import Feeder
 from day6_tui.core.shell.memory import memory_limit
 from day6_tui.core.shell.pty_keys import PtyKeys
 
@@ -363,20 +364,18 @@ def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> No
     """Start the task that copies the session's input into the process."""
     if popen is None or popen.stdin is None:
         return
-    stdin = popen.stdin
+    feeder = Feeder(popen.stdin)
 
     async def feed() -> None:
         try:
-            while line := await session.stdin.read_line():
-                stdin.write(line.encode("utf-8", "surrogateescape"))
-                stdin.flush()
-        except (BrokenPipeError, ValueError):
-            return
+            while not feeder.broken and (line := await session.stdin.read_line()):
+                feeder.put(line.encode("utf-8", "surrogateescape"))
+                while feeder.is_full:
+                    feeder.has_room.clear()
+                    if feeder.is_full:
+                        await wait_for(feeder.has_room)
         finally:
-            try:
-                stdin.close()
-            except OSError:
-                popen.stdin = None  # it ended without reading the rest
+            feeder.put(b"")
 
     session.spawn(feed())
 

@@ -103,3 +103,29 @@ def test_keys_nobody_read_are_the_shells_also_when_they_were_many(seat: Any) -> 
         seat.desk.scheduler.run(lambda: False, 0.05)
         seat.look()
     assert out.read_text().split() == [f"{number:04}" for number in range(1000)]
+
+
+def test_a_pipe_into_a_program_that_does_not_read_stops_nobody(seat: Any) -> None:
+    home = seat.desk.home
+    (home / "big.txt").write_text("a line of a file\n" * 60_000)
+    (home / "sleeper.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(60)\n")
+    seat.terminal.send("cat big.txt | python3 sleeper.py\r")
+    within(20, seat.desk.scheduler.advance)
+    seat.wait(lambda text: "ready" in text)
+    other = type(seat)(seat.desk)
+    assert "42" in other.line("echo $((6*7))").split("\n")
+    seat.terminal.send("\x03")
+    seat.wait_prompt()
+
+
+def test_a_program_behind_a_pipe_gets_everything_and_one_that_stops_early_breaks_it(seat: Any) -> None:
+    home = seat.desk.home
+    text = "".join(f"line {number}\n" for number in range(60_000))
+    (home / "big.txt").write_text(text)
+    (home / "copy.py").write_text("import sys, time\ntime.sleep(0.3)\nopen('copy.txt', 'w').write(sys.stdin.read())\n")
+    (home / "first.py").write_text("import sys\nprint('first:', sys.stdin.readline(), end='')\n")
+    seat.line("cat big.txt | python3 copy.py")
+    seat.wait_prompt()
+    assert (home / "copy.txt").read_text() == text
+    seat.line("cat big.txt | python3 first.py")
+    assert "first: line 0" in seat.wait_prompt()
