@@ -62,7 +62,7 @@ def leave(app: App[Any], error: Exception) -> None:
     """End the application as Textual does after an error of its own, with a line in place of a traceback."""
     _log.error("the application failed", exc_info=error)
     app._return_code = 1
-    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))  # type: ignore[arg-type]
+    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
     app._close_messages_no_wait()
 
 

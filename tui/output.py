@@ -26,6 +26,7 @@ class Leaky:
     def __init__(self, file: IO[str]) -> None:
         self._file = file
         self._fd = _descriptor(file)
+        self._encoding: str = getattr(file, "encoding", None) or "utf-8"
         self._held = bytearray()
         self.gone = False
         """Whether the terminal takes nothing any more."""
@@ -35,7 +36,7 @@ class Leaky:
             if self._fd is None:
                 self._file.write(text)
             elif not self.gone:
-                self._held += text.encode(self._file.encoding or "utf-8", "replace")
+                self._held += text.encode(self._encoding, "replace")
                 if len(self._held) > HELD:
                     self.flush()
         except (OSError, ValueError):  # hung up, or the file was closed
