@@ -112,3 +112,11 @@ def test_the_window_of_a_program_survives_bad_bytes_too(place: Place) -> None:
         window.press("q")
         assert window.wait_end() == 0
         assert b"Traceback" not in window.output
+
+
+def test_a_program_whose_windows_terminal_hangs_up_ends(place: Place) -> None:
+    with place.terminal("ros2", "run", "turtlesim", "turtlesim_node", columns=100) as window:
+        window.wait("F1")
+        window.hang_up()
+        until(lambda: window._reap() or window.status is not None)
+        until(lambda: not place.processes())
