@@ -61,7 +61,8 @@ def _install() -> None:
     sys.addaudithook(_audit)
     _guard(os, "read", _waits_for_file)
     _guard(os, "write", _waits_for_file)
-    _guard(os, "waitpid", lambda pid, options: not options & os.WNOHANG if os.name == "posix" else True)
+    if sys.platform != "win32":
+        _guard(os, "waitpid", lambda pid, options: not options & os.WNOHANG)
     _guard(select, "select", lambda r, w, x, timeout=None: timeout is None or timeout > 0)
     _guard(threading.Condition, "wait", lambda condition, timeout=None: timeout is None or timeout > 0)
     _guard(threading.Thread, "join", lambda thread, timeout=None: thread.is_alive() and timeout != 0)
@@ -85,10 +86,12 @@ def _guard(place: Any, name: str, waits: Callable[..., bool]) -> None:
 
 def _waits_for_file(fd: int, *_: object) -> bool:
     """Whether reading and writing may wait for somebody: a pipe, a socket or a terminal that was not told otherwise."""
+    if sys.platform == "win32":
+        return False
     try:
         mode = os.fstat(fd).st_mode
         waits = stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode) or os.isatty(fd)
-        return waits and os.name == "posix" and os.get_blocking(fd)
+        return waits and os.get_blocking(fd)
     except OSError:
         return False
 

@@ -24,7 +24,8 @@ class PtyKeys:
     """Writes to the master side of a pty, which it makes one that never blocks. `close` before the pty is closed."""
 
     def __init__(self, master: int, slave: int) -> None:
-        os.set_blocking(master, False)
+        if sys.platform != "win32":
+            os.set_blocking(master, False)
         self._master = master
         self._slave = slave
         self._lock = threading.Lock()
