@@ -8,7 +8,10 @@ import shutil
 import sys
 import tempfile
 import types
+from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -22,6 +25,9 @@ OWN_FOLDERS = [tempfile.mkdtemp(prefix=f"day6-{what}-") for what in ("tests", "l
 os.environ["DAY6_RUNTIME_DIR"] = OWN_FOLDERS[0]
 os.environ["DAY6_LINK"] = "off"
 os.environ.pop("ROS_DOMAIN_ID", None)
+# Where programs are told that one of them makes all the others wait (core/session/watch.py); it is a failure of the test.
+WAITS = Path(OWN_FOLDERS[0]) / "waits.txt"
+os.environ["DAY6_WATCH"] = str(WAITS)
 # What a test logs does not belong below this developer's ~/.ros.
 os.environ["ROS_LOG_DIR"] = OWN_FOLDERS[1]
 os.environ["XDG_DATA_HOME"] = OWN_FOLDERS[2]
@@ -29,6 +35,15 @@ os.environ["XDG_DATA_HOME"] = OWN_FOLDERS[2]
 from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
+
+
+@pytest.fixture(autouse=True)
+def nothing_waits_on_the_schedulers_thread() -> Iterator[None]:
+    """Fail where a call that may block was made on the thread that runs all programs, here or in a desktop of the test."""
+    WAITS.unlink(missing_ok=True)
+    yield
+    if WAITS.exists():
+        pytest.fail(WAITS.read_text(encoding="utf-8"), pytrace=False)
 
 
 def pytest_unconfigure() -> None:

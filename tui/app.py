@@ -25,6 +25,7 @@ lean.import_asyncio()
 from textual import events
 from textual.app import App, ComposeResult
 from textual.binding import Binding
+from textual.driver import Driver
 from textual.screen import Screen
 
 from day6_tui.core.session.harmless import one_line
@@ -37,6 +38,7 @@ from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.doors import door_words
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
+from day6_tui.tui.keyboard import BadInput, leave, sturdy
 from day6_tui.tui.locale import Texts, detect
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
@@ -60,6 +62,9 @@ LINK_SECONDS = 0.4
 
 BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}
 """Kind of a window -> what the top bar calls the desk while there is one."""
+
+HINT_SECONDS = 15.0
+"""For what is said only once."""
 
 ARROWS = ("up", "down", "left", "right")
 
@@ -127,6 +132,9 @@ class Day6App(AppActions, App[None]):
         self.notice = ""
         self._notice_until = 0.0
 
+    def get_driver_class(self) -> type[Driver]:
+        return sturdy(super().get_driver_class())
+
     def get_default_screen(self) -> Screen[Any]:
         return DeskScreen(id="_default")
 
@@ -185,6 +193,16 @@ class Day6App(AppActions, App[None]):
                     loop.add_signal_handler(number, self.end_by_signal)
                 except (NotImplementedError, RuntimeError, ValueError):
                     return  # Windows, or not the main thread (tests): the default stays
+
+    def _handle_exception(self, error: Exception) -> None:
+        if self.is_headless:
+            super()._handle_exception(error)
+        else:
+            leave(self, error)
+
+    def on_bad_input(self, event: BadInput) -> None:
+        """The terminal has another code than the desktop: what is typed in it cannot be read."""
+        self.say(self.look.texts(event.key), HINT_SECONDS)
 
     def on_cursor_position(self, event: events.CursorPosition) -> None:
         """xterm and its kin send for Shift+F3 what also reports a cursor at 1;2, and Textual takes it for that."""

@@ -7,9 +7,17 @@ behind, with all its programs.
 
 from __future__ import annotations
 
-from typing import IO, Any
+import logging
+import os
+import select
+from typing import IO
 
 from textual.drivers._writer_thread import WriterThread
+
+_log = logging.getLogger(__name__)
+
+HELD = 8192
+"""Bytes that may wait for `flush`."""
 
 
 class Leaky:
@@ -17,25 +25,55 @@ class Leaky:
 
     def __init__(self, file: IO[str]) -> None:
         self._file = file
-        self._gone = False
+        self._fd = _descriptor(file)
+        self._encoding: str = getattr(file, "encoding", None) or "utf-8"
+        self._held = bytearray()
+        self.gone = False
+        """Whether the terminal takes nothing any more."""
 
     def write(self, text: str) -> int:
-        self._try(self._file.write, text)
+        try:
+            if self._fd is None:
+                self._file.write(text.encode(self._encoding, "replace").decode(self._encoding))
+            elif not self.gone:
+                self._held += text.encode(self._encoding, "replace")
+                if len(self._held) > HELD:
+                    self.flush()
+        except (OSError, ValueError):  # hung up, or the file was closed
+            self.gone = True
         return len(text)
 
     def flush(self) -> None:
-        self._try(self._file.flush)
+        try:
+            if self.gone:
+                return
+            if self._fd is None:
+                self._file.flush()
+                return
+            held, self._held = bytes(self._held), bytearray()
+            _write_all(self._fd, held)
+        except (OSError, ValueError):
+            self.gone = True
 
-    def _try(self, function: Any, *arguments: str) -> None:
-        if not self._gone:
-            try:
-                function(*arguments)
-            except UnicodeEncodeError:
-                # A character that the terminal's encoding lacks costs this character, not the screen.
-                encoding = getattr(self._file, "encoding", None) or "ascii"
-                function(*(text.encode(encoding, "replace").decode(encoding) for text in arguments))
-            except (OSError, ValueError):  # hung up, or the file was closed
-                self._gone = True
+
+def _descriptor(file: IO[str]) -> int | None:
+    """The file's number where a terminal takes bytes."""
+    if os.name != "posix":
+        return None
+    try:
+        return file.fileno()
+    except (OSError, ValueError, AttributeError):
+        return None
+
+
+def _write_all(fd: int, data: bytes) -> None:
+    """Write, also to a terminal that another program has told not to wait (Python's own files lose text then)."""
+    rest = memoryview(data)
+    while rest:
+        try:
+            rest = rest[os.write(fd, rest) :]
+        except BlockingIOError:
+            select.select([], [fd], [], 1.0)
 
 
 def install() -> None:
@@ -48,5 +86,12 @@ _original_run = WriterThread.run
 
 
 def _run(self: WriterThread) -> None:
-    self._file = Leaky(self._file)  # type: ignore[assignment]
-    _original_run(self)
+    file = Leaky(self._file)
+    self._file = file  # type: ignore[assignment]
+    while True:
+        try:
+            _original_run(self)
+            return
+        except Exception:
+            _log.exception("writing to the terminal failed")
+            file.gone = True

@@ -26,6 +26,7 @@ from textual import events
 from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.containers import Container
+from textual.driver import Driver
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.screen import Screen
@@ -33,12 +34,13 @@ from textual.widget import Widget
 
 from day6_tui.core.session.local import Foreground
 from day6_tui.tui import chops, output
-from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
+from day6_tui.tui.app import DEFAULT_FPS, HINT_SECONDS, DeskScreen, keep_log_off_the_screen, make_look
 from day6_tui.tui.arrangement import Place
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
+from day6_tui.tui.keyboard import BadInput, leave, sturdy
 from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay, page_of
 from day6_tui.tui.pane import Pane, Piece
@@ -50,6 +52,9 @@ _log = logging.getLogger(__name__)
 
 _STAMP = re.compile(r"(?<=^\[[A-Z]{4}\] )\[[0-9.]+\] |(?<=^\[[A-Z]{5}\] )\[[0-9.]+\] ")
 """The time in a line of the log: the log has it, the lower bar has no room."""
+
+GRACE = 2.0
+"""Seconds a program has to end by itself when its terminal is gone."""
 
 KEYS = (("q ^C", "end"), ("F1", "help"), ("F5", "log"))
 """What the lower bar shows: the key, and the part of `single.<part>` and `do_<part>`."""
@@ -210,6 +215,10 @@ class WindowApp(App[None]):
         self.bottom = Bar(look, self.bottom_pieces, name="bottom")
         self._version = -1
         self._presses = 0
+        self._hint, self._hint_until = "", 0.0
+
+    def get_driver_class(self) -> type[Driver]:
+        return sturdy(super().get_driver_class())
 
     def get_default_screen(self) -> Screen[Any]:
         return DeskScreen(id="_default")
@@ -238,6 +247,14 @@ class WindowApp(App[None]):
             self.exit()
         else:
             self.frames.wake()
+
+    def _handle_exception(self, error: Exception) -> None:
+        leave(self, error)
+
+    def on_bad_input(self, event: BadInput) -> None:
+        """The terminal has another code than this program: what is typed in it cannot be read."""
+        self._hint, self._hint_until = self.look.texts(event.key), time.monotonic() + HINT_SECONDS
+        self.frames.wake()
 
     def _resumed(self, app: App[Any]) -> None:
         """`fg`: the shell has written over everything."""
@@ -291,6 +308,8 @@ class WindowApp(App[None]):
         width = self.bottom.extent.width
         right = key_pieces(look, keys, width // 2)
         room = max(0, width - 1 - sum(cell_len(piece.text) for piece in right))
+        if time.monotonic() < self._hint_until:
+            return [Piece(f" {clip(self._hint, room - 1, look.glyphs.ellipsis)} ", look.colours.hint)], right
         line = _STAMP.sub("", "".join(char if char.isprintable() else " " for char in self.foreground.backlog.last))
         return [Piece(f" {clip(line, room - 1, look.glyphs.ellipsis)}", look.colours.bar)], right
 
@@ -378,4 +397,16 @@ def show(foreground: Foreground) -> None:
     """Draw the program's windows on this terminal until they are gone (`core.session.local.Show`)."""
     keep_log_off_the_screen()
     look = make_look(SimpleNamespace(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
-    WindowApp(foreground, look).run()
+    app = WindowApp(foreground, look)
+    app.run()
+    if app.return_code and not foreground.over:
+        _end_without_screen(foreground)
+
+
+def _end_without_screen(foreground: Foreground) -> None:
+    """The terminal is gone or cannot be drawn on: end the program in order, and then without asking."""
+    for end in (foreground.program.terminate, foreground.program.kill):
+        foreground.scheduler.call_soon_threadsafe(end)
+        given_up = time.monotonic() + GRACE
+        while not foreground.over and time.monotonic() < given_up:
+            time.sleep(0.02)

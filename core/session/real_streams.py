@@ -15,9 +15,9 @@ from typing import TextIO, TypeVar
 
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.harmless import TerminalText, guarded
-from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, wait_for
+from day6_tui.core.session.typed_text import TypedText
 
 T = TypeVar("T")
 
@@ -133,7 +133,9 @@ class RealInput(InputStream):
     def __init__(self) -> None:
         self._waiting: deque[str] = deque()
         """Decoded text not yet returned; '' marks the end."""
-        self._rest = ""
+        self._rest = TypedText()
+        self._line: list[str] = []
+        """The parts of a line whose end has not come."""
         self._arrived = Signal()
         self._thread: threading.Thread | None = None
         self._saved: list[object] | None = None
@@ -149,23 +151,18 @@ class RealInput(InputStream):
             return None
 
     async def read_key(self) -> str:
-        while True:
-            keys = split_keys(self._rest)
-            if keys:
-                self._rest = self._rest[len(keys[0]) :]
-                return keys[0]
+        while (key := self._rest.take_key()) is None:
             if not await self._more():
                 return END_OF_INPUT
+        return key
 
     async def read_line(self) -> str:
         while True:
-            line, newline, rest = self._rest.partition("\n")
-            if newline:
-                self._rest = rest
-                return line + newline
-            if not await self._more():
-                line, self._rest = self._rest, ""
-                return line
+            line, ended = self._rest.take_up_to("\n")
+            self._line.append(line)
+            if ended or not await self._more():
+                parts, self._line = self._line, []
+                return "".join(parts) + "\n" * ended
 
     async def _more(self) -> bool:
         """Wait for more text; False at the end of the input."""
@@ -178,7 +175,7 @@ class RealInput(InputStream):
                 await wait_for(self._arrived)
         if not self._waiting[0]:
             return False
-        self._rest += self._waiting.popleft()
+        self._rest.add(self._waiting.popleft())
         return True
 
     def _read(self) -> None:

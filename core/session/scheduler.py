@@ -116,6 +116,7 @@ class Scheduler:
     def advance(self, seconds: float = 0.0) -> None:
         """For tests and a stepped world: move the target on and run everything due until then, on the caller's thread."""
         previous, self._thread_id = self._thread_id, threading.get_ident()
+        end = _watched()
         try:
             while self._turn(wait=False, longest=math.inf):
                 pass  # what came before this moment runs before time moves
@@ -124,12 +125,15 @@ class Scheduler:
                 while self._turn(wait=False, longest=math.inf):
                     pass
         finally:
+            end()
             self._thread_id = previous
 
     def _thread_main(self) -> None:
         self._thread_id = threading.get_ident()
+        end = _watched()
         while not self._stopping:
             self._turn(wait=True, longest=math.inf)
+        end()
         self._thread_id = None
 
     def _turn(self, *, wait: bool, longest: float) -> bool:
@@ -322,3 +326,12 @@ class Scheduler:
         if task._held_wake is not None:
             self._ready.append((task, task._ticket, task._held_wake))
             task._held_wake = None
+
+
+def _watched() -> Callable[[], None]:
+    """In tests and for debugging: let `core.session.watch` look whether this thread waits until the returned call."""
+    if "DAY6_WATCH" not in os.environ:
+        return lambda: None
+    from day6_tui.core.session import watch
+
+    return watch.end if watch.begin() else lambda: None

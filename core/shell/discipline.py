@@ -7,19 +7,28 @@ whoever reads next, while the mode belongs to the reader in the foreground and c
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from day6_tui.core.session.keys import split_keys
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, KeyReceiver, OutputStream
-from day6_tui.core.session.task import Signal, wait_for
+from day6_tui.core.session.task import Signal, sleep_until, wait_for
+from day6_tui.core.session.typed_text import END_OF_FILE, TypedText
 from day6_tui.core.shell.width import char_width
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
-INTERRUPT, END, SUSPEND, QUIT, ERASE, KILL_LINE, KILL_WORD = "\x03", "\x04", "\x1a", "\x1c", "\x7f", "\x15", "\x17"
-MOST_TYPED_AHEAD = 64 * 1024
+INTERRUPT, SUSPEND, QUIT, ERASE, KILL_LINE, KILL_WORD = "\x03", "\x1a", "\x1c", "\x7f", "\x15", "\x17"
+END = END_OF_FILE
+MOST_TYPED_AHEAD = 4 * 1024 * 1024
+"""Characters nobody has read yet from which a terminal only beeps: a kernel keeps 4 kB, but what is pasted is not to be lost."""
+
+READS_IN_A_ROW = 256
+"""Keys or lines a program takes before others have a turn, also those whose time has come."""
+
+_RUN = re.compile(r"[^\x03\x04\b\n\r\x15\x17\x1a\x1c\x7f]+|.", re.DOTALL)
+"""What is typed in one go: text that only has to be kept, or one character that does something."""
 
 
 class Discipline:
@@ -34,7 +43,7 @@ class Discipline:
         self.hung_up = False
         self.sized = Signal()
         """Set when the window has another size; the line editor clears it."""
-        self._ready = ""
+        self._ready = TypedText()
         self._line = ""
         """The unfinished line in cooked mode."""
         self.interrupts = 0
@@ -65,8 +74,8 @@ class Discipline:
         if front.receiver is not None:
             self._to_process(front.receiver, text)
             return
-        for key in split_keys(text):
-            self._key(key)
+        for run in _RUN.findall(text):
+            self._run(run)
 
     def _to_process(self, receiver: KeyReceiver, text: str) -> None:
         before, suspend, rest = text.partition(SUSPEND)
@@ -83,12 +92,13 @@ class Discipline:
         else:
             receiver.keys(text)
 
-    def _key(self, key: str) -> None:
+    def _run(self, key: str) -> None:
         front = self.front
         raw = front.is_raw
         if front.signals:
             if key in (INTERRUPT, QUIT):
-                self._ready = self._line = ""
+                self._ready.take_all()
+                self._line = ""
                 if not raw:
                     self.terminal.write("^C" if key == INTERRUPT else "^\\")
                 if key == INTERRUPT:
@@ -105,7 +115,7 @@ class Discipline:
         if len(self._ready) + len(self._line) > MOST_TYPED_AHEAD:
             self.terminal.write("\a")
         elif raw:
-            self._ready += key
+            self._ready.add(key)
             self.arrived.set()
         else:
             self._cooked(key)
@@ -131,10 +141,10 @@ class Discipline:
             self._line = left
         else:
             self._line += key
-            write("".join(map(_echo, key)))
+            write(key if key.isprintable() else "".join(map(_echo, key)))
 
     def _finish_line(self, end: str) -> None:
-        self._ready += self._line + end
+        self._ready.add(self._line + end)
         self._line = ""
         self.arrived.set()
 
@@ -147,33 +157,28 @@ class Discipline:
 
     def take_key(self) -> str | None:
         """The next key, None if there is none."""
-        if not self._ready:
-            return None
-        key = split_keys(self._ready)[0]
-        self._ready = self._ready[len(key) :]
-        return key
+        return self._ready.take_key()
+
+    def take_plain(self) -> str:
+        """The characters that come next, as far as they are plain text."""
+        return self._ready.take_plain()
 
     def take_line(self) -> str | None:
         """The next line with its newline ('' for Ctrl-D at its beginning), None if there is none."""
-        for index, char in enumerate(self._ready):
-            if char in "\r\n":
-                line, self._ready = self._ready[:index], self._ready[index + 1 :]
-                return line + "\n"
-            if char == END:
-                line, self._ready = self._ready[:index], self._ready[index + 1 :]
-                return line
-        return None
+        return self._ready.take_line()
+
+    def take_up_to(self, mark: str) -> tuple[str, bool]:
+        """What was typed before `mark`, as far as it is there, and whether the mark is (it is taken away then)."""
+        return self._ready.take_up_to(mark)
 
     def become_raw(self) -> None:
         """What stands in the unfinished line can be read key by key now."""
-        self._ready += self._line
+        self._ready.add(self._line)
         self._line = ""
 
     def become_cooked(self) -> None:
         """Keys nobody read in raw mode are typed ahead for the next reader; the last, unfinished line can still be edited."""
-        cut = max(self._ready.rfind(char) for char in ("\n", "\r", END)) + 1
-        self._line = self._ready[cut:] + self._line
-        self._ready = self._ready[:cut]
+        self._line = self._ready.take_unfinished() + self._line
 
     def hang_up(self) -> None:
         self.hung_up = True
@@ -183,7 +188,7 @@ class Discipline:
 
     def add_receiver(self, receiver: KeyReceiver) -> None:
         self._receivers.add(receiver)
-        typed, self._ready, self._line = self._ready + self._line, "", ""
+        typed, self._line = self._ready.take_all() + self._line, ""
         if typed:
             receiver.keys(typed)
 
@@ -208,6 +213,7 @@ class TtyInput(InputStream):
         self.is_raw = False
         self.signals = True
         self.receiver: KeyReceiver | None = None
+        self._reads = 0
 
     @property
     def terminal(self) -> Terminal:
@@ -247,6 +253,7 @@ class TtyInput(InputStream):
         self.terminal.send(text)
 
     async def read_key(self) -> str:
+        await self._take_turns()
         while True:
             if self.discipline.front is self:
                 key = self.discipline.take_key()
@@ -257,6 +264,7 @@ class TtyInput(InputStream):
             await self._more()
 
     async def read_line(self) -> str:
+        await self._take_turns()
         while True:
             if self.discipline.front is self:
                 line = self.discipline.take_line()
@@ -264,6 +272,21 @@ class TtyInput(InputStream):
                     return line
                 if self.discipline.hung_up:
                     return END_OF_INPUT
+            await self._more()
+
+    def take_plain(self) -> str:
+        """Return the characters that have been typed behind the last key and are plain text, without waiting for more."""
+        return self.discipline.take_plain() if self.discipline.front is self else ""
+
+    async def read_up_to(self, mark: str) -> str:
+        """Return what is typed before `mark`, which is taken away, or before the end of the input."""
+        parts = []
+        while True:
+            if self.discipline.front is self:
+                text, found = self.discipline.take_up_to(mark)
+                parts.append(text)
+                if found or self.discipline.hung_up:
+                    return "".join(parts)
             await self._more()
 
     async def wait_for_resize_or_key(self) -> bool:
@@ -276,6 +299,12 @@ class TtyInput(InputStream):
             if discipline.front is self and (discipline._ready or discipline.hung_up):
                 return True
             await self._more()
+
+    async def _take_turns(self) -> None:
+        """Let others have their time in between, when much was typed ahead."""
+        self._reads += 1
+        if self._reads % READS_IN_A_ROW == 0:
+            await sleep_until(self.terminal.desk.clock.steady_ns())
 
     async def _more(self) -> None:
         self.discipline.arrived.clear()

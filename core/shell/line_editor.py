@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.discipline import TtyInput
 from day6_tui.core.shell.edit_line import KEYS, EditLine
-from day6_tui.core.shell.width import char_width, text_width
+from day6_tui.core.shell.line_layout import lay_out, near, shown
+from day6_tui.core.shell.width import text_width
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.completion import Completer
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 _COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|\x07")
 """What takes no room in a prompt: colours and the window's title."""
 PASTE_ON, PASTE_OFF = "\x1b[?2004h", "\x1b[?2004l"
+_PASTE_BEGIN, _PASTE_END = "\x1b[200~", "\x1b[201~"
 MANY = 100
 """From this many completions bash asks before it lists them."""
 
@@ -45,7 +47,9 @@ class LineEditor:
         self._edited: dict[int, str] = {}
         """Lines changed while browsing, by index."""
         self._cursor_row = 0
-        """Row of the cursor, counted from the row the prompt begins in."""
+        """Row of the cursor, counted from the row the prompt begins in, or from the first one that is drawn."""
+        self._column = 0
+        """Column of the cursor."""
         self._tabs = 0
         self._done = False
         self._own_version = 0
@@ -89,14 +93,16 @@ class LineEditor:
             await self._complete()
         elif key == "\x12":
             await self._search()
-        elif key == "\x1b[200~":
+        elif key == _PASTE_BEGIN:
             await self._paste()
         elif change := KEYS.get(key):
             change(self._line)
         elif action := _KEYS.get(key):
             action(self)
         elif len(key) == 1 and key >= " ":
-            self._line.insert(key)
+            stdin = self._session.stdin
+            assert isinstance(stdin, TtyInput)
+            self._line.insert(key + stdin.take_plain())
         if not self._done:
             self._draw_if_changed()
 
@@ -141,10 +147,9 @@ class LineEditor:
 
     async def _paste(self) -> None:
         """Take keys as text up to the end mark; a newline inside does not run anything yet."""
-        parts: list[str] = []
-        while (key := await self._session.stdin.read_key()) not in ("", "\x1b[201~"):
-            parts.append(key)
-        text = "".join(parts).replace("\r", "\n")
+        stdin = self._session.stdin
+        assert isinstance(stdin, TtyInput)
+        text = (await stdin.read_up_to(_PASTE_END)).replace("\r", "\n")
         single = "\n" not in text.rstrip("\n")
         self._line.insert(text.rstrip("\n") if single else text)
 
@@ -174,17 +179,17 @@ class LineEditor:
         self._line.at = start + len(text)
 
     def _list(self, choices: list[str]) -> None:
-        shown = [_last_part(choice) for choice in choices]
+        names = [_last_part(choice) for choice in choices]
         columns = self._terminal.columns
-        width = max(map(text_width, shown)) + 2
+        width = max(map(text_width, names)) + 2
         per_row = max(columns // width, 1)
-        rows = -(-len(shown) // per_row)
+        rows = -(-len(names) // per_row)
         lines = []
         for row in range(min(rows, MANY)):
-            cells = shown[row::rows]
+            cells = names[row::rows]
             lines.append("".join(cell + " " * (width - text_width(cell)) for cell in cells).rstrip())
         if rows > MANY:
-            lines.append(f"... {len(shown)} possibilities")
+            lines.append(f"... {len(names)} possibilities")
         end = self._line.at
         self._line.at = len(self._line.text)
         self._draw()
@@ -262,47 +267,48 @@ class LineEditor:
             and before_at == len(before_text)
             and at == len(text)
             and appended.isprintable()
-            and self._column(before_text) + text_width(appended) < self._terminal.columns
+            and self._column + text_width(appended) < self._terminal.columns
         ):
             self._write(appended)
+            self._column += text_width(appended)
             self._drawn = (self._prompt, text, at)
             return
         self._draw()
 
-    def _column(self, text: str) -> int:
-        return self._place(_COLOUR.sub("", self._prompt) + text)[1]
-
-    def _place(self, text: str) -> tuple[int, int]:
-        """(row, column) of the cursor after `text` was printed from column 0."""
-        columns = self._terminal.columns
-        row = column = 0
-        for char in text:
-            if char == "\n":
-                row, column = row + 1, 0
-                continue
-            width = len(_visible(char)) if char < " " else char_width(char)
-            if column + width > columns:
-                row, column = row + 1, 0
-            column += width
-        return (row + 1, 0) if column >= columns else (row, column)
-
     def _draw(self) -> None:
-        """Draw prompt and line again from the row the prompt begins in, and put the cursor where it belongs."""
-        bare = _COLOUR.sub("", self._prompt)
-        shown = "".join(map(_visible, self._line.text))
-        end_row, end_column = self._place(bare + self._line.text)
-        row, column = self._place(bare + self._line.before)
-        parts = []
-        if self._cursor_row:
-            parts.append(f"\x1b[{self._cursor_row}A")
-        parts.append("\r\x1b[J" + self._prompt.replace("\n", "\r\n") + shown.replace("\n", "\r\n"))
-        if end_column == 0 and end_row and not shown.endswith("\n"):
+        """Draw prompt and line again from the row the prompt begins in, and put the cursor where it belongs.
+
+        Of what is higher than the window, the rows down to the cursor's are drawn, as far as they fit.
+        """
+        columns, height = self._terminal.columns, self._terminal.rows
+        start, end = near(self._line.text, self._line.at, height)
+        prompt = self._prompt if start == 0 else ""
+        bare = _COLOUR.sub("", prompt)
+        above = lay_out(bare, len(bare), columns)
+        text = self._line.text[start:end]
+        layout = lay_out(text, self._line.at - start, columns, indent=above.column)
+        rows = above.row + len(layout.starts)
+        row = above.row + layout.row
+        top = max(0, row - height + 1)
+        last = min(rows, top + height) - 1
+        if last < rows - 1:
+            text = text[: layout.starts[last + 1 - above.row]].removesuffix("\n")
+        if top > above.row:
+            text = text[layout.starts[top - above.row] :]
+        elif top:
+            prompt, top = " " * above.column, above.row
+        if top <= above.row:
+            text = prompt.replace("\n", "\r\n") + shown(text).replace("\n", "\r\n")
+        else:
+            text = shown(text).replace("\n", "\r\n")
+        parts = [f"\x1b[{self._cursor_row}A" if self._cursor_row else "", "\r\x1b[J", text]
+        if last == rows - 1 and layout.end_column == 0 and last and not text.endswith("\n"):
             parts.append(" \r")  # make the terminal really wrap
-        if end_row > row:
-            parts.append(f"\x1b[{end_row - row}A")
-        parts.append("\r" + (f"\x1b[{column}C" if column else ""))
+        if last > row:
+            parts.append(f"\x1b[{last - row}A")
+        parts.append("\r" + (f"\x1b[{layout.column}C" if layout.column else ""))
         self._write("".join(parts))
-        self._cursor_row = row
+        self._cursor_row, self._column = row - top, layout.column
         self._drawn = (self._prompt, self._line.text, self._line.at)
 
 
@@ -319,11 +325,6 @@ _KEYS: dict[str, Callable[[LineEditor], None]] = {
     "\x1b<": LineEditor._oldest,
     "\x1b>": LineEditor._newest,
 }
-
-
-def _visible(char: str) -> str:
-    """A character as it is drawn in the line: control characters as ^X, a newline of a pasted text as itself."""
-    return char if char >= " " or char == "\n" else "^" + chr(ord(char) + 64)
 
 
 def _common_start(texts: list[str]) -> str:

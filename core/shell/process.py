@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import codecs
 import io
+import logging
 import os
+import select
 import signal
 import subprocess
 import sys
@@ -23,13 +25,17 @@ from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_tui.core.session.task import Signal, TaskCancelled, wait_for
+from day6_tui.core.shell.feeder import Feeder
 from day6_tui.core.shell.memory import memory_limit
+from day6_tui.core.shell.pty_keys import PtyKeys
 
 LAUNCHER = Path(__file__).with_name("launch_process.py")
 NICE = 10
 READ_SIZE = 65536
 _ENDED_BY_CTRL_C = 0xC000013A
 """The exit status of a program on Windows that Ctrl-C or Ctrl-Break ended (STATUS_CONTROL_C_EXIT)."""
+
+_log = logging.getLogger(__name__)
 
 _running: set[Process] = set()
 _running_lock = threading.Lock()
@@ -83,6 +89,8 @@ class Process:
         self._master: int | None = None
         self._slave: int | None = None
         """Our own end of the program's side, so that what it has not read of the keys outlives it."""
+        self._keys: PtyKeys | None = None
+        """What is typed, on its way to the program."""
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
         self._killed = False
@@ -136,12 +144,11 @@ class Process:
 
     def keys(self, text: str) -> None:
         """What is typed goes to the pty; its line discipline makes the echo and the signals."""
-        with self._master_lock:
-            if self._master is not None:
-                try:
-                    os.write(self._master, text.encode("utf-8", "surrogateescape"))
-                except OSError:
-                    return  # it ended at this moment, or its input is full and it does not read
+        keys = self._keys
+        if keys is not None and not keys.put(text.encode("utf-8", "surrogateescape")):
+            terminal = self.session.stdin.terminal_of()
+            if terminal is not None:
+                terminal.output.write("\a")  # it does not read, and more than a person types waits for it already
 
     def resize(self, columns: int, rows: int) -> None:
         with self._master_lock:
@@ -218,6 +225,7 @@ class Process:
         session = self.session
         master, slave = pty.openpty()
         self._master, self._slave = master, slave
+        self._keys = PtyKeys(master, slave)
         try:
             _set_window_size(master, terminal.columns, terminal.rows)
             for name in ("COLUMNS", "LINES"):
@@ -288,16 +296,20 @@ class Process:
             return ""
         import termios
 
+        unsent = self._keys.close() if self._keys is not None else b""
+        data = b""
         try:
             mode = termios.tcgetattr(slave)
             mode[3] &= ~(termios.ICANON | termios.ECHO)
             mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, 0
             termios.tcsetattr(slave, termios.TCSANOW, mode)
-            data = os.read(slave, READ_SIZE)
-        except (OSError, termios.error):
-            data = b""
+            while part := os.read(slave, READ_SIZE):  # the kernel hands on what it held back, piece by piece
+                data += part
+        except (OSError, termios.error) as error:
+            _log.debug("what was typed ahead could not be read: %s", error)
         finally:
             os.close(slave)
+        data += unsent
         # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
         return data.replace(b"\0", b"").decode("utf-8", "replace").replace("\n", "\r")
 
@@ -323,7 +335,7 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     try:
         while True:
             try:
-                data = os.read(fd, READ_SIZE)
+                data = _read_some(fd)
             except OSError:
                 data = b""  # Linux: the last process left the pty
             text = decoder.decode(data, final=not data)
@@ -339,24 +351,31 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             source.close()
 
 
+def _read_some(fd: int) -> bytes:
+    """Wait for output and return it, b'' at its end. Of a pty our side never blocks by itself (see `PtyKeys`)."""
+    while True:
+        try:
+            return os.read(fd, READ_SIZE)
+        except BlockingIOError:
+            select.select([fd], [], [])
+
+
 def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> None:
     """Start the task that copies the session's input into the process."""
     if popen is None or popen.stdin is None:
         return
-    stdin = popen.stdin
+    feeder = Feeder(popen.stdin)
 
     async def feed() -> None:
         try:
-            while line := await session.stdin.read_line():
-                stdin.write(line.encode("utf-8", "surrogateescape"))
-                stdin.flush()
-        except (BrokenPipeError, ValueError):
-            return
+            while not feeder.broken and (line := await session.stdin.read_line()):
+                feeder.put(line.encode("utf-8", "surrogateescape"))
+                while feeder.is_full:
+                    feeder.has_room.clear()
+                    if feeder.is_full:
+                        await wait_for(feeder.has_room)
         finally:
-            try:
-                stdin.close()
-            except OSError:
-                popen.stdin = None  # it ended without reading the rest
+            feeder.put(b"")
 
     session.spawn(feed())
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import OutputStream
+from day6_tui.core.session.task import sleep_until
 from day6_tui.core.shell.discipline import Discipline
 from day6_tui.core.shell.language.redirection import Streams
 
@@ -31,6 +32,10 @@ CROWDED = 64 * 1024
 """Characters from which copying threads pause until the view has caught up, at most `PAUSE` seconds."""
 
 PAUSE = 0.1
+
+TYPED_AT_ONCE = 16 * 1024
+"""Characters of a long text that are typed in one go."""
+
 _SEQUENCES_AT_END = re.compile(r"(?:\x1b\[[0-?]*[@-~])+\Z")
 
 SLOW_PER_UPDATE = 24 * 1024
@@ -64,7 +69,9 @@ class Terminal:
         self.waiting_at_prompt = False
         """The line editor waits for a key and its line is empty; kept by it."""
         self._unhandled = 0
-        """Calls of `send` that the scheduler has not seen yet."""
+        """Calls of `send` that the scheduler has not handled yet."""
+        self._typed: deque[str] = deque()
+        """The rest of a long text that is being typed, and what came after it."""
         self._screen: Screen | None = None
         self._ring: deque[str] = deque()
         self._size = 0
@@ -166,7 +173,13 @@ class Terminal:
     @property
     def idle(self) -> bool:
         """Whether the prompt waits and nothing has been typed after it."""
-        return self.waiting_at_prompt and not self._unhandled and not self.discipline.has_pending and not self.closed
+        return (
+            self.waiting_at_prompt
+            and not self._unhandled
+            and not self._typed
+            and not self.discipline.has_pending
+            and not self.closed
+        )
 
     @property
     def reading_keys(self) -> bool:
@@ -190,14 +203,26 @@ class Terminal:
         return front.source if front is not None else self.shell.short_cwd
 
     def send(self, text: str) -> None:
-        """Type: `text` is what a real terminal sends for the keys."""
+        """Type: `text` is what a real terminal sends for the keys. A long text leaves other programs their turn in between."""
         self._unhandled += 1
+        self.desk.scheduler.call_soon_threadsafe(lambda: self._type(text))
 
-        def handle() -> None:
-            self._unhandled -= 1
+    def _type(self, text: str) -> None:
+        if self._typed or len(text) > TYPED_AT_ONCE:
+            parts = [text[at : at + TYPED_AT_ONCE] for at in range(0, len(text), TYPED_AT_ONCE)]
+            if not self._typed:
+                self.desk.scheduler.spawn(self._type_on(), "typing")
+            self._typed.extend(parts)
+        else:
             self.discipline.type(text)
+        self._unhandled -= 1
 
-        self.desk.scheduler.call_soon_threadsafe(handle)
+    async def _type_on(self) -> None:
+        while self._typed:
+            self.discipline.type(self._typed[0])
+            self._typed.popleft()
+            # Unlike a place at the end of the queue, a moment that has come lets those run whose time has come too.
+            await sleep_until(self.desk.clock.steady_ns())
 
     def paste(self, text: str) -> None:
         """Insert text from the clipboard: marked as such for programs that asked for it, otherwise as if typed."""

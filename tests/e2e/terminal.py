@@ -72,6 +72,17 @@ class Terminal(Screen):
         for key in keys:
             self.send(KEYS.get(key, key))
 
+    def send_bytes(self, data: bytes) -> None:
+        """Send what no well-behaved terminal would."""
+        while data:
+            data = data[os.write(self._fd, data[:4000]) :]
+            self._take(0.0)
+
+    def hang_up(self) -> None:
+        """Close the terminal window; reading is over."""
+        os.close(self._fd)
+        self._fd = os.open(os.devnull, os.O_RDWR)
+
     def line(self, text: str) -> None:
         """Type a command and Enter."""
         self.send(text + "\r")

@@ -94,6 +94,8 @@ TEXTS = {
     # terminal
     "window.hidden": "{title} is open: {key} shows it",
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
+    "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",
+    "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
     "terminal.hint": "Arrow keys work only in here: click or {key}",
     "terminal.arrows": "Arrow keys drive only in terminal {number}: {key} leads there",
     "terminal.scrolled": "{count} lines further down · any key goes there",

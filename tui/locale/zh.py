@@ -94,6 +94,8 @@ TEXTS = {
     # terminal
     "window.hidden": "{title} 打开了：按 {key} 去看",
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
+    "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",
+    "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
     "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.arrows": "方向键只在终端 {number}（遥控）里有用：按 {key} 切换过去",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",

@@ -7,6 +7,7 @@ import platform
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.threads import in_thread
 
 _RELEASE = Path("/etc/os-release")
 
@@ -23,7 +24,7 @@ async def lsb_release(session: Session) -> int:
     everything = not letters or "a" in letters
     if everything:
         session.print_error("No LSB modules are available.")
-    for letter, name, value in _system():
+    for letter, name, value in await in_thread(_system):  # Python's platform may start uname
         if everything or letter in letters:
             session.print(value if "s" in letters else f"{name}:\t{value}")
     return 0

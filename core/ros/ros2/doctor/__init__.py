@@ -8,6 +8,7 @@ from inspect import currentframe
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.ros.ros2.cli.node import graph_node
+from day6_tui.core.session.threads import in_thread
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -38,6 +39,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> None:
+    if args.report or args.report_failed:
+        await in_thread(_ask_platform)
     async with graph_node(session) as node:
         if args.report:
             for title, (category, _) in REPORTS.items():
@@ -157,6 +160,14 @@ def _report_distribution(session: Session, node: Node) -> Iterator[tuple[str, ob
     if name:
         yield "distribution name", name.lower()
         yield "distribution type", f"ros{session.env.get('ROS_VERSION', '2')}"
+
+
+def _ask_platform() -> None:
+    """Python starts `uname` and `ver` for this, and remembers what they said."""
+    import platform
+
+    platform.platform()
+    platform.processor()
 
 
 def _report_platform(session: Session, node: Node) -> Iterator[tuple[str, object]]:

@@ -1,0 +1,150 @@
+"""A debug check: names the stack where the thread that runs all programs waits for the system, on with DAY6_WATCH=FILE.
+
+Two looks at it, because neither sees everything. Calls that wait by their nature are noticed when they are made, on any machine
+and however short they are. Whatever else stops the thread is noticed by another one: it stands in the same line for a second
+and gets no processor time, though samples were taken all the while (so it is no machine that stands still, nor a loaded one,
+which gives every thread some milliseconds a second).
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import select
+import stat
+import subprocess
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
+
+VARIABLE = "DAY6_WATCH"
+EVERY = 0.1
+SAMPLES = 10
+"""Samples, one every 0.1 s, in which a thread stands still before that is called waiting."""
+
+STILL = 0.005
+"""Seconds of processor time within them below which it does."""
+
+_AUDITED = ("subprocess.Popen", "socket.connect", "socket.getaddrinfo", "os.system")
+_ALLOWED = (("threading.py", "start"),)
+"""File and function that may wait: a thread that is started says so at once."""
+
+_threads: set[int] = set()
+_told: set[str] = set()
+_installed = False
+
+
+def begin() -> bool:
+    """From now on this thread must not wait. Returns False if that held already."""
+    _install()
+    thread = threading.get_ident()
+    if thread in _threads:
+        return False
+    _threads.add(thread)
+    return True
+
+
+def end() -> None:
+    """It may wait again."""
+    _threads.discard(threading.get_ident())
+
+
+def _install() -> None:
+    global _installed
+    if _installed:
+        return
+    _installed = True
+    sys.addaudithook(_audit)
+    _guard(os, "read", _waits_for_file)
+    _guard(os, "write", _waits_for_file)
+    if sys.platform != "win32":
+        _guard(os, "waitpid", lambda pid, options: not options & os.WNOHANG)
+    _guard(select, "select", lambda r, w, x, timeout=None: timeout is None or timeout > 0)
+    _guard(threading.Condition, "wait", lambda condition, timeout=None: timeout is None or timeout > 0)
+    _guard(threading.Thread, "join", lambda thread, timeout=None: thread.is_alive() and timeout != 0)
+    _guard(subprocess.Popen, "wait", lambda popen, timeout=None: popen.returncode is None)
+
+    _guard(time, "sleep", lambda seconds: True)
+    threading.Thread(target=_sample, name="day6-watch", daemon=True).start()
+
+
+def _guard(place: Any, name: str, waits: Callable[..., bool]) -> None:
+    original = getattr(place, name)
+
+    @functools.wraps(original)
+    def guarded(*arguments: Any, **keywords: Any) -> Any:
+        if threading.get_ident() in _threads and waits(*arguments, **keywords):
+            _tell(f"{name}()", sys._getframe(1))
+        return original(*arguments, **keywords)
+
+    setattr(place, name, guarded)
+
+
+def _waits_for_file(fd: int, *_: object) -> bool:
+    """Whether reading and writing may wait for somebody: a pipe, a socket or a terminal that was not told otherwise."""
+    if sys.platform == "win32":
+        return False
+    try:
+        mode = os.fstat(fd).st_mode
+        waits = stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode) or os.isatty(fd)
+        return waits and os.get_blocking(fd)
+    except OSError:
+        return False
+
+
+def _audit(event: str, arguments: tuple[Any, ...]) -> None:
+    if threading.get_ident() not in _threads:
+        return
+    if event in _AUDITED:
+        _tell(event, sys._getframe(1))
+    elif event == "open" and isinstance(arguments[0], (str, bytes)):
+        try:
+            mode = os.stat(arguments[0]).st_mode
+        except (OSError, ValueError):
+            return
+        if stat.S_ISFIFO(mode):
+            _tell(f"opening the pipe {arguments[0]!r}", sys._getframe(1))
+
+
+def _sample() -> None:
+    """Watch from outside, where the system tells the processor time of a thread."""
+    if sys.platform == "win32" or not hasattr(time, "pthread_getcpuclockid"):
+        return
+    standing: dict[int, tuple[object, float, int]] = {}
+    while True:
+        time.sleep(EVERY)
+        frames = sys._current_frames()
+        for thread in list(_threads):
+            frame = frames.get(thread)
+            if frame is None or frame.f_code.co_name == "_turn":  # in its inbox it waits for work
+                standing.pop(thread, None)
+                continue
+            place = (id(frame), frame.f_lasti)
+            used = time.clock_gettime(time.pthread_getcpuclockid(thread))
+            before = standing.get(thread)
+            if before is None or before[0] != place or used - before[1] > STILL:
+                standing[thread] = (place, used, 1)
+            elif before[2] == SAMPLES:
+                _tell(f"a wait of more than {EVERY * SAMPLES:g} s", frame)
+                standing[thread] = (place, used, 0)
+            else:
+                standing[thread] = (place, before[1], before[2] + 1)
+
+
+def _tell(what: str, frame: FrameType | None) -> None:
+    lines = traceback.format_stack(frame)
+    here = frame
+    while here is not None:
+        if (os.path.basename(here.f_code.co_filename), here.f_code.co_name) in _ALLOWED:
+            return
+        here = here.f_back
+    text = f"the scheduler's thread waits: {what}\n{''.join(lines[-12:])}\n"
+    if text in _told:
+        return
+    _told.add(text)
+    with open(os.environ[VARIABLE], "a", encoding="utf-8") as file:
+        file.write(text)

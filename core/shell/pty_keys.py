@@ -1,0 +1,105 @@
+"""Keys on their way to a process: what its pty does not take waits here, and nobody waits for it.
+
+A kernel keeps about 20 kB of what a program does not read, and then lets the writer of the pty wait. A terminal window holds
+the rest back and goes on with everything else; this does the same.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import sys
+import threading
+
+MOST_WAITING = 4 * 1024 * 1024
+"""Bytes that may wait here; more is refused."""
+
+LOOK_AGAIN = 0.25
+"""Seconds after which the thread that waits for room looks whether it is still wanted."""
+
+INTERRUPT, QUIT = b"\x03", b"\x1c"
+
+
+class PtyKeys:
+    """Writes to the master side of a pty, which it makes one that never blocks. `close` before the pty is closed."""
+
+    def __init__(self, master: int, slave: int) -> None:
+        if sys.platform != "win32":
+            os.set_blocking(master, False)
+        self._master = master
+        self._slave = slave
+        self._lock = threading.Lock()
+        self._waiting = bytearray()
+        self._closed = False
+        self._flusher: threading.Thread | None = None
+
+    def put(self, data: bytes) -> bool:
+        """Send keys behind those that wait, without ever blocking; False if there is no room for them."""
+        with self._lock:
+            if self._closed:
+                return True
+            fits = len(self._waiting) + len(data) <= MOST_WAITING
+            signal = max(data.rfind(INTERRUPT), data.rfind(QUIT))
+            if fits:
+                self._waiting += data
+            elif signal >= 0:
+                self._waiting += data[signal:]
+            self._write()
+            if self._waiting and signal >= 0 and self._makes_signals():
+                self._overtake()
+                self._write()
+            if self._waiting and self._flusher is None:
+                self._flusher = threading.Thread(target=self._flush, name="day6-keys", daemon=True)
+                self._flusher.start()
+            return fits
+
+    def close(self) -> bytes:
+        """Send nothing any more; returns what was not sent."""
+        with self._lock:
+            self._closed = True
+            waiting, self._waiting = bytes(self._waiting), bytearray()
+            return waiting
+
+    def _write(self) -> None:
+        try:
+            while self._waiting:
+                del self._waiting[: os.write(self._master, self._waiting[:65536])]
+        except BlockingIOError:
+            return
+        except OSError:
+            self._waiting.clear()  # the program ended at this moment
+
+    def _makes_signals(self) -> bool:
+        """Whether Ctrl-C means SIGINT to the program, rather than being a key it reads itself."""
+        if sys.platform == "win32":
+            return False
+        import termios
+
+        try:
+            return bool(termios.tcgetattr(self._slave)[3] & termios.ISIG)
+        except termios.error:
+            return False
+
+    def _overtake(self) -> None:
+        """Let Ctrl-C through to a program that does not read: as in a kernel, what was typed before it is lost by it."""
+        if sys.platform == "win32":
+            return
+        import termios
+
+        at = max(self._waiting.rfind(INTERRUPT), self._waiting.rfind(QUIT))
+        if at >= 0:
+            termios.tcflush(self._slave, termios.TCIFLUSH)
+            del self._waiting[:at]
+
+    def _flush(self) -> None:
+        """Write on as the program reads, on a thread of its own; it ends when nothing waits any more."""
+        while True:
+            with self._lock:
+                self._write()
+                if self._closed or not self._waiting:
+                    self._flusher = None
+                    return
+            try:
+                select.select([], [self._master], [], LOOK_AGAIN)
+            except (OSError, ValueError):
+                continue  # closed meanwhile, which is seen at once

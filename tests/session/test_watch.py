@@ -1,0 +1,102 @@
+"""The check that nothing waits on the scheduler's thread finds what does, and nothing else."""
+
+from __future__ import annotations
+
+import os
+import queue
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.session import watch
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.scheduler import Scheduler
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes and ptys of Unix")
+
+
+@pytest.fixture
+def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[], object]], str]:
+    """Runs a function on a scheduler's thread; returns what the check says of it."""
+    file = tmp_path / "waits.txt"
+    monkeypatch.setenv(watch.VARIABLE, str(file))
+    watch._told.clear()
+
+    def run(function: Callable[[], object]) -> str:
+        scheduler = Scheduler(WorldClock())
+        scheduler.start()
+        done = threading.Event()
+
+        def call() -> None:
+            function()
+            done.set()
+
+        scheduler.call_soon_threadsafe(call)
+        assert done.wait(20)
+        scheduler.stop()
+        return file.read_text() if file.exists() else ""
+
+    return run
+
+
+@pytest.fixture
+def pipe() -> Iterator[tuple[int, int]]:
+    ends = os.pipe()
+    yield ends
+    for end in ends:
+        os.close(end)
+
+
+def test_a_planted_sleep_is_named(told: Callable[[Callable[[], object]], str]) -> None:
+    def planted() -> None:
+        time.sleep(0.001)
+
+    assert "sleep" in (said := told(planted)) and "in planted" in said
+
+
+def test_a_planted_write_to_a_pipe_is_named(told: Callable[[Callable[[], object]], str], pipe: tuple[int, int]) -> None:
+    assert "write()" in told(lambda: os.write(pipe[1], b"x"))
+
+
+def test_starting_and_waiting_for_a_process_are_named(told: Callable[[Callable[[], object]], str]) -> None:
+    assert "subprocess.Popen" in told(lambda: subprocess.call([sys.executable, "-c", ""]))
+
+
+def test_a_wait_that_no_call_betrays_is_named_from_outside(told: Callable[[Callable[[], object]], str]) -> None:
+    if not hasattr(time, "pthread_getcpuclockid"):
+        pytest.skip("this system does not tell the processor time of a thread")
+    empty: queue.SimpleQueue[None] = queue.SimpleQueue()
+
+    def planted() -> None:
+        try:
+            empty.get(timeout=3)
+        except queue.Empty:
+            return
+
+    assert "a wait of more than 1 s" in (said := told(planted)) and "in planted" in said
+
+
+def test_work_and_writes_that_cannot_wait_are_not_named(
+    told: Callable[[Callable[[], object]], str], pipe: tuple[int, int], tmp_path: Path
+) -> None:
+    os.set_blocking(pipe[1], False)
+
+    def works() -> None:
+        os.write(pipe[1], b"x")
+        (tmp_path / "file.txt").write_text("text")
+        threading.Thread(target=int).start()
+        end = time.thread_time() + 1.5
+        while time.thread_time() < end:
+            pass
+
+    assert told(works) == ""
+
+
+def test_other_threads_may_wait(told: Callable[[Callable[[], object]], str]) -> None:
+    time.sleep(0.001)
+    assert told(lambda: None) == ""

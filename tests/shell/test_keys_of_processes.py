@@ -1,0 +1,131 @@
+"""Keys for a program that does not read them: nobody waits for it, nothing is lost, Ctrl-C goes through."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from typing import Any
+
+import pytest
+
+from day6_tui.core.shell import pty_keys
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there are no ptys")
+
+SLEEPER = """\
+import sys, termios, time, tty
+{mode}
+print("ready", flush=True)
+while True:
+    time.sleep(0.05)
+"""
+READER = """\
+import os, sys, time, tty
+tty.setraw(0)
+print("ready", flush=True)
+while not os.path.exists("go"):
+    time.sleep(0.01)
+left = {size}
+with open("got", "wb") as file:
+    while left:
+        data = os.read(0, 1000)
+        file.write(data)
+        left -= len(data)
+"""
+MODES = {"cooked": "", "cbreak": "tty.setcbreak(0)", "raw": "tty.setraw(0)"}
+
+
+def within(seconds: float, function: Any) -> None:
+    """Fail, rather than hang, if `function` does not return."""
+    worker = threading.Thread(target=function, daemon=True)
+    worker.start()
+    worker.join(seconds)
+    assert not worker.is_alive(), "it blocks"
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_a_paste_into_a_program_that_does_not_read_stops_nobody(seat: Any, mode: str) -> None:
+    (seat.desk.home / "sleeper.py").write_text(SLEEPER.format(mode=MODES[mode]))
+    seat.line("python3 sleeper.py")
+    seat.wait(lambda text: "ready" in text)
+    other = type(seat)(seat.desk)
+    seat.terminal.paste(("some text" + "\n" * (mode != "raw")) * 20_000)
+    within(20, seat.desk.scheduler.advance)
+    assert "42" in other.line("echo $((6*7))").split("\n")
+    if mode != "raw":
+        seat.terminal.send("\x03")
+        assert "KeyboardInterrupt" in seat.wait(lambda text: "$" in text.split("\n")[-1] and "Interrupt" in text)
+    else:
+        other.line("killall -9 python3")  # then the text is the shell's, as in any terminal
+        seat.wait(lambda text: "some text" in text)
+
+
+def test_a_program_that_reads_late_gets_every_key_in_its_order(seat: Any) -> None:
+    text = "".join(f"{number:07}\r" for number in range(50_000))
+    (seat.desk.home / "reader.py").write_text(READER.format(size=len(text)))
+    seat.line("python3 reader.py")
+    seat.wait(lambda shown: "ready" in shown)
+    for at in range(0, len(text), 100_000):
+        seat.terminal.send(text[at : at + 100_000])
+    within(20, seat.desk.scheduler.advance)
+    (seat.desk.home / "go").touch()
+    seat.wait_prompt()
+    assert (seat.desk.home / "got").read_bytes().decode() == text
+
+
+def test_what_does_not_fit_beyond_all_bounds_beeps(seat: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pty_keys, "MOST_WAITING", 100_000)
+    (seat.desk.home / "sleeper.py").write_text(SLEEPER.format(mode=MODES["cbreak"]))
+    seat.line("python3 sleeper.py")
+    seat.wait(lambda text: "ready" in text)
+    written: list[str] = []
+    write = seat.terminal.write
+    seat.terminal.write = lambda text: (written.append(text), write(text))
+    for _ in range(20):
+        seat.terminal.send("x" * 10_000)
+    within(20, seat.desk.scheduler.advance)
+    assert "\a" in written
+    seat.terminal.send("\x03")
+    seat.wait_prompt()
+
+
+def test_keys_nobody_read_are_the_shells_also_when_they_were_many(seat: Any) -> None:
+    (seat.desk.home / "short.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(1.5)\n")
+    seat.line("python3 short.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.terminal.send("".join(f"echo {number:04} >> out\r" for number in range(1000)))
+    seat.desk.scheduler.advance()
+    end = time.monotonic() + 30
+    out = seat.desk.home / "out"
+    while not (out.exists() and "0999" in out.read_text()):
+        assert time.monotonic() < end, seat.look()
+        seat.desk.scheduler.run(lambda: False, 0.05)
+        seat.look()
+    assert out.read_text().split() == [f"{number:04}" for number in range(1000)]
+
+
+def test_a_pipe_into_a_program_that_does_not_read_stops_nobody(seat: Any) -> None:
+    home = seat.desk.home
+    (home / "big.txt").write_text("a line of a file\n" * 60_000)
+    (home / "sleeper.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(60)\n")
+    seat.terminal.send("cat big.txt | python3 sleeper.py\r")
+    within(20, seat.desk.scheduler.advance)
+    seat.wait(lambda text: "ready" in text)
+    other = type(seat)(seat.desk)
+    assert "42" in other.line("echo $((6*7))").split("\n")
+    seat.terminal.send("\x03")
+    seat.wait_prompt()
+
+
+def test_a_program_behind_a_pipe_gets_everything_and_one_that_stops_early_breaks_it(seat: Any) -> None:
+    home = seat.desk.home
+    text = "".join(f"line {number}\n" for number in range(60_000))
+    (home / "big.txt").write_text(text)
+    (home / "copy.py").write_text("import sys, time\ntime.sleep(0.3)\nopen('copy.txt', 'w').write(sys.stdin.read())\n")
+    (home / "first.py").write_text("import sys\nprint('first:', sys.stdin.readline(), end='')\n")
+    seat.line("cat big.txt | python3 copy.py")
+    seat.wait_prompt()
+    assert (home / "copy.txt").read_text() == text
+    seat.line("cat big.txt | python3 first.py")
+    assert "first: line 0" in seat.wait_prompt()

@@ -1,0 +1,217 @@
+"""What a real terminal sends, made into events: whatever the bytes are, none of them ends the desktop.
+
+Textual's own reading dies of a byte that is not UTF-8, of a key report with a number that is no character, of a mouse report
+for a window of no size; and it goes through a paste character by character.
+"""
+
+from __future__ import annotations
+
+import codecs
+import logging
+import re
+from collections.abc import Iterable
+from typing import Any
+
+from rich.text import Text
+from textual import constants, events
+from textual._parser import ParseTimeout
+from textual._time import get_time
+from textual._xterm_parser import BRACKETED_PASTE_END, BRACKETED_PASTE_START, XTermParser
+from textual.app import App
+from textual.driver import Driver
+from textual.message import Message
+
+LARGEST_WINDOW = 4096
+"""Columns or rows beyond which a report of the terminal is nonsense."""
+
+SILENCE = 1.0
+"""Seconds without a byte after which a paste whose end never came is given on, and a single key is a key again."""
+
+_log = logging.getLogger(__name__)
+_ENDLESS = re.compile(r"\x1b\[[0-?]{32,}")
+"""A control sequence longer than any; Textual would type it."""
+
+_REST_OF_IT = re.compile(r"[0-?]*[ -/]*[@-~]?")
+_HIGH = re.compile(rb"[\x80-\xff]+")
+
+
+class BadInput(Message):
+    """The terminal sent what is not UTF-8."""
+
+    def __init__(self, gbk: bool) -> None:
+        super().__init__()
+        self.gbk = gbk
+        """Whether it looks like Chinese in GBK."""
+
+    @property
+    def key(self) -> str:
+        """The key of the text that tells what to do about it."""
+        return "input.gbk" if self.gbk else "input.not_utf8"
+
+
+def sturdy(driver: type[Driver]) -> type[Driver]:
+    """The driver that survives everything, in the place of Textual's own for Linux and macOS."""
+    if driver.__name__ != "LinuxDriver":
+        return driver
+    from day6_tui.tui.terminal_driver import TerminalDriver
+
+    return TerminalDriver
+
+
+def leave(app: App[Any], error: Exception) -> None:
+    """End the application as Textual does after an error of its own, with a line in place of a traceback."""
+    _log.error("the application failed", exc_info=error)
+    app._return_code = 1
+    app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
+    app._close_messages_no_wait()
+
+
+class InputDecoder:
+    """Bytes of a terminal as text, over the borders of reads; what is not UTF-8 becomes U+FFFD."""
+
+    def __init__(self) -> None:
+        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
+        self.fault = ""
+        """What the last text had that was not UTF-8: 'gbk', if it looks like Chinese in that code, 'other' or ''."""
+
+    def decode(self, data: bytes) -> str:
+        """Return what is complete by now."""
+        pending = self._decoder.getstate()[0]
+        text = self._decoder.decode(data)
+        self.fault = _fault(pending + data) if "\ufffd" in text else ""
+        return text
+
+
+def _fault(data: bytes) -> str:
+    """Judge the runs of bytes outside ASCII: pairs that are common Chinese characters are hardly anything else."""
+    fault = ""
+    for run in _HIGH.findall(data):
+        try:
+            run.decode("utf-8")
+        except UnicodeDecodeError:
+            fault = fault or "other"
+            if len(run) % 2 == 0 and all(0xB0 <= byte <= 0xF7 for byte in run[::2]) and _is(run, "gbk"):
+                fault = "gbk"
+    return fault
+
+
+def _is(data: bytes, encoding: str) -> bool:
+    try:
+        return any("\u4e00" <= char <= "\u9fff" for char in data.decode(encoding))
+    except UnicodeDecodeError:
+        return False
+
+
+class KeyboardParser(XTermParser):
+    """Textual's parser that survives nonsense and takes a paste in one piece."""
+
+    def __init__(self, debug: bool = False) -> None:
+        super().__init__(debug)
+        self._paste: list[str] | None = None
+        """The parts of the paste that has begun."""
+        self._held = ""
+        """The end of what came, while it may be the beginning of a mark."""
+        self._fed = 0.0
+        """When something came last."""
+        self._in_endless = False
+        """What comes is the rest of a control sequence longer than any."""
+
+    def feed(self, data: str) -> Iterable[Message]:
+        """Yield the events in `data`. '' is the end of the input."""
+        if not data:
+            yield from super().feed(data)
+            return
+        silent = get_time() - self._fed > SILENCE
+        self._fed = get_time()
+        if self._paste is not None and silent and len(data) == 1 and data < " ":
+            yield from self._end_paste()  # a key in a paste whose end was lost
+        data, self._held = self._held + data, ""
+        while data:
+            mark = BRACKETED_PASTE_START if self._paste is None else BRACKETED_PASTE_END
+            before, found, rest = data.partition(mark)
+            if not found:
+                before, self._held = _without_beginning_of(mark, before)
+            if self._paste is not None:
+                self._paste.append(before)
+                if found:
+                    yield from self._end_paste()
+            else:
+                before = self._without_endless(before)
+                if before:
+                    yield from super().feed(before)
+                if found:
+                    yield from self._finish_key()
+                    self._paste = []
+            data = rest
+
+    def _without_endless(self, text: str) -> str:
+        kept = []
+        while text:
+            if self._in_endless:
+                rest = _REST_OF_IT.match(text)
+                end = rest.end() if rest else 0
+                self._in_endless = end == len(text) and not "@" <= text[-1] <= "~"
+                text = text[end:]
+                continue
+            begin = _ENDLESS.search(text)
+            if begin is None:
+                kept.append(text)
+                break
+            kept.append(text[: begin.start()])
+            text = text[begin.end() :]
+            self._in_endless = True
+        return "".join(kept)
+
+    def tick(self) -> Iterable[Message]:
+        """Yield what is decided by nothing having come for a while."""
+        waited = get_time() - self._fed
+        if self._paste is not None:
+            if self._paste and waited > SILENCE:
+                parts, self._paste = self._paste, []
+                yield events.Paste("".join(parts).replace("\x00", ""))
+            return
+        if self._held and waited > constants.ESCAPE_DELAY:
+            held, self._held = self._held, ""
+            yield from super().feed(held)
+            yield from self._finish_key()
+        yield from super().tick()
+
+    def _end_paste(self) -> Iterable[Message]:
+        parts, self._paste = self._paste or [], None
+        if parts:
+            yield events.Paste("".join(parts).replace("\x00", ""))
+
+    def _finish_key(self) -> Iterable[Message]:
+        """Nothing more belongs to the key that was being read."""
+        if self._timeout_time is not None:
+            self._timeout_time = None
+            self._awaiting = self._gen.throw(ParseTimeout())
+        while self._tokens:
+            yield self._tokens.popleft()
+
+    def parse_mouse_code(self, code: str) -> Message | None:
+        try:
+            event = super().parse_mouse_code(code)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return None
+        inside = isinstance(event, events.MouseEvent) and max(event.x, event.y) <= LARGEST_WINDOW
+        return event if inside else None
+
+    def _sequence_to_key_events(self, sequence: str, alt: bool = False) -> Iterable[events.Key]:
+        try:
+            return list(super()._sequence_to_key_events(sequence, alt))
+        except (ValueError, OverflowError):  # a number that is no character
+            return []
+
+
+def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:
+    """Divide `text` before what may be the beginning of `mark` at its end."""
+    for size in range(min(len(mark) - 1, len(text)), 0, -1):
+        if text.endswith(mark[:size]):
+            return text[:-size], mark[:size]
+    return text, ""
+
+
+def is_possible(event: events.Resize) -> bool:
+    """Whether a window can have the size that the terminal reports."""
+    return 1 <= event.size.width <= LARGEST_WINDOW and 1 <= event.size.height <= LARGEST_WINDOW

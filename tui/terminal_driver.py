@@ -1,0 +1,99 @@
+"""Textual's driver for Linux and macOS with a keyboard that survives everything, and an end in order where it cannot.
+
+Textual starts two threads: one reads the terminal, the other writes to it (`tui.output`). If one of them cannot go on, the
+desktop ends as if it had been left: programs are ended, texts kept, the terminal is given back; only the status tells.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import select
+
+from textual import events
+from textual.drivers.linux_driver import LinuxDriver
+
+from day6_tui.tui.keyboard import BadInput, InputDecoder, KeyboardParser, is_possible
+
+READ_SIZE = 65536
+FAILED = 1
+HUNG_UP = 129
+"""Exit status when the terminal went away: 128 + SIGHUP, as a shell says it."""
+
+MOST_FAILURES = 100
+"""Reads that may fail one after the other."""
+
+_log = logging.getLogger(__name__)
+
+
+class TerminalDriver(LinuxDriver):
+    """Reads the keyboard without ever failing of what it sends."""
+
+    _told: frozenset[str] = frozenset()
+
+    def _run_input_thread(self) -> None:
+        try:
+            self.run_input_thread()
+        except Exception as error:
+            _log.exception("the terminal's input failed")
+            self._end(FAILED, f"day6-tui: {type(error).__name__}: {error}")
+
+    def run_input_thread(self) -> None:
+        """Read until the application ends."""
+        decoder, parser = InputDecoder(), KeyboardParser(self._debug)
+        failures = 0
+        while not self.exit_event.is_set():
+            if self._output_is_gone():
+                self._end(HUNG_UP)
+                return
+            data = self._read()
+            if data == b"":
+                self._end(HUNG_UP)
+                return
+            try:
+                self._take(decoder, parser, data or b"")
+                failures = 0
+            except Exception:
+                _log.exception("reading a key failed")
+                failures += 1
+                if failures == MOST_FAILURES:
+                    raise
+                parser = KeyboardParser(self._debug)  # the old one may stand anywhere
+
+    def _read(self) -> bytes | None:
+        """What the terminal has sent, after a moment None if that is nothing; b'' if it is gone."""
+        if not select.select([self.fileno], [], [], 0.1)[0]:
+            return None
+        try:
+            return os.read(self.fileno, READ_SIZE)
+        except (BlockingIOError, InterruptedError):
+            return None
+        except OSError:
+            return b""
+
+    def _take(self, decoder: InputDecoder, parser: KeyboardParser, data: bytes) -> None:
+        text = decoder.decode(data)
+        if decoder.fault:
+            self._tell(decoder.fault)
+        for message in parser.feed(text) if text else ():
+            if isinstance(message, events.Resize) and not (self._in_band_window_resize and is_possible(message)):
+                parser.mouse_pixels = False
+                parser.terminal_size = None
+                continue
+            self.process_message(message)
+        for message in parser.tick():
+            self.process_message(message)
+
+    def _tell(self, fault: str) -> None:
+        if fault not in self._told:
+            self._told |= {fault}
+            self.send_message(BadInput(fault == "gbk"))
+
+    def _output_is_gone(self) -> bool:
+        writer = self._writer_thread
+        return writer is not None and (not writer.is_alive() or bool(getattr(writer._file, "gone", False)))
+
+    def _end(self, status: int, message: str | None = None) -> None:
+        with contextlib.suppress(RuntimeError):  # the loop is closed: it ends already
+            self._loop.call_soon_threadsafe(lambda: self._app.exit(return_code=status, message=message))
