@@ -16,6 +16,33 @@ def char_width(char: str) -> int:
     return 2 if east_asian_width(char) in "WF" else 1
 
 
+class _Digits(dict[int, str]):
+    """Code point -> its width as a digit, for `str.translate`; remembers the common ones."""
+
+    def __missing__(self, code: int) -> str:
+        digit = str(char_width(chr(code)))
+        if len(self) < MOST_REMEMBERED:
+            self[code] = digit
+        return digit
+
+
+MOST_REMEMBERED = 20_000
+_digits = _Digits()
+
+
+def widths(text: str) -> str:
+    """The width of every character of a text, as a string of the digits 0, 1 and 2."""
+    return "1" * len(text) if text.isascii() and text.isprintable() else text.translate(_digits)
+
+
+def fitting(digits: str, start: int, columns: int) -> int:
+    """How many characters from `start` fit into so many columns, by the `widths` of a text without characters of width 0."""
+    count = min(columns, len(digits) - start)
+    while (excess := count + digits.count("2", start, start + count) - columns) > 0:
+        count -= (excess + 1) // 2
+    return count
+
+
 def text_width(text: str) -> int:
     """Cells of a text without control characters."""
     return len(text) if text.isascii() else sum(map(char_width, text))
