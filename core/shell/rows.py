@@ -154,8 +154,9 @@ def as_row(line: Any) -> Row:
     if not line:
         return ""
     last = max(line)
-    get = line.get
-    cells = [get(x, BLANK) for x in range(last + 1)]
+    cells = list(map(line.get, range(last + 1)))
+    if None in cells:
+        cells = [BLANK if cell is None else cell for cell in cells]
     runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
     return _row_of(runs)
 

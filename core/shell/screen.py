@@ -13,6 +13,7 @@ import copy
 import re
 import unicodedata
 from collections import deque
+from functools import lru_cache
 from typing import Any
 
 from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
@@ -103,6 +104,8 @@ class Screen(PyteScreen):
         """In the text that is being fed: up to here it has to be read character by character."""
         self._odd_at = -1
         """Where the next control character stands in it that does not belong into a line of text."""
+        self._style_of: Char | None = None
+        self._style_now = PLAIN_STYLE
         self.answers: list[str] = []
         """What the terminal has to say to the program (answers to queries), for `Terminal` to deliver."""
         self._cells: dict[Any, _Cells] = {}
@@ -293,15 +296,14 @@ class Screen(PyteScreen):
             return None
         if "\x1b" in line:
             return self._coloured_rows_of(line)
+        style = self._style()
         if "\t" in line:
-            line = line.rstrip("\t").expandtabs(8)
-            if not self._tabs_are_regular() or not line.isascii() or len(line) > self.columns:
+            if style != PLAIN_STYLE or not self._tabs_are_regular():
                 return None
-            style = self._style()
-            if style != PLAIN_STYLE:
+            line = _expanded(line.rstrip("\t"))
+            if text_width(line) > self.columns:
                 return None
             return [line]
-        style = self._style()
         rows = folded(line, self.columns)
         return list(rows) if style == PLAIN_STYLE else [((row, style),) if row else "" for row in rows]
 
@@ -309,36 +311,44 @@ class Screen(PyteScreen):
         before = self.cursor.attrs
         runs: list[Run] = []
         used = 0
+        width = len if line.isascii() else text_width
         beyond: Style | None = None
         for index, piece in enumerate(_COLOUR.split(line)):
-            if piece == "K" and index % 2:
-                beyond = self._style()
-            elif index % 2:
-                self.colour(piece[:-1])
-            elif piece:
-                head, *others = piece.split("\t")
+            if index % 2:
+                if piece == "K":
+                    beyond = self._style()
+                else:
+                    self.colour(piece[:-1])
+            elif "\t" in piece:
                 style = self._style()
-                runs.append((head, style))
-                used += text_width(head)
-                for part in others:
-                    blanks = 8 - used % 8
-                    runs += [(" " * blanks, PLAIN_STYLE if beyond is None else beyond), (part, style)]
-                    used += blanks + text_width(part)
-        if used > self.columns and (beyond is not None or "\t" in line):
-            self.cursor.attrs = before
-            return None
-        if "\t" in line and not self._tabs_are_regular():
+                for number, part in enumerate(piece.split("\t")):
+                    if number:
+                        blanks = 8 - used % 8
+                        runs.append((" " * blanks, PLAIN_STYLE if beyond is None else beyond))
+                        used += blanks
+                    if part:
+                        runs.append((part, style))
+                        used += width(part)
+            elif piece:
+                runs.append((piece, self._style()))
+                used += width(piece)
+        special = beyond is not None or "\t" in line
+        if special and (used > self.columns or not self._tabs_are_regular()):
             self.cursor.attrs = before
             return None
         if beyond is not None and used < self.columns:
             runs.append((" " * (self.columns - used), beyond))
-        return folded_runs(runs, self.columns)
+        return folded_runs(runs, self.columns) if used > self.columns else [tuple(runs)]
 
     def _tabs_are_regular(self) -> bool:
-        return self.tabstops == set(range(8, self.columns, 8))
+        return self.tabstops == _regular_tabs(self.columns)
 
     def _style(self) -> Style:
-        return Style(*self.cursor.attrs[1:])
+        attrs = self.cursor.attrs
+        if attrs is not self._style_of:
+            self._style_of = attrs
+            self._style_now = Style(*attrs[1:])
+        return self._style_now
 
     def _arrive(self, rows: list[Any]) -> None:
         """Rows that scroll in from below, above the line with the cursor."""
@@ -376,7 +386,7 @@ class Screen(PyteScreen):
         """Make the cells of a row."""
         x = 0
         for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
-            x = _put(line, x, text, self._cells_for(Char(" ", *style)))
+            x = _fill(line, x, text, "" if text.isascii() else widths(text), self._cells_for(Char(" ", *style)))
 
     def _remember_all(self, rows: list[Any]) -> None:
         if self.alternate:
@@ -393,14 +403,12 @@ class Screen(PyteScreen):
             data = data.translate(self.g1_charset if self.charset else self.g0_charset)
         if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
             self._draw_slowly(data)
-        elif data.isascii():
-            self._flow(data, "")
+            return
+        digits = "" if data.isascii() else widths(data)
+        if "0" in digits:
+            self._draw_with_marks(data, digits)
         else:
-            digits = widths(data)
-            if "0" not in digits:
-                self._flow(data, digits)
-            else:
-                self._draw_with_marks(data, digits)
+            self._flow(data, digits if "2" in digits else "")
 
     def _draw_with_marks(self, data: str, digits: str) -> None:
         """Text with characters that take no cell, which go onto the one before."""
@@ -418,43 +426,35 @@ class Screen(PyteScreen):
         columns = self.columns
         end = len(data)
         room = columns - cursor.x
+        if end <= room and not digits:
+            self._put(data, digits)
+            return
         start = fitting(digits, 0, room) if digits else min(room, end)
         if start:
-            self._put(data[:start])
-        if start == end:
-            return
-        middle = -1
-        if cursor.y == self.lines - 1 and not self.margins and end - start > columns:
-            rows = folded(data[start:], columns)
-            start = end - len(rows[-1])
-            middle = len(rows) - 1
-        self.dirty.add(cursor.y)
-        self.carriage_return()
-        self.linefeed()
-        if middle > 0:
-            style = self._style()
-            self._arrive(rows[:-1] if style == PLAIN_STYLE else [((row, style),) for row in rows[:-1]])
-            self._put(data[start:])
-            return
+            self._put(data[:start], digits[:start])
         while start < end:
-            count = max(fitting(digits, start, columns), 1) if digits else min(columns, end - start)
-            self._put(data[start : start + count])
+            self.dirty.add(cursor.y)
+            self.carriage_return()
+            self.linefeed()
+            if end - start > columns and cursor.y == self.lines - 1 and not self.margins:
+                rows = folded(data[start:], columns)
+                style = self._style()
+                start = end - len(rows.pop())
+                self._arrive(list(rows) if style == PLAIN_STYLE else [((row, style),) for row in rows])
+            count = fitting(digits, start, columns) if digits else min(columns, end - start)
+            self._put(data[start : start + count], digits[start : start + count])
             start += count
-            if start < end:
-                self.dirty.add(cursor.y)
-                self.carriage_return()
-                self.linefeed()
 
-    def _put(self, text: str) -> None:
+    def _put(self, text: str, digits: str) -> None:
         """Draw text that fits into the rest of the line."""
         cursor = self.cursor
-        line = self._line()
         x = cursor.x
-        cells = self._cells_for(cursor.attrs)
-        if x in line or x + len(text) in line or not text.isascii():
-            wide = 0 if text.isascii() else widths(text).count("2")
-            self._clear_halves(line, x, len(text) + wide)
-        cursor.x = min(_put(line, x, text, cells), self.columns)
+        line = self._line()
+        end = x + len(text) + digits.count("2")
+        if x in line or end in line:
+            self._clear_halves(line, x, end - x)
+        _fill(line, x, text, digits, self._cells_for(cursor.attrs))
+        cursor.x = end
         self.dirty.add(cursor.y)
 
     def _line(self) -> Any:
@@ -673,15 +673,36 @@ class Screen(PyteScreen):
         self.cursor.y += count
 
 
-def _put(line: Any, x: int, text: str, cells: _Cells) -> int:
-    """Put characters into a line of pyte's buffer; returns the place after them."""
+@lru_cache(maxsize=8)
+def _regular_tabs(columns: int) -> set[int]:
+    return set(range(8, columns, 8))
+
+
+def _expanded(line: str) -> str:
+    """A line with blanks for its tabs."""
+    if line.isascii():
+        return line.expandtabs(8)
+    parts: list[str] = []
+    used = 0
+    for number, part in enumerate(line.split("\t")):
+        if number:
+            blanks = 8 - used % 8
+            parts.append(" " * blanks)
+            used += blanks
+        parts.append(part)
+        used += text_width(part)
+    return "".join(parts)
+
+
+def _fill(line: Any, x: int, text: str, digits: str, cells: _Cells) -> int:
+    """Put characters into a line of pyte's buffer; returns the place after them. `digits` are their widths, '' if all are 1."""
     parts: Any = text
-    if not text.isascii() and "2" in (digits := widths(text)):
+    if "2" in digits:
         parts = []
         for char, digit in zip(text, digits, strict=True):
             parts.append(char)
             if digit == "2":
                 parts.append("")
     end = x + len(parts)
-    line.update(zip(range(x, end), map(cells.__getitem__, parts), strict=True))
+    line.update(zip(range(x, end), map(cells.__getitem__, parts)))  # noqa: B905
     return end

@@ -24,13 +24,16 @@ LONGEST_STRING = 1024
 
 NEVER = float("inf")
 
+_TEXT = r"[^\x00-\x1f\x7f-\x9f]+"
+_NOTHING = r"[\x00-\x07\x0e-\x1a\x1c-\x1f\x7f]+"
 _TOKEN = re.compile(
-    r"([^\x00-\x1f\x7f-\x9f]+)"  # 1: text
+    rf"({_TEXT}(?:{_NOTHING}{_TEXT})*)"  # 1: text, in which control characters without a meaning may be
     r"|(\r\n|[\x08-\x0d\x84\x85\x88\x8d])"  # 2: a control character that does something
     r"|\x1b\[([0-9;]*)m"  # 3: colours
     r"|(?:\x1b\[|\x9b)([0-?]*)([ -/]*)([@-~])"  # 4, 5, 6: any other control sequence
     r"|([\x00-\x07\x0e-\x1a\x1c-\x1f\x7f-\x83\x86\x87\x89-\x8c\x8e\x8f\x91-\x97\x99\x9a\x9c])"  # 7: nothing happens
 )
+_MEANINGLESS = re.compile(_NOTHING)
 _PARAMETERS = re.compile(r"[0-?]*[ -/]*")
 _IGNORED = re.compile(r"[ -?\x7f]*")
 _PARTS_OF_ESCAPE = re.compile(r"[ -/]*")
@@ -124,7 +127,8 @@ class Parser:
             at = token.end()
             kind = token.lastindex
             if kind == 1:
-                draw(token[1])
+                data = token[1]
+                draw(data if data.isprintable() else _MEANINGLESS.sub("", data))
             elif kind == 2:
                 control(token[2])
                 if token[2] == "\r\n":

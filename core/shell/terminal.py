@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.rows import Scrollback
     from day6_tui.core.shell.screen import Screen
 
-RING = 512 * 1024
+RING = 256 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines go."""
 
-CROWDED = 192 * 1024
+CROWDED = 128 * 1024
 """Characters from which programs pause until the view has caught up, at most `PAUSE` seconds."""
 
 PAUSE = 0.1

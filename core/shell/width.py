@@ -32,7 +32,7 @@ _digits = _Digits()
 
 def widths(text: str) -> str:
     """The width of every character of a text, as a string of the digits 0, 1 and 2."""
-    return "1" * len(text) if text.isascii() and text.isprintable() else text.translate(_digits)
+    return text.translate(_digits)
 
 
 def fitting(digits: str, start: int, columns: int) -> int:
@@ -45,4 +45,7 @@ def fitting(digits: str, start: int, columns: int) -> int:
 
 def text_width(text: str) -> int:
     """Cells of a text without control characters."""
-    return len(text) if text.isascii() else sum(map(char_width, text))
+    if text.isascii():
+        return len(text)
+    digits = widths(text)
+    return len(text) + digits.count("2") - digits.count("0")
