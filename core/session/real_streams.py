@@ -120,14 +120,24 @@ class RealInput(InputStream):
                 return END_OF_INPUT
 
     async def read_line(self) -> str:
-        while True:
-            line, newline, rest = self._rest.partition("\n")
-            if newline:
-                self._rest = rest
-                return line + newline
-            if not await self._more():
-                line, self._rest = self._rest, ""
-                return line
+        parts: list[str] = []
+        try:
+            while True:
+                line, newline, rest = self._rest.partition("\n")
+                if newline:
+                    self._rest = rest
+                    line = "".join(parts) + line + newline
+                    parts.clear()
+                    return line
+                parts.append(line)
+                self._rest = ""
+                if not await self._more():
+                    line = "".join(parts)
+                    parts.clear()
+                    return line
+        finally:
+            if parts:  # interrupted: what has come of the line is not lost
+                self._rest = "".join(parts) + self._rest
 
     async def _more(self) -> bool:
         """Wait for more text; False at the end of the input."""

@@ -228,9 +228,7 @@ class Screen(PyteScreen):
         return modes.IRM not in mode and modes.DECAWM in mode and not self.charset and not self.margins
 
     def rush(self, text: str, start: int) -> int:
-        bottom = self.lines - 1
-        cursor = self.cursor
-        if cursor.y != bottom or cursor.x or start < self._odd_before or self._buffer.get(bottom):
+        if self.cursor.x or start < self._odd_before or not self._is_at_the_empty_end():
             return start
         if not self._is_simple() or modes.DECSCNM in self.mode or self.columns < 2:
             return start
@@ -436,7 +434,7 @@ class Screen(PyteScreen):
             self.dirty.add(cursor.y)
             self.carriage_return()
             self.linefeed()
-            if end - start > columns and cursor.y == self.lines - 1 and not self.margins:
+            if end - start > columns and self._is_at_the_empty_end():
                 rows = folded(data[start:], columns)
                 style = self._style()
                 start = end - len(rows.pop())
@@ -444,6 +442,11 @@ class Screen(PyteScreen):
             count = fitting(digits, start, columns) if digits else min(columns, end - start)
             self._put(data[start : start + count], digits[start : start + count])
             start += count
+
+    def _is_at_the_empty_end(self) -> bool:
+        """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
+        bottom = self.lines - 1
+        return self.cursor.y == bottom and not self._buffer.get(bottom) and not self.margins
 
     def _put(self, text: str, digits: str) -> None:
         """Draw text that fits into the rest of the line."""

@@ -79,6 +79,8 @@ class Terminal:
         self._ring: deque[str] = deque()
         self._size = 0
         self._dropped_lines = 0
+        self._unshared = 0
+        """Characters written since a program last let others run."""
         self._seen = 0
         self._lock = threading.Lock()
         self._room = threading.Event()
@@ -248,6 +250,7 @@ class Terminal:
         with self._lock:
             self._ring.append(text)
             self._size += len(text)
+            self._unshared += len(text)
             while self._size > RING and len(self._ring) > 1:
                 gone = self._ring.popleft()
                 self._size -= len(gone)
@@ -270,10 +273,12 @@ class Terminal:
             self._room.wait(PAUSE)
 
     async def drain(self) -> None:
-        """The same for a program on the scheduler's thread: wait for the view, at most a moment."""
+        """The same for a program on the scheduler's thread: wait for the view, at most a moment; let others run now and then."""
         if self._size > CROWDED:
             await wait_for(self._drained, self.desk.scheduler.clock.steady_ns() + nanoseconds(PAUSE))
-        await let_others_run()
+        if self._unshared > PIECE:
+            self._unshared = 0
+            await let_others_run()
 
     def _take(self) -> str:
         """Remove and return the next piece of what waits."""

@@ -217,3 +217,22 @@ def test_colours_in_groups_are_what_the_older_way_says() -> None:
         ("d", "default", True),
         ("e", "default", False),
     ]
+
+
+def test_a_command_substitution_keeps_all_of_ten_megabytes(machine: Any) -> None:
+    text = "x" * 999 + "\n"
+    (machine.desk.home / "big.txt").write_text(text * 10_000, encoding="utf-8")
+    assert machine.run("x=$(cat big.txt); echo ${#x}").out == "9999999\n"
+
+
+def test_a_command_substitution_without_end_is_ended_and_says_so(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("day6_tui.core.session.streams.CAPTURE_LIMIT", 100_000)
+    result = machine.run("x=$(seq 1000000); echo ${#x}")
+    assert result.out.strip().isdigit() and 90_000 < int(result.out) <= 100_000
+    assert "command substitution" in result.err and "Traceback" not in result.err
+
+
+def test_a_long_line_that_begins_above_overwrites_what_stands_in_the_last_line() -> None:
+    screen = Screen(2, 2)
+    screen.feed("\r\n a\x1b[Hhello")
+    assert screen.text == "ll\no"
