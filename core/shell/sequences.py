@@ -286,10 +286,10 @@ def _number(text: str) -> int:
 def colour_numbers(parameters: str) -> list[int]:
     """The parameters of SGR as numbers. Groups with colons (ITU T.416: 4:3, 38:2::1:2:3) become what the older way says."""
     if ":" not in parameters:
-        return [_number(one) for one in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]]
+        return [min(_number(one), 255) for one in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]]
     numbers: list[int] = []
     for group in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]:
-        first, *others = [_number(one) for one in group.split(":", 8)[:8]]
+        first, *others = [min(_number(one), 255) for one in group.split(":", 8)[:8]]
         if first in (38, 48) and others[:1] == [2] and len(others) >= 4:
             numbers += [first, 2, *(others[2:5] if len(others) >= 5 else others[1:4])]
         elif first in (38, 48) and others[:1] == [5] and len(others) >= 2:

@@ -41,6 +41,9 @@ SLICE = 0.005
 PIECE = 16 * 1024
 """Characters that are fed to the screen at a time; each is a few milliseconds of work at most."""
 
+SHARE = 4 * 1024
+"""Characters a program on the scheduler's thread writes before others have their turn."""
+
 LONGEST_END = 256
 """Characters in which the sequences at the end of a text are looked for."""
 
@@ -276,7 +279,7 @@ class Terminal:
         """The same for a program on the scheduler's thread: wait for the view, at most a moment; let others run now and then."""
         if self._size > CROWDED:
             await wait_for(self._drained, self.desk.scheduler.clock.steady_ns() + nanoseconds(PAUSE))
-        if self._unshared > PIECE:
+        if self._unshared > SHARE:
             self._unshared = 0
             await let_others_run()
 
