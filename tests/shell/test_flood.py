@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from time import process_time
 from typing import Any
 
 import pytest
@@ -236,3 +237,64 @@ def test_a_long_line_that_begins_above_overwrites_what_stands_in_the_last_line()
     screen = Screen(2, 2)
     screen.feed("\r\n a\x1b[Hhello")
     assert screen.text == "ll\no"
+
+
+FLOODS = {
+    "lines": "y" * 78 + "\r\n",
+    "one line": "x" * 80,
+    "chinese": "机器人操作系统" * 5 + "\r\n",
+    "colours": "\x1b[33m[WARN] [1.2] [talker]: Publishing: 'Hello'\x1b[0m\r\n",
+    "moves": "\x1b[2;3Habc\x1b[1A\x1b[4Pdef\r\n",
+    "grep": "abc \x1b[01;31m\x1b[Kmatch\x1b[m\x1b[K rest\r\n",
+    "progress": "\r50% [====    ]",
+    "returns": "a\rb\r\n",
+    "never ended": "\x1b]0;" + "t" * 76,
+    "parameters": "1;" * 40,
+    "marks": "e\u0301" * 40,
+    "binary": "\x00\x01\x08abc\ufffd\ufffd\x1b\x02\x9b\x7f\x1a",
+}
+
+
+def seconds_for(text: str) -> float:
+    """The CPU time to show a text that comes in pieces; the best of three."""
+    best = 1e9
+    for _ in range(3):
+        screen = Screen(100, 30)
+        screen.feed("\x1b[" if text.startswith("1;") else "")
+        began = process_time()
+        for at in range(0, len(text), 16384):
+            screen.feed(text[at : at + 16384])
+        best = min(best, process_time() - began)
+    return best
+
+
+@pytest.mark.parametrize("kind", FLOODS)
+def test_eight_times_as_much_output_takes_eight_times_as_long(kind: str) -> None:
+    piece = FLOODS[kind]
+    short = piece * (8_000 // len(piece))
+    assert seconds_for(short * 8) < 40 * seconds_for(short) + 0.05
+
+
+def test_a_single_line_of_a_megabyte_scrolls_by_like_lines_do() -> None:
+    lines, line = "x" * 78 + "\r\n", "x" * 80
+    assert seconds_for(line * 5_000) < 6 * seconds_for(lines * 5_000) + 0.05
+
+
+def test_looking_at_a_part_of_a_flood_stops_when_the_time_is_over() -> None:
+    screen = Screen(80, 24)
+    text = "\x1b[2J\x1b[Hframe" * 1000
+    read = screen.feed(text, until=0.0)
+    assert 0 < read < 100
+    while read < len(text):
+        read += screen.feed(text[read:], until=0.0)
+    assert screen.text == "frame"
+
+
+@given(st.lists(st.binary(max_size=30) | st.sampled_from([b"\x1b[", b"\x1b]", b"\x9b", b"\x1bP", b"\x18", b"99999"])))
+@settings(max_examples=300, deadline=None)
+def test_no_bytes_break_the_screen(parts: list[bytes]) -> None:
+    text = b"".join(parts).decode("utf-8", "replace")
+    screen = Screen(20, 4)
+    screen.feed(text)
+    screen.feed("\x18\x1b\\\x1bcalive")
+    assert screen.text == "alive"
