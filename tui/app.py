@@ -112,7 +112,9 @@ class Day6App(AppActions, App[None]):
         self.look = make_look(options) if look is None else look
         fps = getattr(options, "fps", None)
         fps = DEFAULT_FPS if fps is None else float(fps)
-        self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
+        self.frames = Frames(
+            self.draw_frame, fps, work=self.read_flood, congested=self._congested, failed=self.frame_failed
+        )
         self.look.wake = self.frames.wake
         self.machine = Machine(desk, wake=self.frames.wake)
         self.terminals = TerminalPane(self.look)
@@ -219,6 +221,10 @@ class Day6App(AppActions, App[None]):
         return queue is not None and queue.qsize() > WAITING_OUTPUT
 
     # -- frames --------------------------------------------------------------------------------------------------------
+
+    def read_flood(self) -> float | None:
+        """Between frames: read what programs print without end."""
+        return self.terminals.read_flood() if self.machine.desk is not None else None
 
     def draw_frame(self) -> bool:
         """Pull what is new into the panes. True while something moves by itself."""

@@ -18,17 +18,23 @@ SLOWEST = 4.0
 
 
 class Frames:
-    """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests)."""
+    """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests).
+
+    `work` is what must not wait for a frame, such as reading a flood of output: a slice of a few milliseconds, called between
+    the frames as long as it says in how many seconds it wants to be called again (None: not before the next frame).
+    """
 
     def __init__(
         self,
         draw: Callable[[], bool],
         fps: float = 30.0,
         *,
+        work: Callable[[], float | None] | None = None,
         congested: Callable[[], bool] | None = None,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
         self._draw = draw
+        self._work = work
         self._failed = failed
         self._congested = congested if congested is not None else lambda: False
         self._shortest = 1.0 / fps if fps > 0 else 0.0
@@ -39,6 +45,7 @@ class Frames:
         self._calm = 0
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
+        self._slice: asyncio.TimerHandle | None = None
         self._context: contextvars.Context | None = None
         self.drawn = 0
         """Frames drawn so far."""
@@ -61,6 +68,9 @@ class Frames:
         if self._handle is not None:
             self._handle.cancel()
             self._handle = None
+        if self._slice is not None:
+            self._slice.cancel()
+            self._slice = None
 
     def wake(self) -> None:
         """Something changed: draw a frame soon. Any thread."""
@@ -111,12 +121,32 @@ class Frames:
                     raise
                 self._failed(error)
             self._plan(max(now, self._due + self._period, time.monotonic() + self._period / 4))
+            if self._slice is None:
+                self._plan_slice(0.0)
             return
         self._running = False
         if self._woken:
             # A thread woke us between the look at the flag and the line above.
             self._running = True
             self._plan(now + self._period)
+
+    def _plan_slice(self, delay: float) -> None:
+        if self._work is not None and self._loop is not None:
+            self._slice = self._loop.call_later(delay, self._work_on, context=self._context)
+
+    def _work_on(self) -> None:
+        self._slice = None
+        if self._work is None or self._loop is None:
+            return
+        try:
+            delay = self._work()
+        except Exception as error:
+            if self._failed is None:
+                raise
+            self._failed(error)
+            return
+        if delay is not None:
+            self._plan_slice(delay)
 
     def _adapt(self, late: float) -> None:
         """Halve the rate when frames come late by most of a period, double it after two calm seconds."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import weakref
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -26,6 +27,15 @@ SHORTEST_NAME = 5
 
 WHEEL_LINES = 3
 
+NEXT_SLICE = 0.001
+"""Seconds between two slices of reading a flood: the threads of programs have their turn."""
+
+NEXT_LOOK = 0.004
+"""Seconds after which a flood whose output has all been read is looked at again."""
+
+FLOOD_SECONDS = 0.1
+"""A flood is over when nothing had to be read between two frames for so long."""
+
 
 class TerminalPane(Pane):
     """Shows the active terminal and sends it the keys. Terminals belong to the desk; here are only their views."""
@@ -45,6 +55,7 @@ class TerminalPane(Pane):
         """Asked first about every key; True if it was used."""
         self.known: weakref.WeakSet[Any] = weakref.WeakSet()
         """All terminals that were ever shown here."""
+        self._flood_until = 0.0
         self._size_told: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
         self._shown_hint = ""
@@ -200,6 +211,22 @@ class TerminalPane(Pane):
             self._shown_title = title
             self.touch_frame()
         return more
+
+    def read_flood(self) -> float | None:
+        """Let the screens follow a flood of output between two frames; the seconds until the next turn, None without a flood.
+
+        Terminals that are not shown are read, too, once their programs wait for it.
+        """
+        flood = None
+        for view in self.views:
+            if view.is_crowded or (view is self.view and view.has_more):
+                view.terminal.update()
+                self._flood_until = time.monotonic() + FLOOD_SECONDS
+                if view.has_more:
+                    flood = NEXT_SLICE
+        if flood is None and time.monotonic() < self._flood_until:
+            flood = NEXT_LOOK
+        return flood
 
     def _hint(self) -> str:
         """What its last line says in place of output: how to go on when keys do not do what one expects."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -140,6 +140,11 @@ class TerminalView:
         return bool(self.terminal.has_more)
 
     @property
+    def is_crowded(self) -> bool:
+        """Whether so much waits to be shown that its programs pause."""
+        return bool(self.terminal.is_crowded)
+
+    @property
     def at_prompt(self) -> bool:
         """Whether the shell waits for a command."""
         front = self.terminal.discipline.front
@@ -176,9 +181,12 @@ class TerminalView:
 
     def changes(self) -> list[Span]:
         """Bring the screen up to date and return the cells of the view that differ from before."""
-        dirty = self.terminal.update()
+        changed = self.terminal.update()
         self.terminal.mark_seen()
         screen = self.terminal.screen
+        # What was read between the frames counts too.
+        dirty: Iterable[int] = changed | screen.dirty
+        screen.dirty.clear()
         columns, lines = screen.columns, screen.lines
         if self.scroll:
             # Looking back, the view stays with its lines however many more scroll away.

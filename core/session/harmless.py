@@ -74,7 +74,7 @@ def same_length(text: str, *, pictures: bool) -> str:
 def for_emulation(text: str) -> str:
     """Return `text` with its control characters, which a VT emulation understands, and a stand-in for what is no text.
 
-    What only has no width stays out, as a terminal shows it.
+    What only has no width becomes NUL, which a terminal passes over: the length stays.
     """
     return text if text.isascii() else _STRANGE.sub(_stand_in, text)
 
@@ -91,7 +91,7 @@ def _question(found: re.Match[str]) -> str:
 
 
 def _stand_in(found: re.Match[str]) -> str:
-    return "" if category(found[0]) in ("Cf", "Mn") else "\ufffd"
+    return "\0" if category(found[0]) in ("Cf", "Mn") else "\ufffd"
 
 
 def _written(found: re.Match[str]) -> str:

@@ -30,6 +30,9 @@ MAX_LAG_NS = nanoseconds(0.25)
 STEPS_PER_DEADLINE = 10_000
 """Programs that keep waking each other at one moment get so many steps before time moves on."""
 
+LONGEST_TURN = 0.01
+"""Wall seconds after which what other threads left (keys) comes before programs that are still ready."""
+
 LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
 """Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
 
@@ -178,12 +181,15 @@ class Scheduler:
         if self._inbox.empty():
             return False
         self._hold_at_wall(self._next_deadline())
+        self._run_inbox()
+        return True
+
+    def _run_inbox(self) -> None:
         for _ in range(self._inbox.qsize()):
             try:
                 self._run_item(self._inbox.get_nowait())
             except Empty:
                 break
-        return True
 
     def _hold_at_wall(self, deadline: int | None) -> None:
         target = self.clock.target_ns()
@@ -210,6 +216,7 @@ class Scheduler:
         """Step what is ready until nothing is; False if that took too many steps and something still is."""
         self._worked = True
         ready = self._ready
+        began = time.monotonic()
         for _ in range(STEPS_PER_DEADLINE):
             if not ready:
                 break
@@ -219,6 +226,9 @@ class Scheduler:
                     task._held_wake = outcome
                 else:
                     self._step(task, outcome)
+            if not self._inbox.empty() and time.monotonic() - began > LONGEST_TURN:
+                began = time.monotonic()
+                self._run_inbox()
         return not ready
 
     # -- tasks ---------------------------------------------------------------------------------------------------------

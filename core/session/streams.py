@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
-from day6_tui.core.session.task import Signal, wait_for
+from day6_tui.core.session.task import Signal, let_others_run, wait_for
 
 END_OF_INPUT = ""
 
@@ -23,7 +23,13 @@ PIPE_HIGH = 256 * 1024
 """Characters in a pipe from which `drain` waits."""
 
 PIPE_LIMIT = 4 * 1024 * 1024
-"""Characters a pipe holds at most; what is written beyond that without draining is dropped, whole writes at a time."""
+"""Characters a pipe holds; what is written beyond that without draining is dropped, whole writes at a time.
+
+One write after draining is taken whole, however long: a message of megabytes is one.
+"""
+
+CAPTURE_LIMIT = 64 * 1024 * 1024
+"""Characters that `$(command)` keeps; bash goes on until there is no memory."""
 
 
 FILE_BLOCK = 64 * 1024
@@ -179,23 +185,25 @@ class PipeReader(InputStream):
     def __init__(self, pipe: Pipe) -> None:
         self._pipe = pipe
         self._rest = ""
-        """Text taken from the pipe but not yet returned; holds no complete line except after `read_key`."""
+        """Text taken from the pipe."""
+        self._at = 0
+        """How much of that was returned."""
 
     async def read_key(self) -> str:
-        if not self._rest:
-            self._rest = await self._next_chunk()
-        key, self._rest = self._rest[:1], self._rest[1:]
-        return key
+        if self._at == len(self._rest):
+            self._rest, self._at = await self._next_chunk(), 0
+        self._at += 1
+        return self._rest[self._at - 1 : self._at]
 
     async def read_line(self) -> str:
         parts: list[str] = []
         while True:
-            line, newline, rest = self._rest.partition("\n")
-            if newline:
-                self._rest = rest
-                return "".join(parts) + line + newline
-            parts.append(self._rest)
-            self._rest = await self._next_chunk()
+            end = self._rest.find("\n", self._at) + 1
+            if end:
+                line, self._at = self._rest[self._at : end], end
+                return "".join([*parts, line]) if parts else line
+            parts.append(self._rest[self._at :])
+            self._rest, self._at = await self._next_chunk(), 0
             if not self._rest:
                 return "".join(parts)
 
@@ -235,7 +243,7 @@ class PipeWriter(OutputStream):
         if pipe._reader_closed or pipe._writer_closed:
             raise BrokenPipeError(32, "Broken pipe")
         with pipe._lock:
-            if pipe._size + len(text) > PIPE_LIMIT:
+            if pipe._size >= PIPE_HIGH and pipe._size + len(text) > PIPE_LIMIT:
                 pipe.dropped += len(text)
                 return len(text)
             pipe._chunks.append(text)
@@ -354,17 +362,23 @@ class FileOutput(OutputStream):
 
 
 class Captured(OutputStream):
-    """Keeps what is written (`$(command)`, tests), up to the limit of a pipe."""
+    """Keeps what is written (`$(command)`, tests). Beyond CAPTURE_LIMIT it breaks like a pipe, and `is_cut` says so."""
 
     def __init__(self) -> None:
         self._parts: list[str] = []
         self._size = 0
+        self.is_cut = False
 
     def write(self, text: str) -> int:
-        if self._size + len(text) <= PIPE_LIMIT:
-            self._parts.append(text)
-            self._size += len(text)
+        if self._size + len(text) > CAPTURE_LIMIT:
+            self.is_cut = True
+            raise BrokenPipeError(32, "Broken pipe")
+        self._parts.append(text)
+        self._size += len(text)
         return len(text)
+
+    async def drain(self) -> None:
+        await let_others_run()  # nobody has to catch up, but a program without end must not stop the others
 
     @property
     def text(self) -> str:

@@ -6,11 +6,13 @@ A wide character takes two cells; the second holds an empty string, as in pyte.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import groupby
+from operator import itemgetter
 from typing import Any, NamedTuple
 from unicodedata import normalize
 
 from day6_tui.core.shell.light_pyte import Char
-from day6_tui.core.shell.width import char_width, is_mark
+from day6_tui.core.shell.width import char_width, fitting, is_mark, widths
 
 
 class Style(NamedTuple):
@@ -84,19 +86,53 @@ def _is_wide(cell: Char | None) -> bool:
     return cell is not None and cell.data != "" and cell.data[0] > "\u02ff" and char_width(cell.data[0]) == 2
 
 
-def wrapped(line: str, columns: int) -> list[str]:
-    """A line of plain text as the rows it takes on a screen that many cells wide."""
-    if line.isascii():
-        return [line[start : start + columns] for start in range(0, max(len(line), 1), columns)]
+def folded(text: str, columns: int) -> list[str]:
+    """A text without characters of width 0 as the rows it takes on a screen that many cells wide; at least one row."""
+    if text.isascii():
+        if len(text) <= columns:
+            return [text]
+        return [text[start : start + columns] for start in range(0, len(text), columns)]
+    digits = widths(text)
     rows: list[str] = []
-    start = used = 0
-    for index, char in enumerate(line):
-        width = char_width(char)
-        if used + width > columns:
-            rows.append(line[start:index])
-            start, used = index, 0
-        used += width
-    return [*rows, line[start:]]
+    start, end = 0, len(text)
+    while start < end:
+        count = max(fitting(digits, start, columns), 1)
+        rows.append(text[start : start + count])
+        start += count
+    return rows
+
+
+def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
+    """The same for styled text."""
+    rows: list[Row] = []
+    row: list[Run] = []
+    used = 0
+    for text, style in runs:
+        digits = widths(text)
+        start, end = 0, len(text)
+        while start < end:
+            count = fitting(digits, start, columns - used)
+            if not count:
+                rows.append(tuple(row))
+                row, used = [], 0
+                count = max(fitting(digits, start, columns), 1)
+            row.append((text[start : start + count], style))
+            used += count + digits.count("2", start, start + count)
+            start += count
+    return [*rows, tuple(row)]
+
+
+def without_end(row: Row) -> Row:
+    """A row as the scrollback keeps it: without the blanks at its end, runs of equal style joined."""
+    if isinstance(row, str):
+        return row.rstrip(" ")
+    runs: list[Run] = []
+    for text, style in row:
+        if runs and runs[-1][1] == style:
+            runs[-1] = (runs[-1][0] + text, style)
+        elif text:
+            runs.append((text, style))
+    return _row_of(runs)
 
 
 def combined(cell: Char, char: str) -> Char:
@@ -122,30 +158,31 @@ def cells_of(row: Row) -> list[Char]:
     return cells
 
 
+_DATA = itemgetter(0)
+_STYLE = itemgetter(*range(1, len(BLANK)))
+
+
 def as_row(line: Any) -> Row:
     """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
     if not line:
         return ""
-    runs: list[Run] = []
-    text: list[str] = []
-    style: tuple[Any, ...] | None = None
     last = max(line)
-    for x in range(last + 1):
-        cell = line.get(x, BLANK)
-        if cell[1:] != style:
-            if text:
-                runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
-                text = []
-            style = cell[1:]
-        text.append(cell[0])
-    if text:
-        runs.append(("".join(text), Style(*style)))  # type: ignore[misc]
+    cells = list(map(line.get, range(last + 1)))
+    if None in cells:
+        cells = [BLANK if cell is None else cell for cell in cells]
+    runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
+    return _row_of(runs)
+
+
+def _row_of(runs: list[Run]) -> Row:
     while runs and runs[-1][1] == PLAIN_STYLE:
         stripped = runs[-1][0].rstrip(" ")
         if stripped:
             runs[-1] = (stripped, PLAIN_STYLE)
             break
         runs.pop()
+    if not runs:
+        return ""
     if len(runs) == 1 and runs[0][1] == PLAIN_STYLE:
         return runs[0][0]
     return tuple(runs)

@@ -1,20 +1,40 @@
-"""The picture of a terminal: pyte's VT emulation with scrollback, alternate screen, right widths, and a fast way for text.
+"""The picture of a terminal: pyte's VT emulation with scrollback, alternate screen, right widths, and fast ways for floods.
 
 Only the thread that draws touches a screen; `Terminal.update` feeds it.
+
+What scrolls by costs little, because a line that leaves the screen is never drawn cell by cell: while the cursor stands in
+the last line, whole lines of text become rows at once (`rush`), long ones are folded into rows (`_flow`), and the rows only
+queue up below the screen (`_arriving`). Whoever looks at `buffer` or `scrollback` first lets them move in (`_settle`).
 """
 
 from __future__ import annotations
 
+import copy
 import re
 from collections import deque
+from functools import lru_cache
 from typing import Any
 
 from day6_tui.core.session.harmless import for_emulation
 from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
 from day6_tui.core.shell.light_pyte import Screen as PyteScreen
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
-from day6_tui.core.shell.rows import Row, as_row, cells_of, combined, fit, row_text, wrapped
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.shell.rows import (
+    PLAIN_STYLE,
+    Row,
+    Run,
+    Style,
+    as_row,
+    cells_of,
+    combined,
+    fit,
+    folded,
+    folded_runs,
+    row_text,
+    without_end,
+)
+from day6_tui.core.shell.sequences import NEVER, Parser, colour_numbers
+from day6_tui.core.shell.width import char_width, fitting, text_width, widths
 
 SCROLLBACK = 5000
 """Lines kept above the screen."""
@@ -22,48 +42,102 @@ SCROLLBACK = 5000
 MOST_ANSWERS = 100
 """Queries answered in one go: a file full of them is no conversation."""
 
+MOST_ARRIVING = 512
+"""Rows that queue up below the screen after a text was fed."""
+
 ALTERNATE_MODES = frozenset({47, 1047, 1049})
 BRACKETED_PASTE = 2004 << 5
 APPLICATION_CURSOR_KEYS = 1 << 5
 
-_PLAIN = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]*")
+_ODD = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
+"""What makes a line one that cannot be taken as a whole."""
+_ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
+_COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
+"""Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
+_PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
+_CONTROLS = {
+    "\b": "backspace",
+    "\t": "tab",
+    "\n": "linefeed",
+    "\x0b": "linefeed",
+    "\x0c": "linefeed",
+    "\r": "carriage_return",
+    "\r\n": "new_line",
+    "\x84": "index",
+    "\x85": "new_line",
+    "\x88": "set_tab_stop",
+    "\x8d": "reverse_index",
+}
+_ESCAPES = {("", final): name for final, name in {**PyteStream.escape, "E": "new_line"}.items()}
+_ESCAPES["#", "8"] = "alignment_display"
+_SEQUENCES = {final: name for final, name in PyteStream.csi.items() if name != "select_graphic_rendition"}
+_PRIVATE_SEQUENCES = {"h": "set_mode", "l": "reset_mode", "J": "erase_in_display", "K": "erase_in_line"}
 
 
-def is_plain(text: str) -> bool:
-    """Whether a text has no control characters but newline, carriage return and tab."""
-    match = _PLAIN.fullmatch(text)
-    return match is not None
+class _Cells(dict[str, Char]):
+    """The characters of one style, each made once."""
 
+    def __init__(self, attrs: Char) -> None:
+        self._attrs = attrs
 
-class Stream(PyteStream):
-    """pyte's parser, which here skips a sequence it cannot understand instead of dropping the rest of the text."""
-
-    @property
-    def between_sequences(self) -> bool:
-        return bool(self._taking_plain_text)
-
-    def _send_to_parser(self, data: str) -> bool | None:
-        try:
-            return super()._send_to_parser(data)
-        except (TypeError, ValueError, LookupError, NameError, AttributeError, ArithmeticError):
-            return True  # the parser was reset: what follows is text again
+    def __missing__(self, data: str) -> Char:
+        if len(self) > 4096:
+            self.clear()
+        cell: Char = self._attrs._replace(data=data)
+        self[data] = cell
+        return cell
 
 
 class Screen(PyteScreen):
     """A VT100 screen of `columns` x `lines` cells with `scrollback` above it."""
 
     def __init__(self, columns: int, lines: int) -> None:
-        self.scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
-        self.scrolled = 0
-        """Lines that ever left the screen at the top; a view that is scrolled back uses it to stay where it is."""
+        self._scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
+        self._scrolled = 0
+        self._arriving: list[Any] = []
+        """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
+        self._passed = 0
+        """Rows that went by and are not even kept in the scrollback."""
+        self._odd_before = 0
+        """In the text that is being fed: up to here it has to be read character by character."""
+        self._odd_at = -1
+        """Where the next control character stands in it that does not belong into a line of text."""
+        self._style_of: Char | None = None
+        self._style_now = PLAIN_STYLE
         self.answers: list[str] = []
         """What the terminal has to say to the program (answers to queries), for `Terminal` to deliver."""
-        self._cells: dict[Any, dict[str, Char]] = {}
+        self._cells: dict[Any, _Cells] = {}
+        self._colours: dict[tuple[Char, str], Char] = {}
         self._main: tuple[dict[int, Any], Cursor] | None = None
         super().__init__(columns, lines)
-        self._stream = Stream(self)
+        self._parser = Parser(self)
 
     # -- what the view reads -------------------------------------------------------------------------------------------
+
+    @property
+    def buffer(self) -> Any:
+        """pyte's lines of cells, by their number."""
+        if self._arriving:
+            self._settle()
+        return self._buffer
+
+    @buffer.setter
+    def buffer(self, lines: Any) -> None:
+        self._buffer = lines
+
+    @property
+    def scrollback(self) -> deque[Row]:
+        """The lines above the screen, the oldest first."""
+        if self._arriving:
+            self._settle()
+        return self._scrollback
+
+    @property
+    def scrolled(self) -> int:
+        """Lines that ever left the screen at the top; a view that is scrolled back uses it to stay where it is."""
+        if self._arriving:
+            self._settle()
+        return self._scrolled
 
     def row(self, y: int) -> Row:
         """Line `y` of the screen, 0 at the top."""
@@ -94,74 +168,304 @@ class Screen(PyteScreen):
 
     # -- feeding -------------------------------------------------------------------------------------------------------
 
-    def feed(self, text: str) -> None:
-        """Show what a program wrote."""
+    def feed(self, text: str, until: float = NEVER) -> int:
+        """Show what a program wrote, or as much of it as there is time for until `until` (perf_counter); returns how much."""
         text = for_emulation(text)
-        if self._stream.between_sequences and self._is_simple() and is_plain(text):
-            self._feed_plain(text)
+        self._odd_before, self._odd_at = 0, -1
+        read = self._parser.feed(text, until)
+        if self._arriving:
+            self.dirty.update(range(self.lines))
+            if len(self._arriving) > MOST_ARRIVING:
+                self._settle()
+        return read
+
+    def control(self, char: str) -> None:
+        getattr(self, _CONTROLS[char])()
+
+    def new_line(self) -> None:
+        self.cursor.x = 0
+        self.index()
+
+    def escape(self, parts: str, final: str) -> None:
+        name = _ESCAPES.get((parts, final))
+        if name is not None:
+            getattr(self, name)()
+
+    def sequence(self, private: str, parameters: list[int], final: str) -> None:
+        if private == "?":
+            name = _PRIVATE_SEQUENCES.get(final)
         else:
-            self._stream.feed(text)
+            name = None if private else _SEQUENCES.get(final)
+        if name is None:
+            return
+        try:
+            if private:
+                getattr(self, name)(*parameters, private=True)
+            else:
+                getattr(self, name)(*parameters)
+        except (TypeError, ValueError, LookupError, NameError, AttributeError, AssertionError):
+            return  # parameters that pyte does not know what to do with
+
+    def colour(self, parameters: str) -> None:
+        before = self.cursor.attrs
+        after = self._colours.get((before, parameters))
+        if after is None:
+            self.select_graphic_rendition(*colour_numbers(parameters))
+            after = self.cursor.attrs
+            if after.bg == "bfightmagenta":  # pyte's slip of the pen
+                after = after._replace(bg="brightmagenta")
+            if len(self._colours) > 1024:
+                self._colours.clear()
+            self._colours[before, parameters] = after
+        self.cursor.attrs = after
+
+    # -- whole lines ---------------------------------------------------------------------------------------------------
 
     def _is_simple(self) -> bool:
-        return not self.margins and not self.charset and modes.IRM not in self.mode and modes.DECAWM in self.mode
+        """Whether text goes from cell to cell and on to the next line, as it nearly always does."""
+        mode = self.mode
+        return modes.IRM not in mode and modes.DECAWM in mode and not self.charset and not self.margins
 
-    def _feed_plain(self, text: str) -> None:
-        lines = text.split("\n")
-        if len(lines) > 2 * self.lines and not self.alternate and self.cursor.attrs == self.default_char:
-            lines = self._skip_to_the_end(lines)
-        last = len(lines) - 1
-        for index, line in enumerate(lines):
-            for number, piece in enumerate(line.split("\r")):
-                if number:
-                    self.cursor.x = 0
-                if "\t" in piece:
-                    self._draw_with_tabs(piece)
-                elif piece:
-                    self.draw(piece)
-            if index < last:
-                self.linefeed()
+    def rush(self, text: str, start: int) -> int:
+        if self.cursor.x or start < self._odd_before or not self._is_at_the_empty_end():
+            return start
+        if not self._is_simple() or modes.DECSCNM in self.mode or self.columns < 2:
+            return start
+        if start > self._odd_at:
+            odd = _ODD.search(text, start)
+            self._odd_at = len(text) if odd is None else odd.start()
+        end = self._odd_at
+        coloured = text.find("\x1b", start, end) >= 0
+        if coloured and (sequence := _ODD_SEQUENCE.search(text, start, end)) is not None:
+            end = sequence.start()
+        self._odd_before = end
+        cut = text.rfind("\r\n", start, end)
+        if cut < 0:
+            return start
+        return self._take_lines(text[start:cut], start, coloured)
 
-    def _draw_with_tabs(self, text: str) -> None:
-        for number, piece in enumerate(text.split("\t")):
-            if number:
-                self.tab()
-            if piece:
-                self.draw(piece)
+    def _take_lines(self, chunk: str, start: int, coloured: bool) -> int:
+        """Lines without odd characters, before the last of which a newline is missing; returns the place after what was taken."""
+        lines = chunk.split("\r\n")
+        regular = chunk.count("\r") == chunk.count("\n") == len(lines) - 1
+        if (
+            regular
+            and not coloured
+            and "\t" not in chunk
+            and chunk.isascii()
+            and len(max(lines, key=len)) <= self.columns
+        ):
+            style = self._style()
+            if style == PLAIN_STYLE:
+                self._arrive(lines)
+            else:
+                self._arrive([((line, style),) if line else "" for line in lines])
+            return start + len(chunk) + 2
+        rows: list[Row] = []
+        for line in lines:
+            made = self._rows_of(line)
+            if made is None:
+                self._arrive(rows)
+                rows = []
+                self._draw_line(line)
+            else:
+                rows += made
+        self._arrive(rows)
+        return start + len(chunk) + 2
 
-    def _skip_to_the_end(self, lines: list[str]) -> list[str]:
-        """Put what would scroll through straight into the scrollback; return the lines still to be drawn."""
-        self.draw(lines[0].rstrip("\r").expandtabs(8))
-        for y in range(self.cursor.y + 1):
-            self._remember(as_row(self.buffer[y]))
-        end = len(lines) - self.lines
-        for line in lines[1:end][-SCROLLBACK:]:
-            line = line.rstrip("\r").rpartition("\r")[2].expandtabs(8)
-            for row in wrapped(line, self.columns):
-                self._remember(row.rstrip(" "))
-        self.buffer.clear()
-        self.cursor.x = self.cursor.y = 0
+    def _draw_line(self, line: str) -> None:
+        """Draw a line of text, colours, tabs, carriage returns and bare newlines; then begin the next."""
+        for found in _PIECE.finditer(line):
+            if found[1]:
+                self.draw(found[1])
+            elif found[2]:
+                self.control(found[2])
+            elif found[3] == "K":
+                self.erase_in_line()
+            else:
+                self.colour(found[3][:-1])
+        self.new_line()
+
+    def _rows_of(self, line: str) -> list[Row] | None:
+        """The rows a line takes that begins at the left edge; None if it has to be drawn. Sets the colour it ends with."""
+        line = line.rstrip("\r")
+        if "\n" in line or "\r" in line or (not line.isascii() and "0" in widths(line)):
+            return None
+        if "\x1b" in line:
+            return self._coloured_rows_of(line)
+        style = self._style()
+        if "\t" in line:
+            if style != PLAIN_STYLE or not self._tabs_are_regular():
+                return None
+            line = _expanded(line.rstrip("\t"))
+            if text_width(line) > self.columns:
+                return None
+            return [line]
+        rows = folded(line, self.columns)
+        return list(rows) if style == PLAIN_STYLE else [((row, style),) if row else "" for row in rows]
+
+    def _coloured_rows_of(self, line: str) -> list[Row] | None:
+        before = self.cursor.attrs
+        runs: list[Run] = []
+        used = 0
+        width = len if line.isascii() else text_width
+        beyond: Style | None = None
+        for index, piece in enumerate(_COLOUR.split(line)):
+            if index % 2:
+                if piece == "K":
+                    beyond = self._style()
+                else:
+                    self.colour(piece[:-1])
+            elif "\t" in piece:
+                style = self._style()
+                for number, part in enumerate(piece.split("\t")):
+                    if number:
+                        blanks = 8 - used % 8
+                        runs.append((" " * blanks, PLAIN_STYLE if beyond is None else beyond))
+                        used += blanks
+                    if part:
+                        runs.append((part, style))
+                        used += width(part)
+            elif piece:
+                runs.append((piece, self._style()))
+                used += width(piece)
+        special = beyond is not None or "\t" in line
+        if special and (used > self.columns or not self._tabs_are_regular()):
+            self.cursor.attrs = before
+            return None
+        if beyond is not None and used < self.columns:
+            runs.append((" " * (self.columns - used), beyond))
+        return folded_runs(runs, self.columns) if used > self.columns else [tuple(runs)]
+
+    def _tabs_are_regular(self) -> bool:
+        return self.tabstops == _regular_tabs(self.columns)
+
+    def _style(self) -> Style:
+        attrs = self.cursor.attrs
+        if attrs is not self._style_of:
+            self._style_of = attrs
+            self._style_now = Style(*attrs[1:])
+        return self._style_now
+
+    def _arrive(self, rows: list[Any]) -> None:
+        """Rows that scroll in from below, above the line with the cursor."""
+        surplus = len(rows) - SCROLLBACK - self.lines
+        if surplus > 0:
+            self._settle()
+            self._passed += surplus
+            del rows[:surplus]
+        self._arriving += rows
+
+    def _settle(self) -> None:
+        """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
+        arriving, self._arriving = self._arriving, []
+        passed, self._passed = self._passed, 0
+        buffer, bottom = self._buffer, self.lines - 1
+        current = buffer.pop(bottom, None)
+        above = [buffer.pop(y, None) for y in range(bottom)]
+        if passed:  # between what was here and what arrives
+            self._remember_all(above)
+            self._scrolled += passed
+            above = []
+        rows = above + arriving
+        kept = rows[len(rows) - bottom :] if bottom else []
+        self._remember_all(rows[: len(rows) - len(kept)])
+        for y, row in enumerate(kept, bottom - len(kept)):
+            if isinstance(row, dict):
+                buffer[y] = row
+            elif row:
+                self._fill(buffer[y], row)
+        if current is not None:
+            buffer[bottom] = current
         self.dirty.update(range(self.lines))
-        return lines[end:]
+
+    def _fill(self, line: Any, row: Row) -> None:
+        """Make the cells of a row."""
+        x = 0
+        for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
+            x = _fill(line, x, text, "" if text.isascii() else widths(text), self._cells_for(Char(" ", *style)))
+
+    def _remember_all(self, rows: list[Any]) -> None:
+        if self.alternate:
+            return
+        self._scrolled += len(rows)
+        self._scrollback.extend(
+            "" if not row else as_row(row) if isinstance(row, dict) else without_end(row) for row in rows[-SCROLLBACK:]
+        )
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
 
     def draw(self, data: str) -> None:
-        cursor = self.cursor
-        if data.isascii() and data.isprintable() and self._is_simple() and cursor.x + len(data) <= self.columns:
-            cells = self._cells_for(cursor.attrs)
-            line = self.buffer[cursor.y]
-            x = cursor.x
-            self._clear_halves(line, x, len(data))
-            for char in data:
-                line[x] = cells[char] if char in cells else self._new_cell(cells, char)
-                x += 1
-            cursor.x = x
-            self.dirty.add(cursor.y)
-            return
         if self.charset or self.g0_charset is not charsets.LAT1_MAP:
             data = data.translate(self.g1_charset if self.charset else self.g0_charset)
-        self._draw_slowly(data)
+        if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
+            self._draw_slowly(data)
+            return
+        digits = "" if data.isascii() else widths(data)
+        if "0" in digits:
+            self._draw_with_marks(data, digits)
+        else:
+            self._flow(data, digits if "2" in digits else "")
+
+    def _draw_with_marks(self, data: str, digits: str) -> None:
+        """Text with characters that take no cell, which go onto the one before."""
+        for found in re.finditer("(0+)|[12]+", digits):
+            start, end = found.span()
+            if found[1]:
+                for char in data[start:end]:
+                    self._combine(char)
+            else:
+                self._flow(data[start:end], digits[start:end])
+
+    def _flow(self, data: str, digits: str) -> None:
+        """Draw text of which every character takes a cell or two (`digits` are the widths, '' says one each), with autowrap."""
+        cursor = self.cursor
+        columns = self.columns
+        end = len(data)
+        room = columns - cursor.x
+        if end <= room and not digits:
+            self._put(data, digits)
+            return
+        start = fitting(digits, 0, room) if digits else min(room, end)
+        if start:
+            self._put(data[:start], digits[:start])
+        while start < end:
+            self.dirty.add(cursor.y)
+            self.carriage_return()
+            self.linefeed()
+            if end - start > columns and self._is_at_the_empty_end():
+                rows = folded(data[start:], columns)
+                style = self._style()
+                start = end - len(rows.pop())
+                self._arrive(list(rows) if style == PLAIN_STYLE else [((row, style),) for row in rows])
+            count = fitting(digits, start, columns) if digits else min(columns, end - start)
+            self._put(data[start : start + count], digits[start : start + count])
+            start += count
+
+    def _is_at_the_empty_end(self) -> bool:
+        """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
+        bottom = self.lines - 1
+        return self.cursor.y == bottom and not self._buffer.get(bottom) and not self.margins
+
+    def _put(self, text: str, digits: str) -> None:
+        """Draw text that fits into the rest of the line."""
+        cursor = self.cursor
+        x = cursor.x
+        line = self._line()
+        end = x + len(text) + digits.count("2")
+        if x in line or end in line:
+            self._clear_halves(line, x, end - x)
+        _fill(line, x, text, digits, self._cells_for(cursor.attrs))
+        cursor.x = end
+        self.dirty.add(cursor.y)
+
+    def _line(self) -> Any:
+        """The line with the cursor: the last of the screen stands still, whatever arrives above it."""
+        y = self.cursor.y
+        return (self._buffer if y == self.lines - 1 else self.buffer)[y]
 
     def _draw_slowly(self, data: str) -> None:
-        """Wraps, wide characters, combining marks, insert mode."""
+        """Character by character: insert mode, no autowrap."""
         cursor = self.cursor
         for char in data:
             width = char_width(char)
@@ -180,9 +484,9 @@ class Screen(PyteScreen):
             line = self.buffer[cursor.y]
             cells = self._cells_for(cursor.attrs)
             self._clear_halves(line, cursor.x, width)
-            line[cursor.x] = cells[char] if char in cells else self._new_cell(cells, char)
+            line[cursor.x] = cells[char]
             if width == 2 and cursor.x + 1 < self.columns:
-                line[cursor.x + 1] = cells[""] if "" in cells else self._new_cell(cells, "")
+                line[cursor.x + 1] = cells[""]
             cursor.x = min(cursor.x + width, self.columns)
         self.dirty.add(cursor.y)
 
@@ -197,28 +501,27 @@ class Screen(PyteScreen):
     def _combine(self, char: str) -> None:
         if not self.cursor.x:
             return
-        line = self.buffer[self.cursor.y]
+        line = self._line()
         x = self.cursor.x - 1
         if line[x].data == "" and x:
             x -= 1
         line[x] = combined(line[x], char)
         self.dirty.add(self.cursor.y)
 
-    def _cells_for(self, attrs: Char) -> dict[str, Char]:
+    def _cells_for(self, attrs: Char) -> _Cells:
         style = attrs[1:]
         cells = self._cells.get(style)
         if cells is None:
             if len(self._cells) > 256:
                 self._cells.clear()
-            cells = self._cells[style] = {}
+            cells = self._cells[style] = _Cells(attrs)
         return cells
 
-    def _new_cell(self, cells: dict[str, Char], char: str) -> Char:
-        if len(cells) > 4096:
-            cells.clear()
-        cell: Char = self.cursor.attrs._replace(data=char)
-        cells[char] = cell
-        return cell
+    def alignment_display(self) -> None:
+        line = dict.fromkeys(range(self.columns), self.default_char._replace(data="E"))
+        for y in range(self.lines):
+            self.buffer[y].update(line)
+        self.dirty.update(range(self.lines))
 
     # pyte moves and erases cells one by one, and so may leave half of a wide character.
 
@@ -235,29 +538,26 @@ class Screen(PyteScreen):
         fit(self.buffer[self.cursor.y], self.columns)
 
     def erase_in_line(self, how: int = 0, private: bool = False) -> None:
-        super().erase_in_line(how, private)
-        fit(self.buffer[self.cursor.y], self.columns)
+        x = self.cursor.x
+        first, end = {0: (x, self.columns), 1: (0, min(x + 1, self.columns)), 2: (0, self.columns)}[how]
+        line = self._line()
+        self._clear_halves(line, first, end - first)
+        line.update(dict.fromkeys(range(first, end), self.cursor.attrs))
+        self.dirty.add(self.cursor.y)
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
     def index(self) -> None:
         if self.margins is None and self.cursor.y == self.lines - 1:
-            buffer = self.buffer
-            if not self.alternate:
-                self._remember(as_row(buffer[0]) if 0 in buffer else "")
-            for y in range(self.lines - 1):
-                if y + 1 in buffer:
-                    buffer[y] = buffer[y + 1]
-                else:
-                    buffer.pop(y, None)
-            buffer.pop(self.lines - 1, None)
-            self.dirty.update(range(self.lines))
+            if not self._arriving:
+                self.dirty.update(range(self.lines))
+            self._arriving.append(self._buffer.pop(self.lines - 1, ""))
             return
         super().index()
 
     def _remember(self, row: Row) -> None:
-        self.scrollback.append(row)
-        self.scrolled += 1
+        self._scrollback.append(row)
+        self._scrolled += 1
 
     def erase_in_display(self, how: int = 0, *args: Any, **kwargs: Any) -> None:
         if how == 3:
@@ -281,9 +581,9 @@ class Screen(PyteScreen):
     def reset_mode(self, *numbers: int, **keywords: Any) -> None:
         if keywords.get("private"):
             if ALTERNATE_MODES.intersection(numbers) and self._main is not None:
+                self.buffer.clear()
                 lines, cursor = self._main
                 self._main = None
-                self.buffer.clear()
                 # The window may have become smaller meanwhile: the line with the cursor stays in sight.
                 shift = max(cursor.y - self.lines + 1, 0)
                 for y, line in sorted(lines.items()):
@@ -299,7 +599,19 @@ class Screen(PyteScreen):
             numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
         super().reset_mode(*numbers, **keywords)
 
+    def save_cursor(self) -> None:
+        """One place is remembered, as in xterm; pyte would keep them all."""
+        self.savepoints.clear()
+        super().save_cursor()
+
+    def restore_cursor(self) -> None:
+        saved = [point._replace(cursor=copy.copy(point.cursor)) for point in self.savepoints]
+        super().restore_cursor()
+        self.savepoints[:] = saved
+
     def reset(self) -> None:
+        if self._arriving:
+            self._settle()
         self._main = None
         super().reset()
 
@@ -315,6 +627,8 @@ class Screen(PyteScreen):
         columns = columns or self.columns
         if (lines, columns) == (self.lines, self.columns):
             return
+        if self._arriving:
+            self._settle()
         self.tabstops = set(range(8, columns, 8))
         if self.alternate:
             super().resize(lines, columns)
@@ -334,7 +648,7 @@ class Screen(PyteScreen):
                     self.buffer[y] = row
             self.cursor.y -= shift
         elif lines > self.lines:
-            shift = -min(lines - self.lines, len(self.scrollback))
+            shift = -min(lines - self.lines, len(self._scrollback))
             if shift and used == self.lines:
                 self._bring_back(-shift)
         for y in [y for y in self.buffer if y >= lines]:
@@ -350,10 +664,45 @@ class Screen(PyteScreen):
         self.dirty.update(range(lines))
 
     def _bring_back(self, count: int) -> None:
-        rows = [self.scrollback.pop() for _ in range(count)][::-1]
-        self.scrolled -= count
+        rows = [self._scrollback.pop() for _ in range(count)][::-1]
+        self._scrolled -= count
         for y in sorted((y for y in self.buffer), reverse=True):
             self.buffer[y + count] = self.buffer.pop(y)
         for y, row in enumerate(rows):
             self.buffer[y].update(enumerate(cells_of(row)))
         self.cursor.y += count
+
+
+@lru_cache(maxsize=8)
+def _regular_tabs(columns: int) -> set[int]:
+    return set(range(8, columns, 8))
+
+
+def _expanded(line: str) -> str:
+    """A line with blanks for its tabs."""
+    if line.isascii():
+        return line.expandtabs(8)
+    parts: list[str] = []
+    used = 0
+    for number, part in enumerate(line.split("\t")):
+        if number:
+            blanks = 8 - used % 8
+            parts.append(" " * blanks)
+            used += blanks
+        parts.append(part)
+        used += text_width(part)
+    return "".join(parts)
+
+
+def _fill(line: Any, x: int, text: str, digits: str, cells: _Cells) -> int:
+    """Put characters into a line of pyte's buffer; returns the place after them. `digits` are their widths, '' if all are 1."""
+    parts: Any = text
+    if "2" in digits:
+        parts = []
+        for char, digit in zip(text, digits, strict=True):
+            parts.append(char)
+            if digit == "2":
+                parts.append("")
+    end = x + len(parts)
+    line.update(zip(range(x, end), map(cells.__getitem__, parts)))  # noqa: B905
+    return end

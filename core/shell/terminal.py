@@ -11,11 +11,13 @@ import threading
 from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.clock import nanoseconds
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.streams import OutputStream
-from day6_tui.core.session.task import sleep_until
+from day6_tui.core.session.task import Signal, let_others_run, sleep_until, wait_for
 from day6_tui.core.shell.discipline import Discipline
 from day6_tui.core.shell.language.redirection import Streams
 
@@ -28,18 +30,27 @@ if TYPE_CHECKING:
 RING = 256 * 1024
 """Characters that may wait to be shown; beyond that the oldest lines go."""
 
-CROWDED = 64 * 1024
-"""Characters from which copying threads pause until the view has caught up, at most `PAUSE` seconds."""
+CROWDED = 128 * 1024
+"""Characters from which programs pause until the view has caught up, at most `PAUSE` seconds."""
 
 PAUSE = 0.1
 
 TYPED_AT_ONCE = 16 * 1024
 """Characters of a long text that are typed in one go."""
 
-_SEQUENCES_AT_END = re.compile(r"(?:\x1b\[[0-?]*[@-~])+\Z")
+SLICE = 0.005
+"""Seconds one `update` takes at most: keys and frames come in between."""
 
-SLOW_PER_UPDATE = 24 * 1024
-"""Characters with escape sequences fed in one update (pyte takes about a microsecond each); plain text has no such limit."""
+PIECE = 16 * 1024
+"""Characters that are fed to the screen at a time; each is a few milliseconds of work at most."""
+
+SHARE = 4 * 1024
+"""Characters a program on the scheduler's thread writes before others have their turn."""
+
+LONGEST_END = 256
+"""Characters in which the sequences at the end of a text are looked for."""
+
+_SEQUENCES_AT_END = re.compile(r"(?:\x1b\[[0-?]*[@-~])+\Z")
 
 
 class Terminal:
@@ -76,10 +87,15 @@ class Terminal:
         self._ring: deque[str] = deque()
         self._size = 0
         self._dropped_lines = 0
+        self._unshared = 0
+        """Characters written since a program last let others run."""
         self._seen = 0
         self._lock = threading.Lock()
         self._room = threading.Event()
         self._room.set()
+        self._drained = Signal()
+        """The same for programs on the scheduler's thread."""
+        self._drained.set()
         self.shell = desk.shell(interactive=True, cwd=cwd, env=env)
         self.discipline = Discipline(self)
         stdin = self.discipline.root
@@ -117,15 +133,16 @@ class Terminal:
             return set()
         before = set(screen.dirty)
         screen.dirty.clear()
-        budget = SLOW_PER_UPDATE
-        while budget > 0:
-            text, plain = self._take(budget)
-            if not text:
+        until = perf_counter() + SLICE
+        while text := self._take():
+            read = screen.feed(text, until)
+            if read < len(text):
+                self._give_back(text[read:])
+            if perf_counter() > until:
                 break
-            screen.feed(text)
-            if not plain:
-                budget -= len(text)
-        self._room.set()
+        if self._size <= CROWDED and not self._room.is_set():
+            self._room.set()
+            self._drained.set()
         if screen.answers:
             answers, screen.answers = "".join(screen.answers), []
             self.send(answers)
@@ -156,6 +173,11 @@ class Terminal:
     def has_more(self) -> bool:
         """Whether there is text the screen does not show yet."""
         return bool(self._ring)
+
+    @property
+    def is_crowded(self) -> bool:
+        """Whether so much waits to be shown that programs pause."""
+        return self._size > CROWDED
 
     @property
     def has_news(self) -> bool:
@@ -254,6 +276,7 @@ class Terminal:
         with self._lock:
             self._ring.append(text)
             self._size += len(text)
+            self._unshared += len(text)
             while self._size > RING and len(self._ring) > 1:
                 gone = self._ring.popleft()
                 self._size -= len(gone)
@@ -264,6 +287,7 @@ class Terminal:
                 self._ring[0] = kept
                 self._size = len(kept)
             if self._size > CROWDED:
+                self._drained.clear()
                 self._room.clear()
             self.at_line_start = _ends_line(text, self.at_line_start)
             self.version += 1
@@ -274,10 +298,16 @@ class Terminal:
         if self._size > CROWDED:
             self._room.wait(PAUSE)
 
-    def _take(self, limit: int) -> tuple[str, bool]:
-        """Remove and return (text, is it plain): as much plain text as there is in one go, or up to `limit` other characters."""
-        from day6_tui.core.shell.screen import is_plain
+    async def drain(self) -> None:
+        """The same for a program on the scheduler's thread: wait for the view, at most a moment; let others run now and then."""
+        if self._size > CROWDED:
+            await wait_for(self._drained, self.desk.scheduler.clock.steady_ns() + nanoseconds(PAUSE))
+        if self._unshared > SHARE:
+            self._unshared = 0
+            await let_others_run()
 
+    def _take(self) -> str:
+        """Remove and return the next piece of what waits."""
         with self._lock:
             if self._dropped_lines:
                 mark = f"\r\n… {self._dropped_lines} lines dropped\r\n"
@@ -287,22 +317,23 @@ class Terminal:
                 if newline >= 0 and len(self._ring) > 0:  # begin with a whole line
                     self._size -= newline + 1
                     self._ring[0] = first[newline + 1 :]
-                return mark, True
-            if not self._ring:
-                return "", True
-            if is_plain(self._ring[0]):
-                parts = []
-                while self._ring and is_plain(self._ring[0]):
-                    parts.append(self._ring.popleft())
-                text = "".join(parts)
-                self._size -= len(text)
-                return text, True
-            text = self._ring.popleft()
-            if len(text) > limit:
-                text, rest = text[:limit], text[limit:]
-                self._ring.appendleft(rest)
+                return mark
+            parts: list[str] = []
+            size = 0
+            while self._ring and size < PIECE:
+                parts.append(self._ring.popleft())
+                size += len(parts[-1])
+            text = "".join(parts)
+            if size > 2 * PIECE:
+                self._ring.appendleft(text[PIECE:])
+                text = text[:PIECE]
             self._size -= len(text)
-            return text, False
+            return text
+
+    def _give_back(self, text: str) -> None:
+        with self._lock:
+            self._ring.appendleft(text)
+            self._size += len(text)
 
     # -- the end -------------------------------------------------------------------------------------------------------
 
@@ -321,6 +352,7 @@ class Terminal:
 
 def _ends_line(text: str, before: bool) -> bool:
     """Whether the cursor stands at the beginning of a line after `text`, if it did so (`before`) or not before it."""
+    text = text[-LONGEST_END:]
     shown = _SEQUENCES_AT_END.sub("", text)
     if shown == text or shown:
         return shown.endswith(("\n", "\r"))
@@ -346,10 +378,7 @@ class TtyOutput(OutputStream):
         return front if front.parent is not None else None  # the shell's own keys are nobody else's
 
     async def drain(self) -> None:
-        from day6_tui.core.session.task import let_others_run
-
-        if self.terminal._size > CROWDED:
-            await let_others_run()
+        await self.terminal.drain()
 
     def wait_for_room(self) -> None:
         self.terminal.wait_for_room()

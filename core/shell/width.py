@@ -23,6 +23,36 @@ def is_mark(char: str) -> bool:
     return not ("\ufe00" <= char <= "\ufe0f" or "\U000e0100" <= char <= "\U000e01ef")
 
 
+class _Digits(dict[int, str]):
+    """Code point -> its width as a digit, for `str.translate`; remembers the common ones."""
+
+    def __missing__(self, code: int) -> str:
+        digit = str(char_width(chr(code)))
+        if len(self) < MOST_REMEMBERED:
+            self[code] = digit
+        return digit
+
+
+MOST_REMEMBERED = 20_000
+_digits = _Digits()
+
+
+def widths(text: str) -> str:
+    """The width of every character of a text, as a string of the digits 0, 1 and 2."""
+    return text.translate(_digits)
+
+
+def fitting(digits: str, start: int, columns: int) -> int:
+    """How many characters from `start` fit into so many columns, by the `widths` of a text without characters of width 0."""
+    count = min(columns, len(digits) - start)
+    while (excess := count + digits.count("2", start, start + count) - columns) > 0:
+        count -= (excess + 1) // 2
+    return count
+
+
 def text_width(text: str) -> int:
     """Cells of a text without control characters."""
-    return len(text) if text.isascii() else sum(map(char_width, text))
+    if text.isascii():
+        return len(text)
+    digits = widths(text)
+    return len(text) + digits.count("2") - digits.count("0")

@@ -9,6 +9,7 @@ measured on both and the ratio is printed. Everything is compared within one run
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import os
 import statistics
@@ -56,6 +57,19 @@ RUNAWAYS = {
     "print.py": "while True: print('again and again')\n",
     "sum.py": "n = 0\nwhile True: n += sum(range(1000))\n",
 }
+
+FLOODS = {
+    "lines": ("for n in range(250_000): print('%079d' % n)", 20_000_000, 10),
+    "single": ("print('x' * 5_000_000)", 5_000_000, 10),
+    "chinese": ("for n in range(100_000): print('机器人操作系统' * 4, n)", 9_000_000, 10),
+    "coloured": (
+        "for n in range(100_000): print(f'\\x1b[33m[WARN] [{n}.123456789] [talker]: Publishing: Hello {n}\\x1b[0m')",
+        7_000_000,
+        3,
+    ),
+    "binary": ("import random, sys\nsys.stdout.buffer.write(random.Random(1).randbytes(4_000_000))", 4_000_000, 2),
+}
+"""Programs, how many bytes they print, and the budget in MB/s."""
 
 Row = tuple[str, str, str]
 
@@ -168,6 +182,27 @@ class Bench:
             yield "  with the lidar drawn", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 18 %"
             yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
 
+    def floods(self) -> Iterator[Row]:
+        """A program that prints without end, from Enter to the next prompt, beside a bare reader of the same program's pty."""
+        for name, (code, _, _) in FLOODS.items():
+            (self.home / f"{name}.py").write_text(code + "\n", encoding="utf-8")
+        with self.desktop(120, 40, "--scene", "empty") as screen:
+            screen.first_frame()
+            screen.read(2)
+            for name, (_, size, budget) in FLOODS.items():
+                began, cpu = time.perf_counter(), screen._cpu_seconds()
+                screen.output.clear()
+                # The quotes keep the echo of the line from being taken for what it prints.
+                screen.send(f"clear; python3 {name}.py; echo 'DO'NE{name}\r")
+                mark = f"DONE{name}".encode()
+                screen.wait_for(lambda output, mark=mark: mark in output, 120.0)
+                seconds = time.perf_counter() - began
+                cpu = screen._cpu_seconds() - cpu
+                bare = _bare_flood(self.home / f"{name}.py")
+                rates = [f"{size / each / 1e6:.1f}" for each in (seconds, bare, cpu)]
+                measured = f"{rates[0]} MB/s (bare reader {rates[1]}), {rates[2]} MB per CPU second"
+                yield f"{name}, {size / 1e6:.1f} MB to the prompt", measured, f">= {budget} MB/s"
+
     def keys(self) -> Iterator[Row]:
         """Key to echo, alone and with three runaway student programs, all on one core."""
         for name, code in RUNAWAYS.items():
@@ -182,6 +217,20 @@ class Bench:
                 screen.read(1)
             screen.read(2)
             yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
+
+
+def _bare_flood(program: Path) -> float:
+    """The seconds until a reader that only throws it away has all that a program prints on its pty."""
+    master, slave = os.openpty()
+    began = time.perf_counter()
+    process = subprocess.Popen(["nice", sys.executable, str(program)], stdin=slave, stdout=slave, stderr=slave)
+    os.close(slave)
+    with contextlib.suppress(OSError):  # Linux: the last process left the pty
+        while os.read(master, 65536):
+            pass
+    process.wait()
+    os.close(master)
+    return time.perf_counter() - began
 
 
 def _on_a_turntable(urdf: str) -> str:
@@ -313,7 +362,7 @@ def main() -> int:
     options = parser.parse_args()
     bench = Bench(options.quick)
     print("| what | measured | budget |\n| --- | --- | --- |")
-    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.keys()]
+    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.floods(), bench.keys()]
     sections = [] if options.rclpy else screens
     sections.append(processes(options.real, bench.rounds))
     sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))

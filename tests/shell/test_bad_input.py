@@ -179,7 +179,7 @@ def test_plain_text_looks_the_same_fast_and_slow(width: int) -> None:
     fast, slow = Screen(width, 12), Screen(width, 12)
     fast.feed(text)
     for char in text:
-        slow._stream.feed(char)
+        slow.feed(char)
     assert fast.text == slow.text
     assert [row_text(row) for row in fast.scrollback] == [row_text(row) for row in slow.scrollback]
     assert (fast.cursor.x, fast.cursor.y) == (slow.cursor.x, slow.cursor.y)

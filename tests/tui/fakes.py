@@ -25,6 +25,7 @@ class FakeTerminal:
         self.is_stubborn = False
         self.closed = False
         self.has_more = False
+        self.is_crowded = False
         self.has_news = False
         self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True, receiver=None))
 

@@ -109,3 +109,27 @@ def test_an_error_in_a_frame_is_reported_and_the_next_frame_is_drawn(monkeypatch
     loop.run(1.0)
     assert [str(error) for error in errors] == ["broken"]
     assert frames.drawn == 2
+
+
+def test_work_goes_on_between_the_frames_until_it_is_done(monkeypatch) -> None:
+    left = [0.001] * 20 + [None]
+    drawn_at: list[int] = []
+    frames, loop = _frames(monkeypatch, lambda: drawn_at.append(len(left)) or False, work=lambda: left.pop(0))
+    loop.run(1.0)
+    assert len(left) == 21  # nothing was woken
+    frames.wake()
+    loop.run(1.0)
+    assert left == [] and frames.drawn == 1 and drawn_at == [21]
+
+
+def test_work_that_fails_is_told_and_the_frames_go_on(monkeypatch) -> None:
+    told: list[Exception] = []
+
+    def work() -> float:
+        raise ValueError("broken")
+
+    frames, loop = _frames(monkeypatch, lambda: False, work=work, failed=told.append)
+    for _ in range(2):
+        frames.wake()
+        loop.run(1.0)
+    assert frames.drawn == 2 and len(told) == 2

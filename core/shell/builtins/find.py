@@ -50,7 +50,8 @@ async def _walk(session: Session, name: str, wanted: _Expression, depth: int) ->
         else:
             session.print(name)
             await session.stdout.drain()
-    if path.is_dir() and not path.is_symlink() and depth < wanted.deepest:
+    # os.path says no where pathlib raises: in /proc even a look at another user's link is forbidden.
+    if depth < wanted.deepest and os.path.isdir(path) and not os.path.islink(path):
         try:
             children = sorted(entry.name for entry in os.scandir(path))
         except OSError as error:

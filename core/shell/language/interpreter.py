@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
-from day6_tui.core.session.streams import Captured, InputStream, Pipe
+from day6_tui.core.session.streams import CAPTURE_LIMIT, Captured, InputStream, Pipe
 from day6_tui.core.session.write_errors import told
 from day6_tui.core.shell.language import parser, syntax
 from day6_tui.core.shell.language.compound import run_compound
@@ -121,6 +121,10 @@ class Shell(ShellState):
         self.status = self._substitution_status = job.status
         if job.interrupted:
             raise Interrupted
+        if captured.is_cut:
+            streams.stderr.write(
+                f"{self.name}: warning: command substitution: more than {CAPTURE_LIMIT >> 20} MB of output, the rest is lost\n"
+            )
         return captured.text.rstrip("\n")
 
     async def _and_or(self, node: syntax.AndOr, streams: Streams) -> None:

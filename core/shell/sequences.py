@@ -1,0 +1,301 @@
+"""What a program writes to a terminal, taken apart: text, control characters and escape sequences, as xterm reads them.
+
+The states are those of a VT500 (https://vt100.net/emu/dec_ansi_parser), which xterm follows: CAN and SUB end any sequence,
+ESC begins a new one, control characters inside a sequence are obeyed at once, and a string (OSC, DCS, APC …) goes on until ST.
+A text may be cut anywhere; what is kept of an unfinished sequence is bounded.
+"""
+
+from __future__ import annotations
+
+import re
+from time import perf_counter
+from typing import Protocol
+
+MOST_PARAMETERS = 32
+"""xterm keeps 30 parameters of a sequence."""
+
+LARGEST_PARAMETER = 9999
+
+LONGEST_SEQUENCE = 512
+"""Characters of the parameters of one sequence; a longer one is read to its end and ignored."""
+
+LONGEST_STRING = 1024
+"""Characters kept of a string such as a title."""
+
+NEVER = float("inf")
+
+_TEXT = r"[^\x00-\x1f\x7f-\x9f]+"
+_NOTHING = r"[\x00-\x07\x0e-\x1a\x1c-\x1f\x7f]+"
+_TOKEN = re.compile(
+    rf"({_TEXT}(?:{_NOTHING}{_TEXT})*)"  # 1: text, in which control characters without a meaning may be
+    r"|(\r\n|[\x08-\x0d\x84\x85\x88\x8d])"  # 2: a control character that does something
+    r"|\x1b\[([0-9;]*)m"  # 3: colours
+    r"|(?:\x1b\[|\x9b)([0-?]*)([ -/]*)([@-~])"  # 4, 5, 6: any other control sequence
+    r"|([\x00-\x07\x0e-\x1a\x1c-\x1f\x7f-\x83\x86\x87\x89-\x8c\x8e\x8f\x91-\x97\x99\x9a\x9c])"  # 7: nothing happens
+)
+_MEANINGLESS = re.compile(_NOTHING)
+_PARAMETERS = re.compile(r"[0-?]*[ -/]*")
+_IGNORED = re.compile(r"[ -?\x7f]*")
+_PARTS_OF_ESCAPE = re.compile(r"[ -/]*")
+_NOT_IN_A_STRING = re.compile(r"[\x18\x1a\x1b\x9c]")
+_NOT_IN_AN_OSC = re.compile(r"[\x07\x18\x1a\x1b\x9c]")
+
+_STRINGS = {
+    "]": "]",
+    "\x9d": "]",
+    "P": "P",
+    "\x90": "P",
+    "X": "X",
+    "\x98": "X",
+    "^": "^",
+    "\x9e": "^",
+    "_": "_",
+    "\x9f": "_",
+}
+"""What begins a string: OSC, DCS, SOS, PM, APC."""
+
+
+class Listener(Protocol):
+    """What a parser tells of what it read."""
+
+    def draw(self, data: str) -> None:
+        """Characters to be shown."""
+
+    def control(self, char: str) -> None:
+        r"""A control character that moves the cursor, or '\r\n'."""
+
+    def colour(self, parameters: str) -> None:
+        """The parameters of SGR as they were written."""
+
+    def sequence(self, private: str, parameters: list[int], final: str) -> None:
+        """A control sequence (CSI) without intermediate characters; `private` is '', '?', '>', '<' or '='."""
+
+    def escape(self, parts: str, final: str) -> None:
+        """An escape sequence such as ESC 7 or ESC # 8."""
+
+    def set_title(self, param: str) -> None:
+        """OSC 0 and 2."""
+
+    def rush(self, text: str, start: int) -> int:
+        """Asked at the beginning of a line: take as many whole lines as can be taken at once; returns where it stopped."""
+
+
+class Parser:
+    """Reads what a program writes, and tells its listener. Never raises for any text; takes time linear in its length."""
+
+    def __init__(self, listener: Listener) -> None:
+        self._listener = listener
+        self._rest = ""
+        """The beginning of a sequence whose end has not come yet."""
+        self._ignoring = False
+        """Inside a control sequence that is not understood."""
+        self._string = ""
+        """Inside a string: what began it."""
+        self._kept: list[str] = []
+        self._kept_size = 0
+
+    @property
+    def between_sequences(self) -> bool:
+        """Whether the next character is text."""
+        return not (self._rest or self._ignoring or self._string)
+
+    def feed(self, text: str, until: float = NEVER) -> int:
+        """Read a text, or as much of it as there is time for until `until` (perf_counter); returns how much was read."""
+        carried = len(self._rest)
+        if carried:
+            text, self._rest = self._rest + text, ""
+        at, end = 0, len(text)
+        if not carried and self.between_sequences:
+            at = self._listener.rush(text, 0)
+        while at < end:
+            if self._string:
+                at = self._read_string(text, at)
+            elif self._ignoring:
+                at = self._ignore(text, at)
+            else:
+                at = self._read_tokens(text, at, until)
+            if at >= carried and perf_counter() > until:
+                break
+        return at - carried
+
+    def _read_tokens(self, text: str, at: int, until: float) -> int:
+        """Read text and whole sequences; stops before what needs more care, after it, or when the time is over."""
+        listener = self._listener
+        draw, colour, control = listener.draw, listener.colour, listener.control
+        match = _TOKEN.match
+        while token := match(text, at):
+            at = token.end()
+            kind = token.lastindex
+            if kind == 1:
+                data = token[1]
+                draw(data if data.isprintable() else _MEANINGLESS.sub("", data))
+            elif kind == 2:
+                control(token[2])
+                if token[2] == "\r\n":
+                    at = listener.rush(text, at)
+            elif kind == 3:
+                colour(token[3])
+            elif kind == 6:
+                self._dispatch(token[4], token[5], token[6])
+            else:
+                continue
+            if kind != 3 and perf_counter() > until:
+                return at
+        if at < len(text):
+            return self._read_odd(text, at)
+        return at
+
+    def _read_odd(self, text: str, at: int) -> int:
+        """A sequence that is unfinished, mixed with control characters, or not a control sequence."""
+        char = text[at]
+        if char in _STRINGS:
+            return self._begin_string(char, at + 1)
+        if char == "\x9b":
+            return self._read_sequence(text, at + 1, "")
+        at += 1  # ESC
+        parts = ""
+        while at < len(text):
+            found = _PARTS_OF_ESCAPE.match(text, at)
+            assert found is not None
+            parts = (parts + found[0])[:2]
+            at = found.end()
+            if at == len(text):
+                break
+            char = text[at]
+            if not parts and char == "[":
+                return self._read_sequence(text, at + 1, "")
+            if not parts and char in _STRINGS and char < "\x80":
+                return self._begin_string(char, at + 1)
+            if "0" <= char <= "~":
+                self._listener.escape(parts, char)
+                return at + 1
+            if not self._obey_inside(char):
+                return at + (char in "\x18\x1a")
+            at += 1
+        self._rest = "\x1b" + parts
+        return at
+
+    def _read_sequence(self, text: str, at: int, read: str) -> int:
+        """The rest of a control sequence, of which `read` is known."""
+        while True:
+            found = _PARAMETERS.match(text, at)
+            assert found is not None
+            at = found.end()
+            read += found[0]
+            if len(read) > LONGEST_SEQUENCE:
+                self._ignoring = True
+                return at
+            if at == len(text):
+                self._rest = "\x1b[" + read
+                return at
+            char = text[at]
+            if "@" <= char <= "~":
+                parameters = read.rstrip(" !\"#$%&'()*+,-./")
+                self._dispatch(parameters, read[len(parameters) :], char)
+                return at + 1
+            if " " <= char <= "?":
+                self._ignoring = True  # a parameter after what ends the parameters
+                return at
+            if not self._obey_inside(char):
+                return at + (char in "\x18\x1a")
+            at += 1
+
+    def _obey_inside(self, char: str) -> bool:
+        """A character that does not belong into a sequence; False if it ends it."""
+        if char in "\x18\x1a\x1b" or char >= "\x80":
+            return False
+        if "\x08" <= char <= "\x0d":
+            self._listener.control(char)
+        return True
+
+    def _ignore(self, text: str, at: int) -> int:
+        while at < len(text):
+            found = _IGNORED.match(text, at)
+            assert found is not None
+            at = found.end()
+            if at == len(text):
+                break
+            char = text[at]
+            if "@" <= char <= "~":
+                self._ignoring = False
+                return at + 1
+            if not self._obey_inside(char):
+                self._ignoring = False
+                return at + (char in "\x18\x1a")
+            at += 1
+        return at
+
+    def _dispatch(self, parameters: str, parts: str, final: str) -> None:
+        if parts or len(parameters) > LONGEST_SEQUENCE:
+            return
+        private = ""
+        if parameters[:1] in ("?", ">", "<", "="):
+            private, parameters = parameters[0], parameters[1:]
+        if final == "m" and not private:
+            self._listener.colour(parameters)
+            return
+        numbers = [_number(one) for one in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]]
+        self._listener.sequence(private, numbers, final)
+
+    # -- strings -------------------------------------------------------------------------------------------------------
+
+    def _begin_string(self, char: str, at: int) -> int:
+        self._string = _STRINGS[char]
+        self._kept.clear()
+        self._kept_size = 0
+        return at
+
+    def _read_string(self, text: str, at: int) -> int:
+        pattern = _NOT_IN_AN_OSC if self._string == "]" else _NOT_IN_A_STRING
+        found = pattern.search(text, at)
+        stop = len(text) if found is None else found.start()
+        if self._string == "]" and self._kept_size < LONGEST_STRING:
+            self._kept.append(text[at : min(stop, at + LONGEST_STRING - self._kept_size)])
+            self._kept_size += stop - at
+        if found is None:
+            return stop
+        if text[stop] == "\x1b":
+            if stop + 1 == len(text):
+                self._rest = "\x1b"  # perhaps the first half of ST
+                return stop + 1
+            if text[stop + 1] != "\\":
+                self._string = ""  # another sequence begins
+                return stop
+            stop += 1
+        elif text[stop] in "\x18\x1a":
+            self._string = ""
+            return stop + 1
+        self._finish_string()
+        return stop + 1
+
+    def _finish_string(self) -> None:
+        kind, self._string = self._string, ""
+        code, _, title = "".join(self._kept).partition(";")
+        self._kept.clear()
+        if kind == "]" and code in ("0", "2"):
+            self._listener.set_title(title)
+
+
+def _number(text: str) -> int:
+    """A parameter; 0 if it is empty or no plain number."""
+    if len(text) > 9:
+        return LARGEST_PARAMETER
+    return min(int(text), LARGEST_PARAMETER) if text.isdigit() else 0
+
+
+def colour_numbers(parameters: str) -> list[int]:
+    """The parameters of SGR as numbers. Groups with colons (ITU T.416: 4:3, 38:2::1:2:3) become what the older way says."""
+    if ":" not in parameters:
+        return [min(_number(one), 255) for one in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]]
+    numbers: list[int] = []
+    for group in parameters.split(";", MOST_PARAMETERS)[:MOST_PARAMETERS]:
+        first, *others = [min(_number(one), 255) for one in group.split(":", 8)[:8]]
+        if first in (38, 48) and others[:1] == [2] and len(others) >= 4:
+            numbers += [first, 2, *(others[2:5] if len(others) >= 5 else others[1:4])]
+        elif first in (38, 48) and others[:1] == [5] and len(others) >= 2:
+            numbers += [first, 5, others[1]]
+        elif first == 4 and others[:1] == [0]:
+            numbers.append(24)
+        elif first not in (38, 48):
+            numbers.append(first)
+    return numbers
