@@ -7,12 +7,14 @@
 
 from __future__ import annotations
 
+import contextvars
 import logging
 import os
 import sys
 import threading
 import time
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -21,12 +23,14 @@ from day6_tui.tui import lean
 
 lean.import_asyncio()
 
+import asyncio
+
 from textual import events
 from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.screen import Screen
 
-from day6_tui.tui import actions, chops, output
+from day6_tui.tui import actions, chops, departure, output
 from day6_tui.tui.app_actions import AppActions
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.colours import colours
@@ -42,6 +46,9 @@ from day6_tui.tui.scenes import SCENES, Player
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import WindowPane
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.ending import Ending
 
 chops.install()
 output.install()
@@ -96,6 +103,10 @@ class Day6App(AppActions, App[None]):
 
     def __init__(self, options: Any = None, *, desk: Any = None, look: Look | None = None) -> None:
         super().__init__()
+        self.ending: Ending | None = None
+        """The end of the process, where this application is all of it."""
+        self.leave_soon: Callable[[], object] | None = None
+        """Leaves the application, from any thread; None until there is something to leave."""
         self.options = options
         self.look = make_look(options) if look is None else look
         fps = getattr(options, "fps", None)
@@ -134,7 +145,7 @@ class Day6App(AppActions, App[None]):
         # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick (tui-tech.md §3.2).
         sys.setswitchinterval(0.001)
         self.frames.attach()
-        self._end_on_signals()
+        self._attend_the_end()
         self.desktop.focus_pane(self.welcome if getattr(self.options, "scene", None) is None else self.terminals)
         self.call_after_refresh(self._open_desk)
 
@@ -158,19 +169,23 @@ class Day6App(AppActions, App[None]):
         if not self.frames.rate:
             self.frames.step()
 
-    def _end_on_signals(self) -> None:
+    def _attend_the_end(self) -> None:
         """A closed terminal window or `kill` ends the desktop in order, with all its programs."""
-        import asyncio
-        import signal
-
+        if self.ending is None:
+            return
         loop = asyncio.get_running_loop()
-        for name in ("SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)
-            if number is not None:
-                try:
-                    loop.add_signal_handler(number, self.exit)
-                except (NotImplementedError, RuntimeError, ValueError):
-                    return  # Windows, or not the main thread (tests): the default stays
+        context = contextvars.copy_context()
+        self.leave_soon = lambda: loop.call_soon_threadsafe(self.exit, context=context)
+        departure.attend_stops(self)
+        if self.ending.begun:  # a signal came before there was an application to leave
+            self.exit()
+
+    def exit(self, result: None = None, return_code: int = 0, message: Any = None) -> None:
+        """Leave the desktop; from here on everything has its time."""
+        if self.ending is not None:
+            output.let_go()
+            self.ending.begin()
+        super().exit(result, return_code, message)
 
     def on_cursor_position(self, event: events.CursorPosition) -> None:
         """xterm and its kin send for Shift+F3 what also reports a cursor at 1;2, and Textual takes it for that."""
@@ -400,8 +415,13 @@ def run(options: Any) -> int:
         return 2
     # For programs on the desk that explain something: new terminals pass it on.
     os.environ["DAY6_LANG"] = app.look.texts.language
+    app.ending = ending = departure.ending_of(app)
+    ending.listen()
     try:
         app.run()
+        ending.give_back = None
     finally:
+        ending.begin()
         app.machine.close()
-    return app.return_code or 0
+        ending.over()
+    return ending.status or app.return_code or 0

@@ -1,0 +1,113 @@
+"""Ends this process in bounded time, whatever a signal or a key finds it doing.
+
+Whoever runs for long says by which steps it ends and how many seconds each may take: first in order, then in a hurry. The steps
+are taken on a thread of their own, because the main thread may be waiting for a terminal that takes no more output, for a
+program, or for a library's destructors. Who gets through all steps and is still there is ended by force.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from queue import Empty, SimpleQueue
+from typing import NamedTuple
+
+GIVE_BACK_SECONDS = 0.5
+"""What giving the terminal back may take at the end by force: a terminal that is stuck cannot be written to."""
+
+_NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+_log = logging.getLogger(__name__)
+
+
+class Step(NamedTuple):
+    """One way to ask for the end: `act` returns at once (it is called on a foreign thread), then `seconds` are waited."""
+
+    act: Callable[[], object]
+    seconds: float
+
+
+class Ending:
+    """The end of this process, which comes once: by `begin`, or by the first signal after `listen`.
+
+    Another signal takes the next step at once; only SIGHUP does not, which the system and the shell both send when a terminal
+    window is closed. `number` is the first signal, 0 if there was none.
+    """
+
+    def __init__(self, *steps: Step) -> None:
+        self.number = 0
+        self.begun = False
+        self.give_back: Callable[[], object] | None = None
+        """Called when it ends by force: what else gives the terminal back. May block; nobody waits for it for long."""
+        self._steps = steps
+        # Of the queues only this one may be used by a handler that interrupts another use of it.
+        self._orders: SimpleQueue[bool] = SimpleQueue()
+        """True: another step. False: it is over."""
+        threading.Thread(target=self._watch, name="day6-ending", daemon=True).start()
+
+    @property
+    def status(self) -> int:
+        """The exit status that tells of the signal, 0 if there was none."""
+        return 128 + self.number if self.number else 0
+
+    def begin(self) -> None:
+        """End because the user wishes it (a key). Without effect when it has begun."""
+        if not self.begun:
+            self.begun = True
+            self._orders.put(True)
+
+    def listen(self) -> None:
+        """Let SIGINT, SIGTERM and SIGHUP begin the end, from now on. On the main thread."""
+        for name in _NAMES:
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+                signal.signal(number, self._signalled)
+
+    def over(self) -> None:
+        """Everything has ended: from here on a signal ends the process by itself, and silently. On the main thread."""
+        for name in _NAMES:
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) == self._signalled:
+                signal.signal(number, signal.SIG_DFL)
+        self._orders.put(False)
+
+    def _signalled(self, number: int, frame: object) -> None:
+        again = self.begun
+        self.begun = True
+        self.number = self.number or number
+        if not again or number != getattr(signal, "SIGHUP", None):
+            self._orders.put(True)
+
+    def _watch(self) -> None:
+        if not self._orders.get():
+            return
+        for step in self._steps:
+            try:
+                step.act()
+            except Exception:
+                _log.exception("a step of the end failed")
+            try:
+                if not self._orders.get(timeout=step.seconds):
+                    return
+            except Empty:
+                continue
+        self._force()
+
+    def _force(self) -> None:
+        if self.give_back is not None:
+            giving = threading.Thread(target=self.give_back, name="day6-give-back", daemon=True)
+            giving.start()
+            giving.join(GIVE_BACK_SECONDS)
+        os._exit(self.status or 1)
+
+
+def leave(status: int) -> None:
+    """Exit at once with `status`: everything has been closed, and Python's way out could only still hang."""
+    try:
+        sys.stdout.flush()
+    except (OSError, ValueError):
+        status = status or 1
+    os._exit(status)
