@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import contextvars
 import logging
 import os
@@ -175,7 +176,13 @@ class Day6App(AppActions, App[None]):
             return
         loop = asyncio.get_running_loop()
         context = contextvars.copy_context()
-        self.leave_soon = lambda: loop.call_soon_threadsafe(self.exit, context=context)
+
+        def soon(function: Callable[[], object]) -> None:
+            with contextlib.suppress(RuntimeError):  # the loop was closed: this has been left
+                loop.call_soon_threadsafe(function, context=context)
+
+        self.leave_soon = lambda: soon(self.exit)
+        self.ending.nudge = lambda: soon(lambda: None)
         departure.attend_stops(self)
         if self.ending.begun:  # a signal came before there was an application to leave
             self.exit()
@@ -416,7 +423,7 @@ def run(options: Any) -> int:
     # For programs on the desk that explain something: new terminals pass it on.
     os.environ["DAY6_LANG"] = app.look.texts.language
     app.ending = ending = departure.ending_of(app)
-    ending.listen()
+    ending.listen(sys.stdin.fileno())
     try:
         app.run()
         ending.give_back = None

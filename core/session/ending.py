@@ -42,6 +42,8 @@ class Ending:
         self.begun = False
         self.give_back: Callable[[], object] | None = None
         """Called when it ends by force: what else gives the terminal back. May block; nobody waits for it for long."""
+        self.nudge: Callable[[], object] | None = None
+        """Called after every signal, from a foreign thread: wakes the main thread, where handlers of signals run."""
         self._steps = steps
         # Of the queues only this one may be used by a handler that interrupts another use of it.
         self._orders: SimpleQueue[bool] = SimpleQueue()
@@ -59,22 +61,59 @@ class Ending:
             self.begun = True
             self._orders.put(True)
 
-    def listen(self) -> None:
-        """Let SIGINT, SIGTERM and SIGHUP begin the end, from now on. On the main thread."""
+    def listen(self, terminal: int | None = None) -> None:
+        """Let SIGINT, SIGTERM and SIGHUP begin the end, from now on. On the main thread.
+
+        So does the end of `terminal` (a descriptor), whose SIGHUP goes to the shell alone where we are not its child any more,
+        and which nobody hears who was started by `nohup`.
+        """
         for name in _NAMES:
             number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-                signal.signal(number, self._signalled)
+            if number is not None:
+                signal.signal(number, self._handle)
+        if os.name == "posix":
+            # The system may hand a signal to any thread, and then the main one, where handlers run, sleeps on.
+            reading, writing = os.pipe()
+            os.set_blocking(writing, False)
+            signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
+            threading.Thread(target=self._read, args=(reading, terminal), name="day6-signals", daemon=True).start()
 
     def over(self) -> None:
         """Everything has ended: from here on a signal ends the process by itself, and silently. On the main thread."""
         for name in _NAMES:
             number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) == self._signalled:
+            if number is not None and signal.getsignal(number) == self._handle:
                 signal.signal(number, signal.SIG_DFL)
+        if os.name == "posix":
+            signal.set_wakeup_fd(-1)
         self._orders.put(False)
 
-    def _signalled(self, number: int, frame: object) -> None:
+    def _handle(self, number: int, frame: object) -> None:
+        if os.name != "posix":
+            self._signalled(number)
+
+    def _read(self, reading: int, terminal: int | None) -> None:
+        import select
+
+        poll = select.poll()
+        poll.register(reading, select.POLLIN)
+        if terminal is not None:
+            poll.register(terminal, 0)  # nothing but its end
+        while True:
+            for descriptor, _ in poll.poll():
+                if descriptor == reading:
+                    numbers = os.read(reading, 64)
+                else:
+                    poll.unregister(descriptor)
+                    # Some systems cannot poll a terminal, and say so at once.
+                    numbers = b"" if os.isatty(descriptor) else bytes([signal.SIGHUP])
+                for number in numbers:
+                    if number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                        self._signalled(number)
+                if self.nudge is not None:
+                    self.nudge()
+
+    def _signalled(self, number: int) -> None:
         again = self.begun
         self.begun = True
         self.number = self.number or number

@@ -106,6 +106,8 @@ class Run:
     status: int | None = None
     hung_up: bool = False
     """The terminal's window is gone, so that nothing can be seen of what was given back."""
+    stuck: bool = False
+    """Nothing can be written to the terminal any more."""
 
     def note(self, text: str) -> None:
         self.deeds.append(text)
@@ -235,7 +237,7 @@ class Run:
         if self.hung_up:
             return
         output = self.screen.output.decode("utf-8", "replace")
-        if left := modes_left(output):
+        if (left := modes_left(output)) and not self.stuck:
             self.troubles.append(f"not given back: {', '.join(left)}")
         if termios.tcgetattr(self.screen._fd) != self.before:
             self.troubles.append("the terminal's settings are not given back")
@@ -335,6 +337,7 @@ def stopped(run: Run) -> Ended:
 
 def stuck_terminal(run: Run) -> Ended:
     """Nobody reads what it draws (a connection that hangs), and it is told to go."""
+    run.stuck = True
     run.type("yes\r")
     time.sleep(1.0)
     run.signal(signal.SIGTERM)
