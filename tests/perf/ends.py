@@ -129,7 +129,7 @@ class Run:
         command = [sys.executable, "-c", START.format(stacks=str(stacks), words=words)]
         columns, rows = self.random.choice([(80, 24), (120, 40), (40, 10)])
         self.note(f"scene {scene}, {columns}x{rows}")
-        env = {"DAY6_RUNTIME_DIR": str(runtime), "TMPDIR": str(temporary), "PYTHONPATH": None}
+        env = {"DAY6_RUNTIME_DIR": str(runtime), "TMPDIR": str(temporary)}
         self.screen = Screen(command, columns, rows, cwd=str(self.folder), **env)
         self.before = termios.tcgetattr(self.screen._fd)
         early = self.random.random() < 0.2
@@ -380,6 +380,11 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, metavar="N", help="begin with run N")
     parser.add_argument("--only", type=int, metavar="N", help="play run N alone and say what it does")
     options = parser.parse_args()
+    for number in (
+        signal.SIGINT,
+        signal.SIGHUP,
+    ):  # a script's `&` and `nohup` have these ignored, and so would the desktop
+        signal.signal(number, signal.SIG_DFL)
     bad, ways, slowest = 0, Counter[str](), dict[str, float]()
 
     def play(number: int) -> Run:
