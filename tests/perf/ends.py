@@ -34,7 +34,8 @@ START = """\
 import faulthandler, signal, sys
 faulthandler.register(signal.SIGUSR1, file=open({stacks!r}, "w"), all_threads=True)
 from day6_tui.tui.main import main
-sys.exit(main({words!r}))
+sys.argv[1:] = {words!r}
+sys.exit(main())
 """
 """The installed command, which moreover writes its stacks on SIGUSR1."""
 
@@ -188,10 +189,19 @@ class Run:
                 number = self.random.choice([signal.SIGTSTP, signal.SIGSTOP, signal.SIGCONT])
                 self.note(f"{number.name}, SIGCONT")
                 self.signal(number)
+                self.wait_for_stop(0 if number == signal.SIGCONT else 2)
                 self.screen.read(self.random.uniform(0, 0.4))
                 self.signal(signal.SIGCONT)
             self.screen.read(self.random.uniform(0, 0.6))
         self.screen.read(self.random.choice([0, 0.2, 1.0]))
+
+    def wait_for_stop(self, limit: float) -> None:
+        """Until it stands still: SIGCONT before that would be forgotten."""
+        end = time.monotonic() + limit
+        while time.monotonic() < end:
+            if Path(f"/proc/{self.screen.pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "T":
+                return
+            self.screen.read(0.02)
 
     def type(self, text: str) -> None:
         self.note(f"type {text[:60]!r}")
@@ -329,7 +339,7 @@ def mixed_signals(run: Run) -> Ended:
 
 def stopped(run: Run) -> Ended:
     run.signal(signal.SIGTSTP)
-    time.sleep(0.3)
+    run.wait_for_stop(2)
     run.signal(signal.SIGTERM)
     run.signal(signal.SIGCONT)
     return {143}, DESK_LIMIT
