@@ -183,9 +183,15 @@ class Day6App(AppActions, App[None]):
 
         self.leave_soon = lambda: soon(self.exit)
         self.ending.nudge = lambda: soon(lambda: None)
-        departure.attend_stops(self)
+        departure.attend_stops(self, soon)
         if self.ending.begun:  # a signal came before there was an application to leave
             self.exit()
+
+    def _handle_exception(self, error: Exception) -> None:
+        if self._exit and not self.is_headless:
+            _log.warning("something failed on the way out", exc_info=error)  # a key for a pane that is gone
+        else:
+            super()._handle_exception(error)
 
     def exit(self, result: None = None, return_code: int = 0, message: Any = None) -> None:
         """Leave the desktop; from here on everything has its time."""

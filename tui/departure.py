@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.session.ending import Ending, Step
@@ -62,32 +63,35 @@ def give_back(app: Any) -> None:
             os.write(2, GIVE_BACK.encode())
 
 
-def attend_stops(app: Any) -> None:
+def attend_stops(app: Any, soon: Callable[[Callable[[], object]], object]) -> None:
     """Have the terminal taken again after any stop, and after none of our own (SIGSTOP, a stray SIGCONT) too; POSIX only.
 
     Textual starts a second time where it was not told to suspend: it then forgets what the terminal's settings were, and the
-    first of its two input threads never ends. While the application leaves, nothing is taken again.
+    first of its two input threads never ends. `soon` runs a function in the application: there, one signal cannot come in the
+    middle of what another one asked for. While the application leaves, nothing is taken again.
     """
     driver = app._driver
     if not hasattr(driver, "_sigcont_application"):
         return  # headless, or Windows
+    here = os.getpid()
 
-    def leaving() -> bool:
-        return bool(app._exit) or driver is not app._driver
-
-    def stop(number: int, frame: object) -> None:
-        if leaving():
-            os.kill(os.getpid(), signal.SIGSTOP)
-        else:
+    def suspend() -> None:
+        if not app._exit:
             driver._sigtstp_application()
 
-    def go_on(number: int, frame: object) -> None:
-        if leaving():
+    def resume() -> None:
+        if app._exit:
             return
         if not driver._must_signal_resume:
             driver.suspend_application_mode()
             driver._must_signal_resume = True
         driver._sigcont_application()
 
+    def stop(number: int, frame: object) -> None:
+        if app._exit:
+            os.kill(here, signal.SIGSTOP)
+        else:
+            soon(suspend)
+
     signal.signal(signal.SIGTSTP, stop)
-    signal.signal(signal.SIGCONT, go_on)
+    signal.signal(signal.SIGCONT, lambda number, frame: soon(resume))
