@@ -36,6 +36,9 @@ LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
 BUSY_ANNOUNCEMENT = 0.03
 """Wall seconds after which a scheduler that never comes to rest says that something happened."""
 
+STUCK_SECONDS = 0.5
+"""Wall seconds of one step after which Ctrl-C is raised in the middle of it."""
+
 _log = logging.getLogger(__name__)
 
 
@@ -51,6 +54,7 @@ class Scheduler:
         self._order = itertools.count()
         self._tasks: set[Task] = set()
         self._running: Task | None = None
+        self._step_began = 0.0
         self._thread_id: int | None = None
         self._thread: threading.Thread | None = None
         self._stopping = False
@@ -69,6 +73,28 @@ class Scheduler:
     def wake(self) -> None:
         """Make a waiting scheduler look at its clock again."""
         self._inbox.put(None)
+
+    @property
+    def stuck_for(self) -> float:
+        """How many wall seconds the step that is being taken has taken so far; 0 if none is."""
+        return time.monotonic() - self._step_began if self._running is not None else 0.0
+
+    def insist(self) -> None:
+        """Ctrl-C was pressed: raise KeyboardInterrupt in a program that does not come to its next wait, soon. Any thread.
+
+        All programs stand still behind it, and so does the Ctrl-C. A call into C is interrupted when it returns.
+        """
+        if self.stuck_for > STUCK_SECONDS / 2:
+            threading.Thread(target=self._break_in, args=(self._step_began,), name="day6-insist", daemon=True).start()
+
+    def _break_in(self, step: float) -> None:
+        time.sleep(STUCK_SECONDS / 2)
+        if self._running is not None and self._step_began == step and self._thread_id is not None:
+            import ctypes
+
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                ctypes.c_ulong(self._thread_id), ctypes.py_object(KeyboardInterrupt)
+            )
 
     def spawn(self, coroutine: Coroutine[Any, Any, Any], name: str = "task") -> Task:
         """Start a task; its first step comes with the next turn."""
@@ -129,7 +155,10 @@ class Scheduler:
     def _thread_main(self) -> None:
         self._thread_id = threading.get_ident()
         while not self._stopping:
-            self._turn(wait=True, longest=math.inf)
+            try:
+                self._turn(wait=True, longest=math.inf)
+            except KeyboardInterrupt:
+                continue  # of `insist`, for a step that was over at this very moment
         self._thread_id = None
 
     def _turn(self, *, wait: bool, longest: float) -> bool:
@@ -222,6 +251,7 @@ class Scheduler:
     def _step(self, task: Task, outcome: bool) -> None:
         task._ticket += 1
         task._waiting = False
+        self._step_began = time.monotonic()
         self._running = task
         coroutine = task._coroutine
         try:

@@ -7,6 +7,8 @@ that can produce without end calls `await stream.drain()` between its writes.
 from __future__ import annotations
 
 import contextlib
+import errno
+import stat
 import threading
 import time
 from collections import deque
@@ -14,7 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
-from day6_tui.core.session.task import Signal, wait_for
+from day6_tui.core.session.task import Signal, let_others_run, wait_for
 
 END_OF_INPUT = ""
 
@@ -23,6 +25,13 @@ PIPE_HIGH = 256 * 1024
 
 PIPE_LIMIT = 4 * 1024 * 1024
 """Characters a pipe holds at most; what is written beyond that without draining is dropped, whole writes at a time."""
+
+
+DRAINS_IN_A_ROW = 64
+"""Writes of a program, each followed by `drain`, after which others have their turn although nothing holds it back."""
+
+LONGEST_LINE = 1 << 20
+"""Characters of a file's line that are read in one go; /dev/zero has no other end."""
 
 
 class KeyReceiver(Protocol):
@@ -104,6 +113,8 @@ class InputStream:
 class OutputStream:
     """Where a program writes. This base class is the bottomless output (`> /dev/null`)."""
 
+    _drains = 0
+
     encoding = "utf-8"
 
     @property
@@ -119,7 +130,10 @@ class OutputStream:
         """Does nothing where nothing is held back."""
 
     async def drain(self) -> None:
-        """Wait until the reader has caught up. Raises BrokenPipeError when it is gone."""
+        """Wait until the reader has caught up, and now and then for others. Raises BrokenPipeError when it is gone."""
+        self._drains += 1
+        if self._drains % DRAINS_IN_A_ROW == 0:
+            await let_others_run()
 
     def keyboard(self) -> InputStream | None:
         """On a terminal: the keys of the job in front there, as /dev/tty gives them; None elsewhere."""
@@ -269,6 +283,8 @@ class FileInput(InputStream):
     """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
 
     def __init__(self, path: Path) -> None:
+        if stat.S_ISFIFO(path.stat().st_mode):  # opening one waits for its writer, and everybody would wait with us
+            raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
         self._file: TextIO = path.open(encoding="utf-8", errors="replace", newline="")
 
     def fileno(self) -> int | None:
@@ -278,7 +294,7 @@ class FileInput(InputStream):
         return self._file.read(1)
 
     async def read_line(self) -> str:
-        return self._file.readline()
+        return self._file.readline(LONGEST_LINE)
 
     def close(self) -> None:
         self._file.close()

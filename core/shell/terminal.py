@@ -198,6 +198,8 @@ class Terminal:
             self.discipline.type(text)
 
         self.desk.scheduler.call_soon_threadsafe(handle)
+        if "\x03" in text:
+            self.desk.scheduler.insist()
 
     def paste(self, text: str) -> None:
         """Insert text from the clipboard: marked as such for programs that asked for it, otherwise as if typed."""
