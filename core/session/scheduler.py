@@ -30,6 +30,9 @@ MAX_LAG_NS = nanoseconds(0.25)
 STEPS_PER_DEADLINE = 10_000
 """Programs that keep waking each other at one moment get so many steps before time moves on."""
 
+SETTLE_SECONDS = 0.05
+"""Wall seconds that programs which keep going on may keep others from being heard: a Ctrl-C, the next deadline."""
+
 LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
 """Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
 
@@ -163,7 +166,7 @@ class Scheduler:
 
     def _turn(self, *, wait: bool, longest: float) -> bool:
         """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
-        if (self._drain() or self._ready) and self._settle():
+        if (self._drain() or self._ready) and self._settle(paced=wait):
             return True
         # Either nothing is ready, or programs keep waking each other; then time has to go on all the same.
         deadline = self._next_deadline()
@@ -173,7 +176,7 @@ class Scheduler:
                 self.clock.fall_behind(deadline)
             self.clock.hold(deadline)
             self._release_due(deadline)
-            self._settle()
+            self._settle(paced=wait)
             if time.monotonic() - self._announced > BUSY_ANNOUNCEMENT:
                 self.announce_activity()
             return True
@@ -231,12 +234,13 @@ class Scheduler:
         if notify is not None:
             notify()
 
-    def _settle(self) -> bool:
-        """Step what is ready until nothing is; False if that took too many steps and something still is."""
+    def _settle(self, *, paced: bool) -> bool:
+        """Step what is ready until nothing is; False if that took too many steps, or (`paced`) too long, and something is."""
         self._worked = True
         ready = self._ready
+        began = time.monotonic() if paced else math.inf
         for _ in range(STEPS_PER_DEADLINE):
-            if not ready:
+            if not ready or self._step_began - began > SETTLE_SECONDS:
                 break
             task, ticket, outcome = ready.popleft()
             if ticket == task._ticket and not task.finished:

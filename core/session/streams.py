@@ -27,7 +27,7 @@ PIPE_LIMIT = 4 * 1024 * 1024
 """Characters a pipe holds at most; what is written beyond that without draining is dropped, whole writes at a time."""
 
 
-DRAINS_IN_A_ROW = 64
+DRAINS_IN_A_ROW = 16
 """Writes of a program, each followed by `drain`, after which others have their turn although nothing holds it back."""
 
 LONGEST_LINE = 1 << 20

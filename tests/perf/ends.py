@@ -73,6 +73,8 @@ LINES = (
 )
 DESK_LIMIT, SECOND_LIMIT = 8.0, 3.0
 """Seconds in which the desktop has to be gone, and after a second signal; generous, as the machine may have other work."""
+SLOW = 4.0
+"""Seconds after which what it does is written down: programs have two, the rest should be quick."""
 
 ON_OFF = {
     "alternate screen": ("\x1b[?1049h", "\x1b[?1049l"),
@@ -145,7 +147,12 @@ class Run:
         name, statuses, limit = self.end()
         self.way = name
         began = time.monotonic()
-        status = self.wait(limit)
+        status = self.wait(min(limit, SLOW))
+        if status is None:
+            self.signal(signal.SIGUSR1)
+            status = self.wait(limit - SLOW)
+            if status is not None:
+                self.troubles.append(f"took {time.monotonic() - began:.1f} s\n{stacks.read_text()}")
         self.seconds = time.monotonic() - began
         if status is None:
             with contextlib.suppress(ProcessLookupError):
