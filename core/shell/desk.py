@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -314,14 +315,17 @@ class Desk:
         def alive() -> list[Program]:
             return [program for program in programs if program.status is None]
 
+        def over(hopeful: bool) -> bool:
+            return not alive() or (self._hurried and hopeful)
+
         for action in (Program.interrupt, Program.terminate, Program.kill):
-            last = action is Program.kill
-            if self._hurried and not last:
+            hopeful = action is not Program.kill
+            if self._hurried and hopeful:
                 continue
             for program in alive():
                 program.resume()
                 action(program)
-            self._wait(lambda last=last: not alive() or (self._hurried and not last), GRACE / 2)
+            self._wait(partial(over, hopeful), GRACE / 2)
             if not alive():
                 return
 

@@ -130,3 +130,27 @@ def test_the_desktop_ends_with_its_terminal_where_nobody_hears_sighup(place: Pla
     os.close(screen._fd)
     until(lambda: os.waitpid(screen.pid, os.WNOHANG)[0] == screen.pid)
     until(lambda: place.processes() == {})
+
+
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP"])
+def test_a_sub_shell_that_is_told_to_go_leaves_nothing(place: Place, name: str) -> None:
+    temporary = place.work / "t"
+    temporary.mkdir()
+    with place.terminal("shell", SHELL="/bin/sh", TMPDIR=str(temporary)) as screen:
+        screen.wait("exit ends it")
+        until(lambda: len(place.processes()) > 1 or not os.path.isdir("/proc/self"))
+        screen.kill(getattr(signal, name))
+        assert screen.wait_end() > 128
+        assert b"Traceback" not in screen.output
+    assert list(temporary.iterdir()) == []
+    until(lambda: place.processes() == {})
+
+
+@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_a_script_that_a_signal_ends_has_the_status_of_the_signal(place: Place, name: str, status: int) -> None:
+    process = place.start("exec", "--home", str(place.home), "-c", "echo begun; while true; do :; done")
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    process.send_signal(getattr(signal, name))
+    said, error = process.communicate(timeout=30)
+    assert (process.returncode, said, error) == (status, "", "")
