@@ -181,7 +181,11 @@ class Day6App(AppActions, App[None]):
             with contextlib.suppress(RuntimeError):  # the loop was closed: this has been left
                 loop.call_soon_threadsafe(function, context=context)
 
-        self.leave_soon = lambda: soon(self.exit)
+        def leave() -> None:
+            if not self._exit:  # else with the status and the message that are given already
+                self.exit()
+
+        self.leave_soon = lambda: soon(leave)
         self.ending.nudge = lambda: soon(lambda: None)
         departure.attend_stops(self, soon)
         if self.ending.begun:  # a signal came before there was an application to leave
