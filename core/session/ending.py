@@ -71,7 +71,7 @@ class Ending:
             number = getattr(signal, name, None)
             if number is not None:
                 signal.signal(number, self._handle)
-        if os.name == "posix":
+        if sys.platform != "win32":
             # The system may hand a signal to any thread, and then the main one, where handlers run, sleeps on.
             reading, writing = os.pipe()
             os.set_blocking(writing, False)
@@ -84,15 +84,17 @@ class Ending:
             number = getattr(signal, name, None)
             if number is not None and signal.getsignal(number) == self._handle:
                 signal.signal(number, signal.SIG_DFL)
-        if os.name == "posix":
+        if sys.platform != "win32":
             signal.set_wakeup_fd(-1)
         self._orders.put(False)
 
     def _handle(self, number: int, frame: object) -> None:
-        if os.name != "posix":
+        if sys.platform == "win32":
             self._signalled(number)
 
     def _read(self, reading: int, terminal: int | None) -> None:
+        if sys.platform == "win32":
+            return
         import select
 
         poll = select.poll()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -63,7 +64,7 @@ class Insistence:
             if self._heard >= count or not self.visiting:
                 continue
             self._overdue = error
-            if os.name == "posix":
+            if sys.platform != "win32":
                 signal.pthread_kill(self._main, number)  # also out of a system call
             else:
                 signal.raise_signal(number)
