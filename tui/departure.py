@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +53,7 @@ def give_back(app: Any) -> None:
     """Give the terminal back although the application cannot: its settings, its screen, its modes. May block."""
     driver = app._driver
     before = getattr(driver, "attrs_before", None)
-    if before is not None:
+    if sys.platform != "win32" and before is not None:
         import termios
 
         with contextlib.suppress(termios.error):
@@ -71,7 +72,7 @@ def attend_stops(app: Any, soon: Callable[[Callable[[], object]], object]) -> No
     middle of what another one asked for. While the application leaves, nothing is taken again.
     """
     driver = app._driver
-    if not hasattr(driver, "_sigcont_application"):
+    if sys.platform == "win32" or not hasattr(driver, "_sigcont_application"):
         return  # headless, or Windows
     here = os.getpid()
 

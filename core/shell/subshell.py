@@ -127,9 +127,9 @@ def call(words: list[str], env: dict[str, str]) -> int:
 
 def _pass_on(child: subprocess.Popen[bytes], number: int) -> None:
     # An interactive bash ignores SIGTERM, but not that its terminal is gone.
-    numbers = (number,) if os.name == "nt" else dict.fromkeys((number, signal.SIGHUP))
-    for each in numbers:
-        child.send_signal(each)
+    child.send_signal(number)
+    if sys.platform != "win32" and number != signal.SIGHUP:
+        child.send_signal(signal.SIGHUP)
 
 
 def print_environment(arguments: list[str]) -> int:
