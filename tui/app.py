@@ -436,7 +436,6 @@ def run(options: Any) -> int:
     ending.listen(sys.stdin.fileno())
     try:
         app.run()
-        ending.give_back = None
     finally:
         ending.begin()
         app.machine.close()

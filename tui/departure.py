@@ -50,7 +50,10 @@ def _leave(app: Day6App) -> None:
 
 
 def give_back(app: Any) -> None:
-    """Give the terminal back although the application cannot: its settings, its screen, its modes. May block."""
+    """Give the terminal back although the application cannot: its settings, its screen, its modes. May block.
+
+    It may have done so already, all or in part (a slow terminal has not taken it yet); twice does no harm.
+    """
     driver = app._driver
     before = getattr(driver, "attrs_before", None)
     if sys.platform != "win32" and before is not None:
