@@ -7,13 +7,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import contextvars
 import logging
 import os
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -21,6 +24,8 @@ os.environ.setdefault("TEXTUAL_FPS", "30")
 from day6_tui.tui import lean
 
 lean.import_asyncio()
+
+import asyncio
 
 from textual import events
 from textual.app import App, ComposeResult
@@ -30,7 +35,7 @@ from textual.screen import Screen
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.whole_file import append_private
-from day6_tui.tui import actions, chops, output
+from day6_tui.tui import actions, chops, departure, output
 from day6_tui.tui.app_actions import AppActions
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.colours import colours
@@ -48,6 +53,9 @@ from day6_tui.tui.scenes import SCENES, Player
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import WindowPane
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.ending import Ending
 
 chops.install()
 output.install()
@@ -108,6 +116,10 @@ class Day6App(AppActions, App[None]):
 
     def __init__(self, options: Any = None, *, desk: Any = None, look: Look | None = None) -> None:
         super().__init__()
+        self.ending: Ending | None = None
+        """The end of the process, where this application is all of it."""
+        self.leave_soon: Callable[[], object] | None = None
+        """Leaves the application, from any thread; None until there is something to leave."""
         self.options = options
         self.look = make_look(options) if look is None else look
         fps = getattr(options, "fps", None)
@@ -151,7 +163,7 @@ class Day6App(AppActions, App[None]):
         # Threads of programs share the interpreter with the screen; with shorter turns keys stay quick (tui-tech.md §3.2).
         sys.setswitchinterval(0.001)
         self.frames.attach()
-        self._end_on_signals()
+        self._attend_the_end()
         self.desktop.focus_pane(self.welcome if getattr(self.options, "scene", None) is None else self.terminals)
         self.call_after_refresh(self._open_desk)
 
@@ -182,23 +194,39 @@ class Day6App(AppActions, App[None]):
         if not self.frames.rate:
             self.frames.step()
 
-    def _end_on_signals(self) -> None:
+    def _attend_the_end(self) -> None:
         """A closed terminal window or `kill` ends the desktop in order, with all its programs."""
-        import asyncio
-        import signal
-
+        if self.ending is None:
+            return
         loop = asyncio.get_running_loop()
-        for name in ("SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)
-            if number is not None:
-                try:
-                    loop.add_signal_handler(number, self.end_by_signal)
-                except (NotImplementedError, RuntimeError, ValueError):
-                    return  # Windows, or not the main thread (tests): the default stays
+        context = contextvars.copy_context()
+
+        def soon(function: Callable[[], object]) -> None:
+            with contextlib.suppress(RuntimeError):  # the loop was closed: this has been left
+                loop.call_soon_threadsafe(function, context=context)
+
+        def leave() -> None:
+            if not self._exit:  # else with the status and the message that are given already
+                self.end_by_signal()
+
+        self.leave_soon = lambda: soon(leave)
+        self.ending.nudge = lambda: soon(lambda: None)
+        departure.attend_stops(self, soon)
+        if self.ending.begun:  # a signal came before there was an application to leave
+            self.exit()
+
+    def exit(self, result: None = None, return_code: int = 0, message: Any = None) -> None:
+        """Leave the desktop; from here on everything has its time."""
+        if self.ending is not None:
+            output.let_go()
+            self.ending.begin()
+        super().exit(result, return_code, message)
 
     def _handle_exception(self, error: Exception) -> None:
         if self.is_headless:
             super()._handle_exception(error)
+        elif self._exit:
+            _log.warning("something failed on the way out", exc_info=error)  # a key for a pane that is gone
         else:
             leave(self, error)
 
@@ -470,8 +498,12 @@ def run(options: Any) -> int:
         return 2
     # For programs on the desk that explain something: new terminals pass it on.
     os.environ["DAY6_LANG"] = app.look.texts.language
+    app.ending = ending = departure.ending_of(app)
+    ending.listen(sys.stdin.fileno())
     try:
         app.run()
     finally:
+        ending.begin()
         app.machine.close()
-    return app.return_code or 0
+        ending.over()
+    return ending.status or app.return_code or 0

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import os
+import signal
 import sys
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.session.harmless import guard_standard_streams
-
 if TYPE_CHECKING:
+    import argparse
+
     from day6_tui.core.session.local import Foreground
 
 _DESCRIPTION = "ROS 2 for people who have no ROS 2. Without a command, opens the desktop."
@@ -37,6 +36,9 @@ day6-tui COMMAND --help says more."""
 
 def build_parser() -> argparse.ArgumentParser:
     """The options of the desktop."""
+    import argparse
+    from pathlib import Path
+
     parser = argparse.ArgumentParser(
         prog="day6-tui",
         description=_DESCRIPTION,
@@ -85,11 +87,15 @@ def _frame_rate(text: str) -> float:
     except ValueError:
         rate = 0.0
     if not 1 <= rate <= 120:
+        import argparse
+
         raise argparse.ArgumentTypeError(f"'{text}' is no number from 1 to 120")
     return rate
 
 
 def _endpoint(text: str, *, listening: bool) -> str:
+    import argparse
+
     from day6_tui.core.link.addresses import address_of
 
     try:
@@ -100,6 +106,8 @@ def _endpoint(text: str, *, listening: bool) -> str:
 
 
 def _secret(text: str) -> str:
+    import argparse
+
     from day6_tui.core.link.secret import secret_of
 
     try:
@@ -110,6 +118,10 @@ def _secret(text: str) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
+    if arguments is None:
+        _end_silently_on_ctrl_c()
+    from day6_tui.core.session.harmless import guard_standard_streams
+
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
@@ -130,9 +142,21 @@ def main(arguments: list[str] | None = None) -> int:
     if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
         print("day6-tui: the desktop needs a terminal; day6-tui exec runs commands without one", file=sys.stderr)
         return 2
+    from day6_tui.core.session.ending import leave
     from day6_tui.tui.app import run
 
-    return run(options) or 0
+    status = run(options)
+    if arguments is None:
+        leave(status)
+    return status
+
+
+def _end_silently_on_ctrl_c() -> None:
+    """Until somebody listens, Ctrl-C ends this process as it ends a program in C: without Python's traceback."""
+    if (
+        signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    ):  # not where it is ignored (`nohup`, a script's `&`)
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def _exec(words: list[str]) -> int:

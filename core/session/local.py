@@ -17,7 +17,7 @@ from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
-from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.scheduler import STUCK_SECONDS, Scheduler
 from day6_tui.core.session.session import KilledBySignal, Main, Session
 from day6_tui.core.session.task import Signal, wait_for
 
@@ -144,15 +144,26 @@ def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -
 
 
 def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None]:
+    from day6_tui.core.session.signals import from_system
+
     presses = 0
+
+    def stuck() -> bool:
+        """Whether the program does not come to its next wait; it is interrupted in the middle then, as any Python program."""
+        here = threading.get_ident() == scheduler._thread_id
+        return here and scheduler.stuck_for > STUCK_SECONDS
 
     def interrupt(number: int, frame: object) -> None:
         nonlocal presses
         presses += 1
         scheduler.call_soon_threadsafe(program.interrupt if presses < 3 else program.kill)
+        if stuck():
+            raise KeyboardInterrupt
 
     def terminate(number: int, frame: object) -> None:
-        scheduler.call_soon_threadsafe(program.terminate)
+        scheduler.call_soon_threadsafe(lambda: program.send(from_system(number)))
+        if stuck():
+            raise KilledBySignal(from_system(number))
 
     wanted = {"SIGINT": interrupt, "SIGTERM": terminate, "SIGHUP": terminate}
     before = {

@@ -69,6 +69,8 @@ class Program:
     async def _run(self, main: Main) -> None:
         try:
             self.status = await _status_of(self.session, main)
+            if self._task.undelivered is not None:
+                raise self._task.undelivered  # a signal that came before it was over, and found no wait to be raised in
         except KeyboardInterrupt:
             self._killed(SIGINT)
         except KilledBySignal as end:

@@ -30,14 +30,17 @@ MAX_LAG_NS = nanoseconds(0.25)
 STEPS_PER_DEADLINE = 10_000
 """Programs that keep waking each other at one moment get so many steps before time moves on."""
 
-LONGEST_TURN = 0.01
-"""Wall seconds after which what other threads left (keys) comes before programs that are still ready."""
+SETTLE_SECONDS = 0.02
+"""Wall seconds that programs which keep going on may keep others from being heard: a Ctrl-C, the next deadline."""
 
 LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
 """Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
 
 BUSY_ANNOUNCEMENT = 0.03
 """Wall seconds after which a scheduler that never comes to rest says that something happened."""
+
+STUCK_SECONDS = 0.5
+"""Wall seconds of one step after which Ctrl-C is raised in the middle of it."""
 
 _log = logging.getLogger(__name__)
 
@@ -54,6 +57,7 @@ class Scheduler:
         self._order = itertools.count()
         self._tasks: set[Task] = set()
         self._running: Task | None = None
+        self._step_began = 0.0
         self._thread_id: int | None = None
         self._thread: threading.Thread | None = None
         self._stopping = False
@@ -72,6 +76,28 @@ class Scheduler:
     def wake(self) -> None:
         """Make a waiting scheduler look at its clock again."""
         self._inbox.put(None)
+
+    @property
+    def stuck_for(self) -> float:
+        """How many wall seconds the step that is being taken has taken so far; 0 if none is."""
+        return time.monotonic() - self._step_began if self._running is not None else 0.0
+
+    def insist(self) -> None:
+        """Ctrl-C was pressed: raise KeyboardInterrupt in a program that does not come to its next wait, soon. Any thread.
+
+        All programs stand still behind it, and so does the Ctrl-C. A call into C is interrupted when it returns.
+        """
+        if self.stuck_for > STUCK_SECONDS / 2:
+            threading.Thread(target=self._break_in, args=(self._step_began,), name="day6-insist", daemon=True).start()
+
+    def _break_in(self, step: float) -> None:
+        time.sleep(STUCK_SECONDS / 2)
+        if self._running is not None and self._step_began == step and self._thread_id is not None:
+            import ctypes
+
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                ctypes.c_ulong(self._thread_id), ctypes.py_object(KeyboardInterrupt)
+            )
 
     def spawn(self, coroutine: Coroutine[Any, Any, Any], name: str = "task") -> Task:
         """Start a task; its first step comes with the next turn."""
@@ -135,13 +161,16 @@ class Scheduler:
         self._thread_id = threading.get_ident()
         end = _watched()
         while not self._stopping:
-            self._turn(wait=True, longest=math.inf)
+            try:
+                self._turn(wait=True, longest=math.inf)
+            except KeyboardInterrupt:
+                continue  # of `insist`, for a step that was over at this very moment
         end()
         self._thread_id = None
 
     def _turn(self, *, wait: bool, longest: float) -> bool:
         """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
-        if (self._drain() or self._ready) and self._settle():
+        if (self._drain() or self._ready) and self._settle(paced=wait):
             return True
         # Either nothing is ready, or programs keep waking each other; then time has to go on all the same.
         deadline = self._next_deadline()
@@ -151,7 +180,7 @@ class Scheduler:
                 self.clock.fall_behind(deadline)
             self.clock.hold(deadline)
             self._release_due(deadline)
-            self._settle()
+            self._settle(paced=wait)
             if time.monotonic() - self._announced > BUSY_ANNOUNCEMENT:
                 self.announce_activity()
             return True
@@ -181,15 +210,12 @@ class Scheduler:
         if self._inbox.empty():
             return False
         self._hold_at_wall(self._next_deadline())
-        self._run_inbox()
-        return True
-
-    def _run_inbox(self) -> None:
         for _ in range(self._inbox.qsize()):
             try:
                 self._run_item(self._inbox.get_nowait())
             except Empty:
                 break
+        return True
 
     def _hold_at_wall(self, deadline: int | None) -> None:
         target = self.clock.target_ns()
@@ -212,13 +238,13 @@ class Scheduler:
         if notify is not None:
             notify()
 
-    def _settle(self) -> bool:
-        """Step what is ready until nothing is; False if that took too many steps and something still is."""
+    def _settle(self, *, paced: bool) -> bool:
+        """Step what is ready until nothing is; False if that took too many steps, or (`paced`) too long, and something is."""
         self._worked = True
         ready = self._ready
-        began = time.monotonic()
+        began = time.monotonic() if paced else math.inf
         for _ in range(STEPS_PER_DEADLINE):
-            if not ready:
+            if not ready or self._step_began - began > SETTLE_SECONDS:
                 break
             task, ticket, outcome = ready.popleft()
             if ticket == task._ticket and not task.finished:
@@ -226,9 +252,6 @@ class Scheduler:
                     task._held_wake = outcome
                 else:
                     self._step(task, outcome)
-            if not self._inbox.empty() and time.monotonic() - began > LONGEST_TURN:
-                began = time.monotonic()
-                self._run_inbox()
         return not ready
 
     # -- tasks ---------------------------------------------------------------------------------------------------------
@@ -236,6 +259,7 @@ class Scheduler:
     def _step(self, task: Task, outcome: bool) -> None:
         task._ticket += 1
         task._waiting = False
+        self._step_began = time.monotonic()
         self._running = task
         coroutine = task._coroutine
         try:

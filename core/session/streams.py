@@ -7,7 +7,9 @@ that can produce without end calls `await stream.drain()` between its writes.
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
+import stat
 import threading
 import time
 from collections import deque
@@ -38,6 +40,13 @@ FILE_BLOCK = 64 * 1024
 
 class WriteError(OSError):
     """A program's output could not be written: the disk is full, or a limit was reached. BrokenPipeError is none of these."""
+
+
+DRAINS_IN_A_ROW = 16
+"""Writes of a program, each followed by `drain`, after which others have their turn although nothing holds it back."""
+
+LONGEST_LINE = 1 << 20
+"""Characters of a file's line that are read in one go; /dev/zero has no other end."""
 
 
 class KeyReceiver(Protocol):
@@ -119,6 +128,8 @@ class InputStream:
 class OutputStream:
     """Where a program writes. This base class is the bottomless output (`> /dev/null`)."""
 
+    _drains = 0
+
     encoding = "utf-8"
 
     @property
@@ -138,7 +149,10 @@ class OutputStream:
         """Does nothing where nothing is held back."""
 
     async def drain(self) -> None:
-        """Wait until the reader has caught up. Raises BrokenPipeError when it is gone."""
+        """Wait until the reader has caught up, and now and then for others. Raises BrokenPipeError when it is gone."""
+        self._drains += 1
+        if self._drains % DRAINS_IN_A_ROW == 0:
+            await let_others_run()
 
     def keyboard(self) -> InputStream | None:
         """On a terminal: the keys of the job in front there, as /dev/tty gives them; None elsewhere."""
@@ -290,6 +304,8 @@ class FileInput(InputStream):
     """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
 
     def __init__(self, path: Path) -> None:
+        if stat.S_ISFIFO(path.stat().st_mode):  # opening one waits for its writer, and everybody would wait with us
+            raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
         self._file: TextIO = path.open(encoding="utf-8", errors="replace", newline="")
 
     def fileno(self) -> int | None:
@@ -299,7 +315,7 @@ class FileInput(InputStream):
         return self._file.read(1)
 
     async def read_line(self) -> str:
-        return self._file.readline()
+        return self._file.readline(LONGEST_LINE)
 
     def close(self) -> None:
         self._file.close()

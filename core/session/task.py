@@ -86,6 +86,11 @@ class Task:
         """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
         self.scheduler._call(lambda: self.scheduler._throw(self, error))
 
+    @property
+    def undelivered(self) -> BaseException | None:
+        """What `throw` has not raised yet."""
+        return self._pending[0] if self._pending else None
+
     def cancel(self) -> None:
         """End the task from outside; its `finally` blocks run."""
         self.throw(TaskCancelled())

@@ -8,6 +8,7 @@ import os
 import threading
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,7 +35,7 @@ MOST_PROGRAMS = 1000
 USER = "student"
 HOST = "day6"
 GRACE = 2.0
-"""Seconds between asking a program to end by Ctrl-C, by SIGTERM and by SIGKILL."""
+"""Seconds that a program has to end after Ctrl-C, and then SIGTERM, together; then comes SIGKILL."""
 
 _PASSED_ON = (
     "LANG",
@@ -106,6 +107,7 @@ class Desk:
         self._changed = threading.Condition()
         self._started = False
         self._closed = False
+        self._hurried = False
 
     def graph_of(self, domain_id: int) -> Graph:
         """The graph of a domain, made and linked when it is first asked for."""
@@ -284,7 +286,7 @@ class Desk:
             _log.warning("the link could not be opened", exc_info=True)
 
     def close(self) -> None:
-        """End every program (Ctrl-C, SIGTERM, SIGKILL two seconds apart), then the link and the thread. May be called twice."""
+        """End every program (see `end_programs`), then the link and the thread. May be called twice."""
         if self._closed:
             return
         self._closed = True
@@ -304,18 +306,30 @@ class Desk:
         self.scheduler.stop()
 
     def end_programs(self, programs: list[Program]) -> None:
-        """End these and wait for it (at most three times two seconds; wall time, since the world may stand still)."""
+        """End these: Ctrl-C, a second later SIGTERM, a second later SIGKILL (wall time: the world may stand still)."""
 
         def alive() -> list[Program]:
             return [program for program in programs if program.status is None]
 
+        def over(hopeful: bool) -> bool:
+            return not alive() or (self._hurried and hopeful)
+
         for action in (Program.interrupt, Program.terminate, Program.kill):
+            hopeful = action is not Program.kill
+            if self._hurried and hopeful:
+                continue
             for program in alive():
                 program.resume()
                 action(program)
-            self._wait(lambda: not alive(), GRACE)
+            self._wait(partial(over, hopeful), GRACE / 2)
             if not alive():
                 return
+
+    def hurry(self) -> None:
+        """Give programs no time any more: who ends them goes over to SIGKILL. From any thread."""
+        self._hurried = True
+        with self._changed:
+            self._changed.notify_all()
 
     def _wait(self, condition: Callable[[], bool], timeout: float) -> None:
         if not self._started:

@@ -9,7 +9,9 @@ from pathlib import Path
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
+from day6_tui.core.session.scheduler import STUCK_SECONDS
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.signals import from_system
 from day6_tui.core.session.streams import InputStream
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
@@ -106,9 +108,13 @@ def _handle_signals(desk: Desk, program: Program) -> dict[int, signal._HANDLER]:
 
     def interrupt(number: int, frame: object) -> None:
         desk.scheduler.call_soon_threadsafe(program.interrupt)
+        if desk.scheduler.stuck_for > STUCK_SECONDS:
+            raise KeyboardInterrupt
 
     def terminate(number: int, frame: object) -> None:
-        desk.scheduler.call_soon_threadsafe(program.terminate)
+        desk.scheduler.call_soon_threadsafe(lambda: program.send(from_system(number)))
+        if desk.scheduler.stuck_for > STUCK_SECONDS:
+            raise KeyboardInterrupt
 
     wanted = {signal.SIGINT: interrupt, signal.SIGTERM: terminate}
     if sys.platform != "win32":

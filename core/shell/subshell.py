@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
+import signal
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -31,6 +33,8 @@ def main(arguments: list[str]) -> int:
     parser.parse_args(arguments)
     # Git's bash sets SHELL on Windows too, to a path that only it understands.
     shell = os.environ.get("COMSPEC", "cmd.exe") if os.name == "nt" else os.environ.get("SHELL") or "/bin/sh"
+    for number in (signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
+        signal.signal(number, lambda number, frame: sys.exit(128 + number))  # leaves through the `with` below
     with tempfile.TemporaryDirectory(prefix="day6-shell-") as name:
         env = environment()
         words = [shell, *_start_file(Path(shell).name, Path(name), env)]
@@ -68,16 +72,27 @@ def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
 
 def call(words: list[str], env: dict[str, str]) -> int:
     """Run a program that has the terminal for itself until it ends, and return its status: Ctrl-C is its business alone."""
-    import signal
-    import subprocess
-
     # A function, because a child would inherit that Ctrl-C is ignored, but not what we do about it.
-    before = signal.signal(signal.SIGINT, lambda number, frame: None)
+    before = {signal.SIGINT: signal.signal(signal.SIGINT, lambda number, frame: None)}
+    child = subprocess.Popen(words, env=env)
+    # What ends us ends it: who called us has something to put away afterwards.
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None:
+            before[number] = signal.signal(number, lambda number, frame: _pass_on(child, number))
     try:
-        code = subprocess.call(words, env=env)
+        code = child.wait()
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     return code if code >= 0 else 128 - code
+
+
+def _pass_on(child: subprocess.Popen[bytes], number: int) -> None:
+    # An interactive bash ignores SIGTERM, but not that its terminal is gone.
+    child.send_signal(number)
+    if sys.platform != "win32" and number != signal.SIGHUP:
+        child.send_signal(signal.SIGHUP)
 
 
 def print_environment(arguments: list[str]) -> int:

@@ -228,6 +228,8 @@ class Terminal:
         """Type: `text` is what a real terminal sends for the keys. A long text leaves other programs their turn in between."""
         self._unhandled += 1
         self.desk.scheduler.call_soon_threadsafe(lambda: self._type(text))
+        if "\x03" in text:
+            self.desk.scheduler.insist()
 
     def _type(self, text: str) -> None:
         if self._typed or len(text) > TYPED_AT_ONCE:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_tui.core.shell.builtins.text import lines_of, unescape
+from day6_tui.core.shell.builtins.text import lines_of, unescape, whole_text
 from day6_tui.core.shell.outside import agreed, keys_of
 
 # -- cut ---------------------------------------------------------------------------------------------------------------
@@ -253,11 +253,7 @@ async def diff(session: Session) -> int:
     texts = []
     for name in names:
         try:
-            data = (
-                await session.stdin.read_all()
-                if name == "-"
-                else (session.cwd / name).read_text(encoding="utf-8", errors="replace")
-            )
+            data = await session.stdin.read_all() if name == "-" else whole_text(session.cwd / name)
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             return 2

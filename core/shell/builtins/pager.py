@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import InputStream, TerminalSide
 from day6_tui.core.shell.builtins.options import reason
+from day6_tui.core.shell.builtins.text import whole_text
 from day6_tui.core.shell.width import char_width
 
 _QUIT = ("q", "Q", "\x03", "")
@@ -25,7 +26,7 @@ async def less(session: Session) -> int:
                 session.print_error(f"{name} is a directory")
                 status = 1
                 continue
-            texts.append(path.read_text(encoding="utf-8", errors="replace"))
+            texts.append(whole_text(path))
         except OSError as error:
             session.print_error(f"{name}: {reason(error)}")
             status = 1

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain_as_shell, reason
+from day6_tui.core.shell.builtins.text import whole_text
 from day6_tui.core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
 from day6_tui.core.shell.language.functions import in_the_shell_itself
 from day6_tui.core.shell.language.interpreter import Shell
@@ -105,9 +106,7 @@ async def source(session: Session) -> int:
         return 0
     path = shell.cwd / name
     try:
-        text = (
-            TEXTS[path.as_posix()] if path.as_posix() in TEXTS else path.read_text(encoding="utf-8", errors="replace")
-        )
+        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else whole_text(path)
     except OSError as error:
         if isinstance(error, IsADirectoryError):
             complain_as_shell(session, f"{name}: is a directory")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import errno
 import re
+import stat
 from collections import deque
 from collections.abc import AsyncIterator
+from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
@@ -18,6 +20,8 @@ _ESCAPES = {
 }  # fmt: skip
 _ESCAPE = re.compile(r"\\(0[0-7]{1,3}|[0-7]{1,3}|x[0-9a-fA-F]{1,2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
 _STOP_OUTPUT = "\\c"
+LONGEST_TEXT = 64 * 1024 * 1024
+"""Characters that are held at once: a shell of a machine this small would not get more memory either."""
 
 
 def unescape(text: str) -> str:
@@ -113,6 +117,17 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
         finally:
             if name != "-":
                 stream.close()
+
+
+def whole_text(path: Path) -> str:
+    """Read a file at once. Raises OSError, also for one that is too large for that (/dev/zero has no end)."""
+    if stat.S_ISFIFO(path.stat().st_mode):
+        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+    with path.open(encoding="utf-8", errors="replace") as file:
+        text = file.read(LONGEST_TEXT + 1)
+    if len(text) > LONGEST_TEXT:
+        raise OSError(errno.ENOMEM, "Cannot allocate memory")
+    return text
 
 
 async def head(session: Session) -> int:
@@ -242,7 +257,14 @@ async def sort(session: Session) -> int:
         complain(session, error)
         return 2
     problems: list[str] = []
-    lines = [line.rstrip("\n") async for _, line in lines_of(session, names, problems)]
+    lines = []
+    size = 0
+    async for _, line in lines_of(session, names, problems):
+        lines.append(line.rstrip("\n"))
+        size += len(line)
+        if size > LONGEST_TEXT:
+            complain(session, "memory exhausted")
+            return 2
     column = int(options["k"].split(",")[0]) - 1 if options.get("k", "").split(",")[0].isdigit() else None
 
     def key(line: str) -> tuple[float, str]:

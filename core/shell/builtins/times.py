@@ -23,6 +23,10 @@ def _seconds(text: str) -> float:
     return value * (unit or 1)
 
 
+MOST_SECONDS = 1e8
+"""Three years: what `sleep infinity` is, and the longest wait that every clock can count."""
+
+
 async def sleep(session: Session) -> int:
     if len(session.argv) < 2:
         session.print_error("sleep: missing operand\nTry 'sleep --help' for more information.")
@@ -30,7 +34,7 @@ async def sleep(session: Session) -> int:
     total = 0.0
     for word in session.argv[1:]:
         try:
-            total += _seconds(word)
+            total += MOST_SECONDS if word in ("inf", "infinity") else min(_seconds(word), MOST_SECONDS)
         except ValueError:
             session.print_error(f"sleep: invalid time interval '{word}'\nTry 'sleep --help' for more information.")
             return 1

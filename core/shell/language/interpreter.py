@@ -31,6 +31,9 @@ from day6_tui.core.shell.language.words import SyntaxProblem, Word
 if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
 
+LONGEST_VALUE = 16 * 1024 * 1024
+"""Characters of a variable. A bash that doubles one for ever ends with this message too, when memory has ended."""
+
 
 class Shell(ShellState):
     """One shell on a desk: its state, and the jobs that it has started."""
@@ -283,7 +286,12 @@ class Shell(ShellState):
     async def _assigned(self, name: str, word: Word, streams: Streams) -> tuple[str, str]:
         value = await expand_text(word, self, streams)
         plain = name.removesuffix("+")
-        return plain, value if plain == name else self.variables.get(plain, "") + value
+        if plain != name:
+            value = self.variables.get(plain, "") + value
+        if len(value) > LONGEST_VALUE:
+            streams.stderr.write(f"{self.name}: xrealloc: cannot allocate {len(value)} bytes\n")
+            raise ExitShell(2)
+        return plain, value
 
     # -- programs and jobs ---------------------------------------------------------------------------------------------
 

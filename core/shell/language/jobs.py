@@ -17,6 +17,8 @@ class Job:
         self.tty = tty
         """The job's own end of the terminal: gets the keys while the job is in the foreground."""
         self.number = 0
+        self._interrupted_late = False
+        """Ctrl-C came when every program had just ended, and the shell has not gone on yet: then it is the shell's."""
         self.changed = Signal()
         """Set whenever one of the programs ended or the job was stopped."""
         for program in programs:
@@ -40,7 +42,7 @@ class Job:
 
     @property
     def interrupted(self) -> bool:
-        return any(program.killed_by == 2 for program in self.programs)
+        return self._interrupted_late or any(program.killed_by == 2 for program in self.programs)
 
     @property
     def state(self) -> str:
@@ -60,6 +62,7 @@ class Job:
                 await wait_for(self.changed)
 
     def interrupt(self) -> None:
+        self._interrupted_late = self.finished
         for program in self._alive():
             program.interrupt()
 

@@ -108,6 +108,8 @@ class Loop:
         self._timers: list[tuple[float, int, Timer]] = []
         self._count = itertools.count()
         self._thread: int | None = None
+        self._called = False
+        """The last was a call and no timer: they take turns, so that neither can keep the other from its turn."""
 
     def adopt(self) -> None:
         """Make the calling thread the one that runs this loop."""
@@ -180,8 +182,13 @@ class Loop:
         """Run one call that is due, waiting for it if asked to; False if there was none."""
         while True:
             delay = self._delay()
-            if delay is not None and delay <= 0:
+            if delay is not None and delay <= 0 and (self._called or self._inbox.empty()):
+                self._called = False
                 heapq.heappop(self._timers)[2].fire()
+                return True
+            self._called = True
+            if delay is not None and delay <= 0:
+                self._inbox.get()()
                 return True
             try:
                 # Not without end: only a wait with a limit lets Ctrl-C through on Windows.

@@ -87,7 +87,11 @@ def _collect(
                 entity._conditionally_included = conditional or entity.condition is not None
                 found.append((entity, includes))
             continue
-        through = [*(includes or []), entity] if isinstance(entity, IncludeLaunchDescription) else includes
+        through = includes
+        if isinstance(entity, IncludeLaunchDescription):
+            if any(entity._leads_to_where(include) for include in includes or ()):
+                continue  # a file that includes itself declares nothing new, and would be read without end
+            through = [*(includes or []), entity]
         _collect(entity.describe_sub_entities(), False, through, found)
         for _, conditional_entities in entity.describe_conditional_sub_entities():
             _collect(conditional_entities, True, through, found)

@@ -58,5 +58,10 @@ class LaunchDescriptionSource:
         return self.__expanded_location
 
     @property
+    def described_location(self) -> str:
+        """The location as it is written, whether it is known or not: two that are equal lead to the same file."""
+        return " + ".join(each.describe() for each in self.__location)
+
+    @property
     def method(self) -> str:
         return self.__method

@@ -6,12 +6,14 @@ import logging
 import signal
 import threading
 import traceback
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import launch.logging
 from launch import _host
+from launch._insistence import Insistence
 from launch._loop import Future, Loop
 from launch._subprocess import end_all
 from launch.event import Event
@@ -27,8 +29,12 @@ SAME_INTERRUPT = 0.5
 """Seconds in which a Ctrl-C may come both as a signal and from the host."""
 
 
-class _Cancelled(Exception):
-    """The launch was told to stop at once."""
+AFTERMATH = 1.0
+"""Seconds for events that lead to events once everything else has ended; then it is for ever."""
+
+
+class _Cancelled(BaseException):
+    """The launch was told to stop at once. No `except Exception` of a launch file is in its way."""
 
 
 class LaunchService:
@@ -45,6 +51,10 @@ class LaunchService:
         self.__running = False
         self.__shutting_down = False
         self.__interrupted: float | None = None
+        self.__orders: deque[Callable[[], object]] = deque()
+        """What signals ask for; it comes before events, which may never come to an end."""
+        self.__insistence: Insistence | None = None
+        self.__aftermath: float | None = None
 
     @property
     def context(self) -> LaunchContext:
@@ -102,12 +112,18 @@ class LaunchService:
                     end_all()
                     return 1
                 except Exception as error:
+                    if self.__orders:
+                        continue  # a signal was faster: what failed may have failed of it (a command, by the same Ctrl-C)
                     problem = f"Caught exception in launch (see debug for traceback): {error}"
                     self.__logger.debug(traceback.format_exc())
                     self.__logger.error(problem)
                     self.__context._is_broken = True  # what was to start does not
                     self._shutdown(problem, False)
                     status = 1
+                else:
+                    if self.__goes_on_for_ever():
+                        self.__logger.error("events lead to events without end: they are left alone now")
+                        return 1
         finally:
             self.__running = self.__shutting_down = False
             self.__context._set_asyncio_loop(None)
@@ -115,6 +131,8 @@ class LaunchService:
     def __step(self, shutdown_when_idle: bool) -> bool:
         """Process one event or run one call; False at the end. Events come first: what a process said before its end."""
         queue = self.__context._event_queue
+        while self.__orders:
+            self.__orders.popleft()()
         if self.__is_idle():
             if self.__shutting_down:
                 return self.__loop.run_next(wait=False)
@@ -127,6 +145,15 @@ class LaunchService:
         else:
             self.__loop.run_next()
         return True
+
+    def __goes_on_for_ever(self) -> bool:
+        """Whether nothing is left but events, for a while now, in a launch that has been told to end."""
+        if not (self.__shutting_down and self.__context._event_queue) or self.__pending:
+            self.__aftermath = None
+            return False
+        now = self.__loop.time()
+        self.__aftermath = self.__aftermath or now
+        return now - self.__aftermath > AFTERMATH
 
     def __is_idle(self) -> bool:
         self.__pending = [pair for pair in self.__pending if not self.__ended(pair[1])]
@@ -155,11 +182,23 @@ class LaunchService:
             self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
             self.__context._push_locals()
             try:
-                entities = handler.handle(event, self.__context)
-                for entity in _each(entities):
-                    self.__pending.extend(visit_all_entities_and_collect_futures(entity, self.__context))
+                with self.__interruptible():
+                    entities = handler.handle(event, self.__context)
+                    for entity in _each(entities):
+                        self.__pending.extend(visit_all_entities_and_collect_futures(entity, self.__context))
             finally:
                 self.__context._pop_locals()
+
+    @contextmanager
+    def __interruptible(self) -> Iterator[None]:
+        if self.__insistence is None:
+            yield
+            return
+        self.__insistence.visiting = True
+        try:
+            yield
+        finally:
+            self.__insistence.visiting = False
 
     # -- the end -------------------------------------------------------------------------------------------------------
 
@@ -192,16 +231,28 @@ class LaunchService:
 
     @contextmanager
     def __signals(self) -> Iterator[None]:
-        call = self.__loop.call_soon
+        insistence = self.__insistence = Insistence(end_all)
         signals_seen = 0
+
+        def order(action: Callable[..., object], argument: object) -> None:
+            def obey() -> None:
+                insistence.heard()
+                action(argument)
+
+            self.__orders.append(obey)
+            self.__loop.call_soon(lambda: None)
 
         def interrupt(number: int, frame: object) -> None:
             nonlocal signals_seen
-            signals_seen += 1
-            call(self.__interrupt, signals_seen > 1)
+            if not insistence.check():
+                signals_seen += 1
+                insistence.told(number, KeyboardInterrupt())
+                order(self.__interrupt, signals_seen > 1)
 
         def terminate(number: int, frame: object) -> None:
-            call(self.__terminate, signal.Signals(number).name)
+            if not insistence.check():
+                insistence.told(number, KeyboardInterrupt())
+                order(self.__terminate, signal.Signals(number).name)
 
         wanted: dict[str, Callable[[int, Any], None]] = {
             "SIGINT": interrupt,
@@ -216,7 +267,7 @@ class LaunchService:
         }
         host = _host.host()
         if host is not None:
-            host.on_interrupt = lambda: call(self.__interrupt, False)
+            host.on_interrupt = lambda: self.__loop.call_soon(self.__interrupt, False)
         try:
             yield
         finally:
@@ -224,6 +275,8 @@ class LaunchService:
                 host.on_interrupt = None
             for number, handler in before.items():
                 signal.signal(number, handler)
+            insistence.close()
+            self.__insistence = None
 
 
 def _each(entities: Any) -> list[LaunchDescriptionEntity]:

@@ -16,6 +16,8 @@ from typing import Any
 
 
 def main(kind: str, *arguments: str) -> int:
+    if kind == "launch":
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # no traceback of ours while it is being loaded
     _become_a_ros_program()
     if kind == "launch":
         import json

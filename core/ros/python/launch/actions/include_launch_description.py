@@ -72,6 +72,10 @@ class IncludeLaunchDescription(Action):
         description = self.__source.try_get_launch_description_without_context()
         return [] if description is None else [description]
 
+    def _leads_to_where(self, other: IncludeLaunchDescription) -> bool:
+        """Whether another include is one of the same file, as far as that can be said without launching."""
+        return self.__source.described_location == other.__source.described_location
+
     def _argument_names(self, context: LaunchContext) -> list[str]:
         return [
             perform_substitutions(context, normalize_to_list_of_substitutions(name)) for name, _ in self.__arguments

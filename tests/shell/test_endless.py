@@ -1,0 +1,80 @@
+"""What never ends in a terminal: Ctrl-C ends it, others go on meanwhile, and memory has an end before the machine's."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the signals and devices of Unix")
+
+PATIENCE = 30.0
+ENDLESS = {
+    "commands that end at once": "while true; do :; done",
+    "conditions": "until false; do true; done",
+    "assignments": "for ((;;)); do x=1; done",
+    "numbers": "seq 99999999999 > /dev/null",
+    "a wait": "sleep infinity",
+    "a device": "cat /dev/zero > /dev/null",
+    "a device that is counted": "wc /dev/zero",
+    "a device on standard input": "tr a b < /dev/zero > /dev/null",
+}
+BOUNDED = {
+    "sort /dev/zero": (2, "sort: memory exhausted"),
+    "diff /dev/zero /dev/zero": (2, "diff: /dev/zero: Cannot allocate memory"),
+    "x=a; while true; do x=$x$x; done": (2, "bash: xrealloc: cannot allocate"),
+    "mkfifo=$(python3 -c 'import os; os.mkfifo(\"f\")'); cat f": (1, "cat: f: Resource temporarily unavailable"),
+}
+
+
+def start(line: str, folder: Path) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "day6_tui.tui.main", "exec", "--home", str(folder / "home"), "-c", line],
+        cwd=folder,
+        env={**os.environ, "DAY6_LINK": "off"},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        encoding="utf-8",
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+
+
+@pytest.mark.parametrize("what", ENDLESS)
+def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
+    process = start(f"echo begun; {ENDLESS[what]}", tmp_path)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    process.send_signal(signal.SIGINT)
+    try:
+        _, error = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert (process.returncode, error.strip()) == (130, "")
+
+
+@pytest.mark.parametrize("line", BOUNDED)
+def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: str, tmp_path: Path) -> None:
+    process = start(line, tmp_path)
+    try:
+        _, error = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    status, message = BOUNDED[line]
+    assert (process.returncode, error.splitlines()[0][: len(message)]) == (status, message)
+
+
+def test_others_go_on_beside_a_command_that_never_waits(tmp_path: Path) -> None:
+    process = start(
+        "cat /dev/zero > /dev/null & wc /dev/zero & seq 9999999999 > /dev/null & sleep 0.1; echo on", tmp_path
+    )
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert (process.returncode, said) == (0, "on\n")
