@@ -289,8 +289,10 @@ class Screen(PyteScreen):
     def _rows_of(self, line: str) -> list[Row] | None:
         """The rows a line takes that begins at the left edge; None if it has to be drawn. Sets the colour it ends with."""
         line = line.rstrip("\r")
-        if "\n" in line or "\r" in line or (not line.isascii() and "0" in widths(line)):
+        if "\n" in line or "\r" in line:
             return None
+        if not line.isascii() and "0" in widths(_COLOUR.sub("", line).replace("\t", "")):
+            return None  # characters that go onto the one before
         if "\x1b" in line:
             return self._coloured_rows_of(line)
         style = self._style()
