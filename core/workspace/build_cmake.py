@@ -94,6 +94,27 @@ def _remains(command: Command) -> bool:
     return not any(folder.split("/")[0] == "include" for folder in command.after("DESTINATION")[:1])
 
 
+def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
+    """The variables that a package's CMakeLists.txt finds at its start."""
+    here, build_folder = str(package.path), str(settings.build_base / package.name)
+    prefix = settings.prefix(package.name)
+    system = {"win32": "WIN32", "darwin": "APPLE"}.get(sys.platform)
+    return {
+        **{f"ENV{{{name}}}": value for name, value in settings.environment.items()},
+        "CMAKE_CURRENT_SOURCE_DIR": here,
+        "CMAKE_SOURCE_DIR": here,
+        "CMAKE_CURRENT_LIST_DIR": here,
+        "CMAKE_BINARY_DIR": build_folder,
+        "CMAKE_CURRENT_BINARY_DIR": build_folder,
+        "CMAKE_INSTALL_PREFIX": str(prefix),
+        "PYTHON_INSTALL_DIR": python_library(prefix).relative_to(prefix).as_posix(),
+        **_COMPILER,
+        "BUILD_TESTING": "OFF",  # what only tests need is not built here
+        **({"UNIX": "1"} if sys.platform != "win32" else {}),
+        **({system: "1"} if system else {}),
+    }
+
+
 class _CMakeBuild:
     def __init__(self, package: Package, settings: Settings, work: Work) -> None:
         self.package = package
@@ -122,7 +143,11 @@ class _CMakeBuild:
                 "Specify --help for usage, or press the help button on the CMake GUI.\n"
             )
             return 1
-        commands = read_commands(lists.read_text(encoding="utf-8", errors="replace"), self._variables(), self._find)
+        commands = read_commands(
+            lists.read_text(encoding="utf-8", errors="replace"),
+            cmake_variables(self.package, self.settings),
+            self._find,
+        )
         left_out = find_left_out(commands)
         only_cpp = bool(left_out) and not any(map(_remains, commands))
         if only_cpp or self.package.type in ("cmake", "ros.cmake", "ros.catkin"):
@@ -135,24 +160,6 @@ class _CMakeBuild:
         if left_out:
             self._tell_left_out(left_out)
         return 0
-
-    def _variables(self) -> dict[str, str]:
-        here = str(self.package.path)
-        system = {"win32": "WIN32", "darwin": "APPLE"}.get(sys.platform)
-        return {
-            **{f"ENV{{{name}}}": value for name, value in self.settings.environment.items()},
-            "CMAKE_CURRENT_SOURCE_DIR": here,
-            "CMAKE_SOURCE_DIR": here,
-            "CMAKE_CURRENT_LIST_DIR": here,
-            "CMAKE_BINARY_DIR": str(self.settings.build_base / self.package.name),
-            "CMAKE_CURRENT_BINARY_DIR": str(self.settings.build_base / self.package.name),
-            "CMAKE_INSTALL_PREFIX": str(self.prefix),
-            "PYTHON_INSTALL_DIR": python_library(self.prefix).relative_to(self.prefix).as_posix(),
-            **_COMPILER,
-            "BUILD_TESTING": "OFF",  # what only tests need is not built here
-            **({"UNIX": "1"} if sys.platform != "win32" else {}),
-            **({system: "1"} if system else {}),
-        }
 
     def _run(self, command: Command) -> None:
         if command.name == _INTERFACES:

@@ -17,8 +17,8 @@ from day6_tui.core.workspace.handlers import chosen_handlers
 from day6_tui.core.workspace.jobs import Executor, Job, OnError, Work
 from day6_tui.core.workspace.logs import LogFolder, mark_ignored
 from day6_tui.core.workspace.order import OrderError, Planned, check_unique, plan
+from day6_tui.core.workspace.package_tests import test
 from day6_tui.core.workspace.packages import Package, find_packages, refuse_sources
-from day6_tui.core.workspace.python_tests import test
 from day6_tui.core.workspace.results import show_results
 from day6_tui.core.workspace.selection import SelectionError, select, without_ignored
 from day6_tui.core.workspace.settings import Settings

@@ -53,7 +53,7 @@ def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monk
     blocked = workshop.workspace / "blocked"
     blocked.mkdir()
     (blocked / "pytest.py").write_text("import sys\nsys.exit('No module named pytest')\n", encoding="utf-8")
-    monkeypatch.setattr("day6_tui.core.workspace.python_tests.find_spec", lambda name: None)
+    monkeypatch.setattr("day6_tui.core.workspace.package_tests.find_spec", lambda name: None)
     done = workshop.run(f"colcon build > /dev/null\nexport PYTHONPATH={blocked}:$PYTHONPATH\ncolcon test")
     assert done.status == 1
     assert "No module named pytest" in done.err and "Failed   <<< hello" in done.err
@@ -97,3 +97,51 @@ def test_docstrings_and_notices_are_looked_at(tmp_path: Path, monkeypatch: pytes
     assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (0, 1)
     file.write_text("# Copyright 2026 A. Student\n'''turns wheels'''\n", encoding="utf-8")
     assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (1, 0)
+
+
+LISTS = """\
+cmake_minimum_required(VERSION 3.8)
+project(mixed)
+find_package(ament_cmake REQUIRED)
+install(DIRECTORY test DESTINATION share/mixed)
+if(BUILD_TESTING)
+  find_package(ament_cmake_pytest REQUIRED)
+  ament_add_pytest_test(sums test/test_sum.py ENV MOOD=good)
+  {more}
+endif()
+ament_package()
+"""
+MANIFEST = """\
+<package format="3"><name>mixed</name><version>0.1.0</version><description>d</description>
+<maintainer email="a@example.org">A</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>
+<export><build_type>ament_cmake</build_type></export></package>
+"""
+MOOD = "import os\n\n\ndef test_mood():\n    assert os.environ['MOOD'] == 'good'\n"
+
+
+def cmake_package(workshop: Workshop, more: str = "", test: str = MOOD) -> None:
+    folder = workshop.workspace / "src" / "mixed"
+    (folder / "test").mkdir(parents=True, exist_ok=True)
+    (folder / "CMakeLists.txt").write_text(LISTS.format(more=more), encoding="utf-8")
+    (folder / "package.xml").write_text(MANIFEST, encoding="utf-8")
+    (folder / "test" / "test_sum.py").write_text(test, encoding="utf-8")
+
+
+def test_the_pytest_tests_of_a_cmake_package_run(workshop: Workshop) -> None:
+    cmake_package(workshop)
+    done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
+    assert "1 test, 0 errors, 0 failures, 0 skipped" in done.out, done
+    assert (done.status, done.err) == (0, "")
+    cmake_package(workshop, test=BAD)
+    done = workshop.run("colcon test\ncolcon test-result --all")
+    assert "1 package had test failures: mixed" in done.out
+    assert "1 test, 0 errors, 1 failure, 0 skipped" in done.out and done.status == 1
+
+
+def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:
+    cmake_package(workshop, "ament_add_gtest(speed test/speed.cpp)\n  ament_lint_auto_find_test_dependencies()")
+    done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
+    assert "of 'mixed' these did not run: speed, ament_lint_auto" in done.err
+    assert "Summary: 3 tests, 0 errors, 0 failures, 2 skipped" in done.out
+    cmake_package(workshop)
+    assert "Summary: 1 test, 0 errors" in workshop.run("colcon test\ncolcon test-result --all").out

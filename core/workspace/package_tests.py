@@ -1,0 +1,151 @@
+"""Runs the tests of a package, as `colcon test` does: of a Python package by pytest, of a CMake package those that are pytest's.
+
+What a CMake package has besides (tests in C++, launch tests, linters) cannot run here. Each of them is a skipped result, and
+standard error names it: what did not run is never green.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from html import escape
+from importlib.util import find_spec
+from pathlib import Path
+
+from day6_tui.core.session.harmless import one_line
+from day6_tui.core.workspace.build_cmake import cmake_variables
+from day6_tui.core.workspace.cmake import LISTS, CMakeError, Command, read_commands
+from day6_tui.core.workspace.jobs import Work
+from day6_tui.core.workspace.local_setup_util import Environment, source_package
+from day6_tui.core.workspace.packages import Package
+from day6_tui.core.workspace.settings import Settings
+
+_TESTS_FAILED = 1
+_NO_TESTS = 5
+
+_PYTEST = "ament_add_pytest_test"
+_OTHERS = frozenset(
+    {
+        "add_launch_test",
+        "add_ros_test",
+        "add_test",
+        "ament_add_catch2",
+        "ament_add_gmock",
+        "ament_add_google_benchmark",
+        "ament_add_gtest",
+        "ament_add_nose_test",
+        "ament_add_ros_isolated_gtest",
+        "ament_add_ros_isolated_pytest_test",
+        "ament_add_test",
+        "ament_lint_auto_find_test_dependencies",
+    }
+)
+
+
+def test(package: Package, settings: Settings, work: Work, failures: list[str]) -> int:
+    """Run the tests of one package; returns an exit status. Failing tests are no error: the name is put into `failures`."""
+    environment = Environment(settings.environment)
+    for name in (*settings.needs.get(package.name, ()), package.name):
+        source_package(str(settings.prefix(name)), name, environment)
+    run = _Run(package, settings, work, dict(environment.variables))
+    status = run.python() if package.type.endswith("python") else run.cmake()
+    if status == _TESTS_FAILED and find_spec("pytest") is not None:
+        failures.append(package.name)
+        work.tell_test_failure()
+        return 0
+    return status  # without pytest 1 is "No module named pytest", which is more than a failing test
+
+
+class _Run:
+    def __init__(self, package: Package, settings: Settings, work: Work, environment: dict[str, str]) -> None:
+        self.package = package
+        self.settings = settings
+        self.work = work
+        self.environment = environment
+        self.results = (settings.test_result_base or settings.build_base) / package.name
+
+    def python(self) -> int:
+        """All tests that pytest finds in a Python package."""
+        return self._pytest([], self.results / "pytest.xml", self.environment)
+
+    def cmake(self) -> int:
+        """The tests that are added while BUILD_TESTING is on; returns a status as pytest does, the worst one."""
+        lists = self.package.path / LISTS
+        if not lists.is_file():
+            return 0
+        variables = {**cmake_variables(self.package, self.settings), "BUILD_TESTING": "ON"}
+        try:
+            commands = read_commands(lists.read_text(encoding="utf-8", errors="replace"), variables)
+        except CMakeError as error:
+            self.work.stderr(str(error))
+            return 1
+        self._skip([command for command in commands if command.name in _OTHERS])
+        statuses = [self._cmake_test(each) for each in commands if each.name == _PYTEST and len(each.words) > 1]
+        return max(statuses, key=lambda status: (status > _TESTS_FAILED, status), default=0)
+
+    def _cmake_test(self, command: Command) -> int:
+        name, path, *_ = command.words
+        environment = dict(self.environment)
+        for word in command.after("ENV", "APPEND_ENV", "TIMEOUT", "WORKING_DIRECTORY", "PYTHON_EXECUTABLE", "RUNNER"):
+            variable, equals, value = word.partition("=")
+            if equals:
+                environment[variable] = value
+        result = self.results / "test_results" / self.package.name / f"{one_line(name).replace(os.sep, '_')}.xunit.xml"
+        return self._pytest([str(command.folder / path)], result, environment)
+
+    def _pytest(self, words: list[str], result: Path, environment: dict[str, str]) -> int:
+        """Run pytest; returns 0 also where there was no test, as colcon does."""
+        name = self.package.name
+        # Should it end before it writes its own: a failing result.
+        self._write(result, ["pytest.missing_result"], "error", "The test invocation failed without a result file.")
+        cache = (self.settings.build_base / name / ".pytest_cache").as_posix()
+        options = [
+            "--tb=short",
+            f"--junit-xml={result.as_posix()}",
+            f"--junit-prefix={name}",
+            "-o",
+            f"cache_dir={cache}",
+        ]
+        options += self.settings.pytest_args
+        environment = {
+            **environment,
+            "PYTEST_ADDOPTS": " ".join(f'"{each}"' if " " in each else each for each in options),
+        }
+        status = self.work.run([sys.executable, "-m", "pytest", *words], self.package.path, environment)
+        return 0 if status == _NO_TESTS else status
+
+    def _skip(self, commands: list[Command]) -> None:
+        """Tell what does not run here, and leave a result that says so; an earlier one that is not true any more goes."""
+        names = [_test_name(command) for command in commands]
+        result = self.results / "test_results" / self.package.name / "not_run_here.xunit.xml"
+        if names:
+            self._write(result, names, "skipped", "day6-tui runs only the tests that are pytest's")
+            self.work.stderr(
+                f"day6-tui runs only the tests that are pytest's: of '{self.package.name}' these did not run: "
+                f"{', '.join(names)}\n"
+            )
+        elif result.is_file():
+            self.settings.output.remove(result)
+
+    def _write(self, path: Path, tests: list[str], outcome: str, reason: str) -> None:
+        """Write a result in which all tests have one outcome: 'error' or 'skipped'."""
+        name = escape(one_line(self.package.name))
+        element = "failure" if outcome == "error" else outcome
+        cases = [
+            f'  <testcase classname="{name}" name="{escape(one_line(test))}" time="0">\n'
+            f'    <{element} message="{escape(reason)}"/>\n  </testcase>\n'
+            for test in tests
+        ]
+        errors, skipped = (len(cases) if outcome == each else 0 for each in ("error", "skipped"))
+        self.settings.output.write_text(
+            path,
+            f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuite name="{name}" tests="{len(cases)}" failures="0" '
+            f'time="0" errors="{errors}" skipped="{skipped}">\n{"".join(cases)}</testsuite>\n',
+        )
+
+
+def _test_name(command: Command) -> str:
+    if command.name == "ament_lint_auto_find_test_dependencies":
+        return "ament_lint_auto"
+    words = command.after("NAME") if command.name == "add_test" and "NAME" in command.words else command.words
+    return words[0] if words else command.name
