@@ -260,9 +260,9 @@ class Desk:
             return
         self._link_opened = True
         if self.display is not None:
-            from day6_tui.core.shell.heap import keep_one_heap
+            from day6_tui.core.shell.heap import keep_heap_small
 
-            keep_one_heap()
+            keep_heap_small()
         for graph in list(self.graphs.values()):
             self._join_in_background(graph)
 
