@@ -10,6 +10,7 @@ from __future__ import annotations
 import sys
 import threading
 import time
+from functools import cache
 
 EVERY = 30.0
 """Seconds between two returns of memory that nobody uses, each of which takes a few milliseconds."""
@@ -18,10 +19,11 @@ _M_ARENA_MAX = -8
 """From glibc's malloc.h."""
 
 
+@cache
 def keep_heap_small() -> None:
     """Let threads that are started from now on share one heap, and give back what is free in it, now and then.
 
-    Without effect where the C library has no such choice.
+    Once for a process, however often it is called; without effect where the C library has no such choice.
     """
     if not sys.platform.startswith("linux"):
         return
