@@ -31,7 +31,7 @@ from day6_tui.core.workspace.build_python import python_library
 from day6_tui.core.workspace.cmake import CMakeError, Command, read_commands
 from day6_tui.core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
 from day6_tui.core.workspace.jobs import Work
-from day6_tui.core.workspace.left_out import LeftOut, write_note
+from day6_tui.core.workspace.left_out import LeftOut, stand_ins, write_note
 from day6_tui.core.workspace.left_out import left_out as find_left_out
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
@@ -183,8 +183,10 @@ class _CMakeBuild:
     def _tell_left_out(self, left_out: LeftOut) -> None:
         names = ", ".join(dict.fromkeys(name for name, _ in self.missing))
         missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
+        ours = ", ".join(stand_ins(self.package.name, left_out.executables))
+        instead = f"Of these day6-tui has programs of its own, which are started instead: {ours}.\n" if ours else ""
         self.work.stderr(
-            f"day6-tui has no C++ compiler: of '{self.package.name}' this was left out: {left_out}.\n{missing}"
+            f"day6-tui has no C++ compiler: of '{self.package.name}' this was left out: {left_out}.\n{instead}{missing}"
             "Everything else of it was built. On a real ROS 2 all of it can: `day6-tui export` makes a zip for there.\n"
         )
 
