@@ -238,6 +238,23 @@ def test_ros2_run_of_what_was_left_out_says_why_there_is_no_such_program(worksho
     assert workshop.run("source install/setup.bash; ros2 run day6_mixed talker").err == "No executable found\n"
 
 
+def test_the_words_of_install_may_stand_in_any_order(workshop: Workshop) -> None:
+    """As packages of the ROS 2 tutorial of SmartArmStack have it: the permissions before the destination."""
+    lists = """
+install(DIRECTORY scripts/ FILE_PERMISSIONS OWNER_EXECUTE OWNER_WRITE OWNER_READ DESTINATION lib/${PROJECT_NAME})
+install(FILES config/a.yaml COMPONENT data DESTINATION share/${PROJECT_NAME} RENAME b.yaml)
+install(FILES nowhere.yaml OPTIONAL DESTINATION share/${PROJECT_NAME})
+"""
+    package(
+        workshop, "day6_words", lists, {"scripts/say.py": "#!/usr/bin/env python3\nprint(1)\n", "config/a.yaml": ""}
+    )
+    done = workshop.run("colcon build")
+    assert (done.status, done.err) == (0, ""), done
+    assert workshop.run("source install/setup.bash; ros2 run day6_words say.py").out == "1\n"
+    share = workshop.workspace / "install/day6_words/share/day6_words"
+    assert sorted(path.name for path in share.glob("*.yaml")) == ["b.yaml"]
+
+
 OFFICIAL = """\
 add_executable(talker src/talker.cpp)
 add_executable(of_mine src/of_mine.cpp)
