@@ -68,6 +68,13 @@ def stand_ins(package: str, left_out: Iterable[str]) -> list[str]:
     return [name for name in left_out if name in ours]
 
 
+def why_not(prefix: str, package: str, executable: str) -> str:
+    """Return a line that says why the build made no such program; nothing where it had no reason that we know."""
+    if executable not in noted_programs(prefix, package):
+        return ""
+    return f"\n('{executable}' is a C++ program: day6-tui has no compiler, and so 'colcon build' left it out of '{package}')"
+
+
 def noted_programs(prefix: str, package: str) -> list[str]:
     """Return the programs that the build of an installed package left out."""
     try:

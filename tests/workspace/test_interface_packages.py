@@ -279,6 +279,10 @@ def test_a_program_that_was_left_out_is_the_one_that_day6_has_in_a_package_of_th
         workshop.wait(lambda done=running: done.program.status is not None)
     said = workshop.run("source install/setup.bash; ros2 run demo_nodes_cpp of_mine").err
     assert said.startswith("No executable found\n('of_mine' is a C++ program")
+    launch_file = workshop.workspace / "src/demo_nodes_cpp/launch/up.launch.xml"
+    launch_file.write_text(launch.replace("talker", "of_mine"), encoding="utf-8")
+    said = workshop.run(f"source install/setup.bash; ros2 launch {launch_file}").out
+    assert "but libexec directory" in said and "('of_mine' is a C++ program" in said
 
 
 @pytest.mark.parametrize(
