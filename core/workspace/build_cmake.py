@@ -31,7 +31,7 @@ from day6_tui.core.workspace.build_python import python_library
 from day6_tui.core.workspace.cmake import CMakeError, Command, read_commands
 from day6_tui.core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
 from day6_tui.core.workspace.jobs import Work
-from day6_tui.core.workspace.left_out import LeftOut, write_note
+from day6_tui.core.workspace.left_out import LeftOut, stand_ins, write_note
 from day6_tui.core.workspace.left_out import left_out as find_left_out
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
@@ -55,6 +55,12 @@ _GROUP = "rosidl_interface_packages"
 _SUFFIXES = ("msg", "srv", "action", "idl")
 _KEYWORDS = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS", "SKIP_GROUP_MEMBERSHIP_CHECK")
 
+
+_INSTALL_WORDS = """
+    DESTINATION TYPE PERMISSIONS FILE_PERMISSIONS DIRECTORY_PERMISSIONS USE_SOURCE_PERMISSIONS OPTIONAL RENAME
+    CONFIGURATIONS COMPONENT EXCLUDE_FROM_ALL MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE
+"""
+"""What ends a list of files in `install`, in any order (cmake manual, command `install`)."""
 
 _COMPILER = {
     "CMAKE_VERSION": "3.28.3",
@@ -190,8 +196,10 @@ class _CMakeBuild:
     def _tell_left_out(self, left_out: LeftOut) -> None:
         names = ", ".join(dict.fromkeys(name for name, _ in self.missing))
         missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
+        ours = ", ".join(stand_ins(self.package.name, left_out.executables))
+        instead = f"Of these day6-tui has programs of its own, which are started instead: {ours}.\n" if ours else ""
         self.work.stderr(
-            f"day6-tui has no C++ compiler: of '{self.package.name}' this was left out: {left_out}.\n{missing}"
+            f"day6-tui has no C++ compiler: of '{self.package.name}' this was left out: {left_out}.\n{instead}{missing}"
             "Everything else of it was built. On a real ROS 2 all of it can: `day6-tui export` makes a zip for there.\n"
         )
 
@@ -334,27 +342,33 @@ class _CMakeBuild:
         kind = command.words[0] if command.words else ""
         if kind not in ("DIRECTORY", "FILES", "PROGRAMS"):
             return
-        ends = ("DESTINATION", "PERMISSIONS", "PATTERN", "USE_SOURCE_PERMISSIONS", "RENAME", "OPTIONAL")
-        destination = command.after("DESTINATION", *ends)
+        destination = command.after("DESTINATION", *_INSTALL_WORDS.split())
         if not destination:
             raise command.error(f"install {kind} given no DESTINATION!")
         folder = self.prefix / destination[0]
-        for name in command.after(kind, *ends):
+        permissions = command.after(
+            "FILE_PERMISSIONS" if kind == "DIRECTORY" else "PERMISSIONS", *_INSTALL_WORDS.split()
+        )
+        executable = kind == "PROGRAMS" or "OWNER_EXECUTE" in permissions
+        for name in command.after(kind, *_INSTALL_WORDS.split()):
             source = command.folder / name
             if not source.exists():
+                if "OPTIONAL" in command.words:
+                    continue
                 raise command.error(f'file INSTALL cannot find "{source}": No such file or directory.')
             if source.is_dir():
                 inside = "" if name.endswith("/") else source.name
-                self._copy_tree(source, folder / inside)
+                self._copy_tree(source, folder / inside, executable=executable)
             else:
-                self._copy(source, folder / source.name, executable=kind == "PROGRAMS")
+                named = next(iter(command.after("RENAME", *_INSTALL_WORDS.split())), source.name)
+                self._copy(source, folder / named, executable=executable)
 
-    def _copy_tree(self, source: Path, target: Path) -> None:
+    def _copy_tree(self, source: Path, target: Path, *, executable: bool = False) -> None:
         for folder, folders, files in os.walk(source):
             folders[:] = sorted(name for name in folders if name != "__pycache__")
             for name in sorted(files):
                 path = Path(folder, name)
-                self._copy(path, target / path.relative_to(source))
+                self._copy(path, target / path.relative_to(source), executable=executable)
 
     def _copy(self, source: Path, target: Path, *, executable: bool = False) -> None:
         if self.settings.symlink_install:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from day6_tui.core.ros.programs import executables
 from day6_tui.core.workspace.cmake import Command
 from day6_tui.core.workspace.files import Output
 
@@ -37,17 +38,17 @@ class LeftOut:
 
 def left_out(commands: Iterable[Command]) -> LeftOut:
     """Return what a compiler would make of a package."""
-    executables: dict[str, None] = {}
+    programs: dict[str, None] = {}
     libraries: dict[str, None] = {}
     for command in commands:
         name = command.words[:1]
         if command.name in _EXECUTABLES and not _NOTHING_TO_COMPILE & set(command.words):
-            executables.update(dict.fromkeys(name))
+            programs.update(dict.fromkeys(name))
         elif command.name in _LIBRARIES and not _NOTHING_TO_COMPILE & set(command.words):
             libraries.update(dict.fromkeys(name))
         elif command.name == _COMPONENT:
-            executables.update(dict.fromkeys(command.after("EXECUTABLE")[:1]))
-    return LeftOut(list(executables), list(libraries))
+            programs.update(dict.fromkeys(command.after("EXECUTABLE")[:1]))
+    return LeftOut(list(programs), list(libraries))
 
 
 def write_note(output: Output, prefix: Path, package: str, left_out: LeftOut) -> None:
@@ -55,6 +56,23 @@ def write_note(output: Output, prefix: Path, package: str, left_out: LeftOut) ->
     note = prefix / _NOTE / package
     if left_out.executables or note.is_file():
         output.write_text(note, "".join(f"{name}\n" for name in left_out.executables))
+
+
+def stand_ins(package: str, left_out: Iterable[str]) -> list[str]:
+    """Return which of a package's left-out programs came with day6-tui, in a package of that name, and are started instead.
+
+    A built package hides the one of the same name underneath, with all of its programs: whoever builds ros2/demos would have
+    no demo_nodes_cpp talker any more.
+    """
+    ours = executables(package)
+    return [name for name in left_out if name in ours]
+
+
+def why_not(prefix: str, package: str, executable: str) -> str:
+    """Return a line that says why the build made no such program; nothing where it had no reason that we know."""
+    if executable not in noted_programs(prefix, package):
+        return ""
+    return f"\n('{executable}' is a C++ program: day6-tui has no compiler, and so 'colcon build' left it out of '{package}')"
 
 
 def noted_programs(prefix: str, package: str) -> list[str]:

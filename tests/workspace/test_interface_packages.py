@@ -238,6 +238,53 @@ def test_ros2_run_of_what_was_left_out_says_why_there_is_no_such_program(worksho
     assert workshop.run("source install/setup.bash; ros2 run day6_mixed talker").err == "No executable found\n"
 
 
+def test_the_words_of_install_may_stand_in_any_order(workshop: Workshop) -> None:
+    """As packages of the ROS 2 tutorial of SmartArmStack have it: the permissions before the destination."""
+    lists = """
+install(DIRECTORY scripts/ FILE_PERMISSIONS OWNER_EXECUTE OWNER_WRITE OWNER_READ DESTINATION lib/${PROJECT_NAME})
+install(FILES config/a.yaml COMPONENT data DESTINATION share/${PROJECT_NAME} RENAME b.yaml)
+install(FILES nowhere.yaml OPTIONAL DESTINATION share/${PROJECT_NAME})
+"""
+    package(
+        workshop, "day6_words", lists, {"scripts/say.py": "#!/usr/bin/env python3\nprint(1)\n", "config/a.yaml": ""}
+    )
+    done = workshop.run("colcon build")
+    assert (done.status, done.err) == (0, ""), done
+    assert workshop.run("source install/setup.bash; ros2 run day6_words say.py").out == "1\n"
+    share = workshop.workspace / "install/day6_words/share/day6_words"
+    assert sorted(path.name for path in share.glob("*.yaml")) == ["b.yaml"]
+
+
+OFFICIAL = """\
+add_executable(talker src/talker.cpp)
+add_executable(of_mine src/of_mine.cpp)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+"""
+
+
+def test_a_program_that_was_left_out_is_the_one_that_day6_has_in_a_package_of_that_name(workshop: Workshop) -> None:
+    """Built from source, ros2/demos hides the demo_nodes_cpp that was there before, with all of its programs."""
+    launch = '<launch><node pkg="demo_nodes_cpp" exec="talker"/></launch>\n'
+    package(workshop, "demo_nodes_cpp", OFFICIAL, {"launch/up.launch.xml": launch})
+    done = workshop.run("colcon build")
+    assert done.status == 0 and "left out: executables talker, of_mine.\n" in done.err, done
+    assert "Of these day6-tui has programs of its own, which are started instead: talker.\n" in done.err
+    assert (
+        workshop.run("source install/setup.bash; ros2 pkg executables demo_nodes_cpp").out == "demo_nodes_cpp talker\n"
+    )
+    for command in ("ros2 run demo_nodes_cpp talker", "ros2 launch demo_nodes_cpp up.launch.xml"):
+        running = workshop.start(f"source install/setup.bash; {command}")
+        workshop.wait(lambda done=running: "Publishing: 'Hello World: 1'" in done.err.text + done.out.text)
+        running.program.interrupt()
+        workshop.wait(lambda done=running: done.program.status is not None)
+    said = workshop.run("source install/setup.bash; ros2 run demo_nodes_cpp of_mine").err
+    assert said.startswith("No executable found\n('of_mine' is a C++ program")
+    launch_file = workshop.workspace / "src/demo_nodes_cpp/launch/up.launch.xml"
+    launch_file.write_text(launch.replace("talker", "of_mine"), encoding="utf-8")
+    said = workshop.run(f"source install/setup.bash; ros2 launch {launch_file}").out
+    assert "but libexec directory" in said and "('of_mine' is a C++ program" in said
+
+
 @pytest.mark.parametrize(
     "lists",
     [

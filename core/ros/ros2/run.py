@@ -39,7 +39,12 @@ async def main(session: Session, args: Namespace) -> int | str:
         raise RuntimeError(f"Package '{args.package_name}' not found")
     fitting = [each for each in found if each.name == args.executable_name]
     if not fitting:
-        return "No executable found" + _why_not(session, args.package_name, args.executable_name)
+        from ament_index_python.packages import get_package_prefix
+
+        from day6_tui.core.workspace.left_out import why_not
+
+        prefix = get_package_prefix(args.package_name, session.env)
+        return "No executable found" + why_not(prefix, args.package_name, args.executable_name)
     if len(fitting) > 1:
         raise RuntimeError("\n- ".join(["Multiple executables found:", *(str(each.path) for each in fitting)]))
     if args.prefix is not None:
@@ -47,17 +52,6 @@ async def main(session: Session, args: Namespace) -> int | str:
     if fitting[0].built_in:
         return await _run_built_in(session, args.package_name, fitting[0], args.argv)
     return await _run_process(session, [str(fitting[0].path), *args.argv])
-
-
-def _why_not(session: Session, package: str, executable: str) -> str:
-    """Return a line that says why the build made no such program; nothing where it had no reason that we know."""
-    from ament_index_python.packages import get_package_prefix
-
-    from day6_tui.core.workspace.left_out import noted_programs
-
-    if executable not in noted_programs(get_package_prefix(package, session.env), package):
-        return ""
-    return f"\n('{executable}' is a C++ program: day6-tui has no compiler, and so 'colcon build' left it out of '{package}')"
 
 
 async def _run_process(session: Session, argv: list[str]) -> int:

@@ -33,9 +33,10 @@ async def main(session: Session) -> int:
     graph, picture = session.cwd / f"{name}.gv", session.cwd / f"{name}.pdf"
     try:
         replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape"))
-    except OSError:
+    except OSError as error:
         session.print_error(f"Error: dot: can't open {name}.gv")
-        return FAILED  # the original goes on to say that it created the files
+        if not isinstance(error, FileNotFoundError):
+            return FAILED  # a full disk; where there is no such folder the original goes on, and so do we
     session.print(f"Created file {name}.gv")
     dot = shutil.which("dot", path=session.env.get("PATH"))
     if dot is None:

@@ -45,17 +45,23 @@ def executables(session: Session, package: str) -> list[Executable] | None:
         from day6_tui.core.ros.programs import executables as built_in
 
         return [Executable(name, folder / name, True) for name in sorted(built_in(package))]
-    return sorted(
-        (
-            Executable(_name(path), path, False)
-            for path in folder.rglob("*")
-            if path.is_file()
-            and os.access(path, os.X_OK)
-            and not _in_hidden_folder(path, folder)
-            and not _is_launcher(path)
-        ),
-        key=lambda each: each.path,
-    )
+    files = [
+        Executable(_name(path), path, False)
+        for path in folder.rglob("*")
+        if path.is_file()
+        and os.access(path, os.X_OK)
+        and not _in_hidden_folder(path, folder)
+        and not _is_launcher(path)
+    ]
+    return sorted([*files, *_stand_ins(prefix, package)], key=lambda each: each.path)
+
+
+def _stand_ins(prefix: str, package: str) -> list[Executable]:
+    """Return our programs that take the place of C++ ones which the build of a package left out."""
+    from day6_tui.core.workspace.left_out import noted_programs, stand_ins
+
+    folder = Path(BUILT_IN_PREFIX, "lib", package)
+    return [Executable(name, folder / name, True) for name in stand_ins(package, noted_programs(prefix, package))]
 
 
 def _name(path: Path) -> str:

@@ -49,17 +49,21 @@ class ExecutableInPackage(FindPackagePrefix):
         folder = os.path.join(prefix, "lib", package)
         if built_in(os.path.join(folder, executable)) is not None:
             return os.path.join(folder, executable)
-        if not os.path.exists(folder) and not _is_ours(prefix):
+        from ament_index_python.search_paths import BUILT_IN_PREFIX
+
+        from day6_tui.core.workspace.left_out import noted_programs, stand_ins, why_not
+
+        if executable in stand_ins(package, noted_programs(prefix, package)):
+            return os.path.join(BUILT_IN_PREFIX, "lib", package, executable)
+        if not os.path.exists(folder) and prefix != BUILT_IN_PREFIX:
             raise SubstitutionFailure(
                 f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
+                + why_not(prefix, package, executable)
             )
         found = shutil.which(executable, path=folder)
         if found is None:
-            raise SubstitutionFailure(f"executable '{executable}' not found on the libexec directory '{folder}' ")
+            raise SubstitutionFailure(
+                f"executable '{executable}' not found on the libexec directory '{folder}' "
+                + why_not(prefix, package, executable)
+            )
         return found
-
-
-def _is_ours(prefix: str) -> bool:
-    from ament_index_python.search_paths import BUILT_IN_PREFIX
-
-    return prefix == BUILT_IN_PREFIX
