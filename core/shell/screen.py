@@ -12,6 +12,7 @@ from __future__ import annotations
 import copy
 import re
 from collections import deque
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -55,6 +56,8 @@ _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
 _PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
+_NOT_NARROW = re.compile("[^ -~\xa0-\xac\xae-\u02ff\ufffd]")
+"""What may take no cell or two."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -96,6 +99,8 @@ class Screen(PyteScreen):
         self._scrolled = 0
         self._arriving: list[Any] = []
         """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
+        self._pen: list[str] = []
+        """What was drawn in the last line so far, cell by cell, while it is plain text: it is no line of pyte's buffer yet."""
         self._passed = 0
         """Rows that went by and are not even kept in the scrollback."""
         self._odd_before = 0
@@ -117,7 +122,7 @@ class Screen(PyteScreen):
     @property
     def buffer(self) -> Any:
         """pyte's lines of cells, by their number."""
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         return self._buffer
 
@@ -360,6 +365,10 @@ class Screen(PyteScreen):
 
     def _settle(self) -> None:
         """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
+        if self._pen:
+            self._lay_pen_down()
+        if not self._arriving and not self._passed:
+            return
         arriving, self._arriving = self._arriving, []
         passed, self._passed = self._passed, 0
         buffer, bottom = self._buffer, self.lines - 1
@@ -403,7 +412,7 @@ class Screen(PyteScreen):
         if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
             self._draw_slowly(data)
             return
-        digits = "" if data.isascii() else widths(data)
+        digits = "" if data.isascii() or not _NOT_NARROW.search(data) else widths(data)
         if "0" in digits:
             self._draw_with_marks(data, digits)
         else:
@@ -447,12 +456,15 @@ class Screen(PyteScreen):
     def _is_at_the_empty_end(self) -> bool:
         """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
         bottom = self.lines - 1
-        return self.cursor.y == bottom and not self._buffer.get(bottom) and not self.margins
+        return self.cursor.y == bottom and not self._pen and not self._buffer.get(bottom) and not self.margins
 
     def _put(self, text: str, digits: str) -> None:
         """Draw text that fits into the rest of the line."""
         cursor = self.cursor
         x = cursor.x
+        if self._pen_is_at_hand():
+            self._write(text, digits)
+            return
         line = self._line()
         end = x + len(text) + digits.count("2")
         if x in line or end in line:
@@ -461,10 +473,43 @@ class Screen(PyteScreen):
         cursor.x = end
         self.dirty.add(cursor.y)
 
+    def _pen_is_at_hand(self) -> bool:
+        """Whether the last line is plain text, and what comes is too."""
+        if self.cursor.y != self.lines - 1 or modes.DECSCNM in self.mode or self._style() != PLAIN_STYLE:
+            return False
+        return bool(self._pen) or not self._buffer.get(self.lines - 1)
+
+    def _write(self, text: str, digits: str) -> None:
+        """Draw plain text into the last line."""
+        pen, cursor = self._pen, self.cursor
+        x, used = cursor.x, len(self._pen)
+        cells = _with_second_halves(text, digits) if "2" in digits else text
+        end = x + len(cells)
+        if x > used:
+            pen += " " * (x - used)
+        elif x < used:
+            if x and pen[x] == "":
+                pen[x - 1] = " "
+            if end < used and pen[end] == "":
+                pen[end] = " "
+        pen[x:end] = cells
+        cursor.x = end
+        self.dirty.add(cursor.y)
+
+    def _lay_pen_down(self) -> None:
+        """The last line becomes one like the others."""
+        pen, self._pen = self._pen, []
+        cells = self._cells_for(Char(" ", *PLAIN_STYLE))
+        self._buffer[self.lines - 1].update(enumerate(map(cells.__getitem__, pen)))
+
     def _line(self) -> Any:
         """The line with the cursor: the last of the screen stands still, whatever arrives above it."""
         y = self.cursor.y
-        return (self._buffer if y == self.lines - 1 else self.buffer)[y]
+        if y != self.lines - 1:
+            return self.buffer[y]
+        if self._pen:
+            self._lay_pen_down()
+        return self._buffer[y]
 
     def _draw_slowly(self, data: str) -> None:
         """Character by character: insert mode, no autowrap."""
@@ -553,7 +598,11 @@ class Screen(PyteScreen):
         if self.margins is None and self.cursor.y == self.lines - 1:
             if not self._arriving:
                 self.dirty.update(range(self.lines))
-            self._arriving.append(self._buffer.pop(self.lines - 1, ""))
+            if self._pen:
+                self._arriving.append("".join(self._pen))
+                self._pen = []
+            else:
+                self._arriving.append(self._buffer.pop(self.lines - 1, ""))
             return
         super().index()
 
@@ -612,7 +661,7 @@ class Screen(PyteScreen):
         self.savepoints[:] = saved
 
     def reset(self) -> None:
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         self._main = None
         super().reset()
@@ -629,7 +678,7 @@ class Screen(PyteScreen):
         columns = columns or self.columns
         if (lines, columns) == (self.lines, self.columns):
             return
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         self.tabstops = set(range(8, columns, 8))
         if self.alternate:
@@ -696,15 +745,19 @@ def _expanded(line: str) -> str:
     return "".join(parts)
 
 
+def _with_second_halves(text: str, digits: str) -> Sequence[str]:
+    """The cells of a text whose widths are `digits`."""
+    cells = []
+    for char, digit in zip(text, digits, strict=True):
+        cells.append(char)
+        if digit == "2":
+            cells.append("")
+    return cells
+
+
 def _fill(line: Any, x: int, text: str, digits: str, cells: _Cells) -> int:
     """Put characters into a line of pyte's buffer; returns the place after them. `digits` are their widths, '' if all are 1."""
-    parts: Any = text
-    if "2" in digits:
-        parts = []
-        for char, digit in zip(text, digits, strict=True):
-            parts.append(char)
-            if digit == "2":
-                parts.append("")
+    parts = _with_second_halves(text, digits) if "2" in digits else text
     end = x + len(parts)
     line.update(zip(range(x, end), map(cells.__getitem__, parts)))  # noqa: B905
     return end
