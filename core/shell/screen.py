@@ -32,6 +32,7 @@ from day6_tui.core.shell.rows import (
     folded,
     folded_runs,
     row_text,
+    with_mark,
     without_end,
 )
 from day6_tui.core.shell.sequences import NEVER, Parser, colour_numbers
@@ -56,8 +57,8 @@ _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
 _PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
-_NOT_NARROW = re.compile("[^ -~\xa0-\xac\xae-\u02ff\ufffd]")
-"""What may take no cell or two."""
+_NOT_NARROW = re.compile("[^ -~\xa0-\xac\xae-\u02ff\u0370-\u0482\u048a-\u0590\u05d0-\u05ff\u0620-\u064a\ufffd]")
+"""What may take no cell or two, after Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -394,7 +395,11 @@ class Screen(PyteScreen):
         """Make the cells of a row."""
         x = 0
         for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
-            x = _fill(line, x, text, "" if text.isascii() else widths(text), self._cells_for(Char(" ", *style)))
+            digits = "" if text.isascii() else widths(text)
+            if "0" in digits:
+                line.update(enumerate(cells_of(row)))
+                return
+            x = _fill(line, x, text, digits, self._cells_for(Char(" ", *style)))
 
     def _remember_all(self, rows: list[Any]) -> None:
         if self.alternate:
@@ -548,8 +553,15 @@ class Screen(PyteScreen):
     def _combine(self, char: str) -> None:
         if not self.cursor.x:
             return
-        line = self._line()
         x = self.cursor.x - 1
+        pen = self._pen
+        if self.cursor.y == self.lines - 1 and x < len(pen):
+            if pen[x] == "" and x:
+                x -= 1
+            pen[x] = with_mark(pen[x], char)
+            self.dirty.add(self.cursor.y)
+            return
+        line = self._line()
         if line[x].data == "" and x:
             x -= 1
         line[x] = combined(line[x], char)
