@@ -332,10 +332,11 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     if sys.platform == "win32":
         decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
     fd = source if isinstance(source, int) else source.fileno()
+    never_blocks = sys.platform != "win32" and not os.get_blocking(fd)
     try:
         while True:
             try:
-                data = _read_some(fd)
+                data = _read_waiting(fd) if never_blocks else os.read(fd, READ_SIZE)
             except OSError:
                 data = b""  # Linux: the last process left the pty
             text = decoder.decode(data, final=not data)
@@ -351,13 +352,30 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             source.close()
 
 
-def _read_some(fd: int) -> bytes:
-    """Wait for output and return it, b'' at its end. Of a pty our side never blocks by itself (see `PtyKeys`)."""
-    while True:
+def _read_waiting(fd: int) -> bytes:
+    """Wait for output of a pty whose side here never blocks (see `PtyKeys`), and return all that is there; b'' at its end.
+
+    A pty hands out 4 kB at a time, and what follows a read costs more than the read.
+    """
+    parts: list[bytes] = []
+    size = 0
+    while size < READ_SIZE:
         try:
-            return os.read(fd, READ_SIZE)
+            data = os.read(fd, READ_SIZE)
         except BlockingIOError:
+            if parts:
+                break
             select.select([fd], [], [])
+            continue
+        except OSError:
+            if parts:
+                break  # the end is there the next time, too
+            raise
+        if not data:
+            break
+        parts.append(data)
+        size += len(data)
+    return b"".join(parts)
 
 
 def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> None:
