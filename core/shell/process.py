@@ -93,7 +93,9 @@ class Process:
         """What is typed, on its way to the program."""
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
-        self._killed = False
+        self._early: list[int] | None = []
+        """Signals from before there was a process; None once there is one."""
+        self._early_lock = threading.Lock()
         self._mark = ""
         self._stopped_for: set[str] = set()
 
@@ -113,7 +115,6 @@ class Process:
         self.send(2)
 
     def kill(self) -> None:
-        self._killed = True
         self.send(9)
 
     def pause(self, stopped: bool, reason: str = "job") -> None:
@@ -126,7 +127,14 @@ class Process:
             self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
 
     def send(self, number: int) -> None:
-        """Deliver a signal to the whole group; without effect once it is gone. On Windows all but Ctrl-C just end it."""
+        """Deliver a signal to the whole group, when it has begun; without effect once it is gone.
+
+        On Windows all but Ctrl-C just end it.
+        """
+        with self._early_lock:
+            if self._early is not None:
+                self._early.append(number)
+                return
         popen = self._popen
         if popen is None or self.ended.is_set():
             return
@@ -185,8 +193,7 @@ class Process:
         with _running_lock:
             _running.add(self)
         guard(popen.pid)
-        if self._killed:
-            self.kill()
+        self._deliver_early_signals()
         try:
             self.returncode = popen.wait()
         finally:
@@ -202,7 +209,21 @@ class Process:
             self._close_master()
             if typed_ahead:
                 self.session.stdin.give_back(typed_ahead)
+            if self._keys is not None:
+                # There, because it is there that keys are still on their way here.
+                self.session.scheduler.call_soon_threadsafe(self._give_back_late_keys)
             self.ended.set()
+
+    def _deliver_early_signals(self) -> None:
+        with self._early_lock:
+            early, self._early = self._early, None
+        for number in early or ():
+            self.send(number)
+
+    def _give_back_late_keys(self) -> None:
+        """What was typed between the program's end and the end of its output."""
+        if self._keys is not None and (late := self._keys.close()):
+            self.session.stdin.give_back(late.decode("utf-8", "replace"))
 
     def _launch(self) -> None:
         session = self.session
