@@ -75,6 +75,16 @@ _CONTROLS = {
 _ESCAPES = {("", final): name for final, name in {**PyteStream.escape, "E": "new_line"}.items()}
 _ESCAPES["#", "8"] = "alignment_display"
 _SEQUENCES = {final: name for final, name in PyteStream.csi.items() if name != "select_graphic_rendition"}
+_SEQUENCES |= {
+    "b": "repeat",
+    "S": "scroll_up",
+    "T": "scroll_down",
+    "I": "tabs",
+    "Z": "back_tabs",
+    "`": "cursor_to_column",
+}
+_SEQUENCES |= {"s": "save_place", "u": "restore_place"}
+"""What ncurses uses as soon as TERM says xterm (`infocmp xterm-256color`: rep, indn, rin, cbt), and pyte does not know."""
 _PRIVATE_SEQUENCES = {"h": "set_mode", "l": "reset_mode", "J": "erase_in_display", "K": "erase_in_line"}
 
 
@@ -102,6 +112,8 @@ class Screen(PyteScreen):
         """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
         self._pen: list[str] = []
         """What was drawn in the last line so far, cell by cell, while it is plain text: it is no line of pyte's buffer yet."""
+        self._last_drawn = ""
+        """What REP repeats."""
         self._passed = 0
         """Rows that went by and are not even kept in the scrollback."""
         self._odd_before = 0
@@ -194,7 +206,9 @@ class Screen(PyteScreen):
 
     def escape(self, parts: str, final: str) -> None:
         name = _ESCAPES.get((parts, final))
-        if name is not None:
+        if parts in ("(", ")"):
+            self.define_charset(final, parts)
+        elif name is not None:
             getattr(self, name)()
 
     def sequence(self, private: str, parameters: list[int], final: str) -> None:
@@ -230,7 +244,9 @@ class Screen(PyteScreen):
     def _is_simple(self) -> bool:
         """Whether text goes from cell to cell and on to the next line, as it nearly always does."""
         mode = self.mode
-        return modes.IRM not in mode and modes.DECAWM in mode and not self.charset and not self.margins
+        return (
+            modes.IRM not in mode and modes.DECAWM in mode and not self.margins and self.g0_charset is charsets.LAT1_MAP
+        )
 
     def rush(self, text: str, start: int) -> int:
         if self.cursor.x or start < self._odd_before or not self._is_at_the_empty_end():
@@ -412,8 +428,9 @@ class Screen(PyteScreen):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def draw(self, data: str) -> None:
-        if self.charset or self.g0_charset is not charsets.LAT1_MAP:
-            data = data.translate(self.g1_charset if self.charset else self.g0_charset)
+        self._last_drawn = data[-1:]
+        if self.g0_charset is not charsets.LAT1_MAP:
+            data = data.translate(self.g0_charset)
         if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
             self._draw_slowly(data)
             return
@@ -628,6 +645,45 @@ class Screen(PyteScreen):
             self.dirty.update(range(self.lines))
             return
         super().erase_in_display(how, *args, **kwargs)
+
+    def scroll_up(self, count: int = 0) -> None:
+        """SU: the lines between the margins move up, and the cursor stays where it is."""
+        y = self.cursor.y
+        self.cursor.y = self.margins.bottom if self.margins else self.lines - 1
+        for _ in range(min(max(count, 1), self.lines)):
+            self.index()
+        self.cursor.y = y
+
+    def scroll_down(self, count: int = 0) -> None:
+        """SD: the lines between the margins move down."""
+        y = self.cursor.y
+        self.cursor.y = self.margins.top if self.margins else 0
+        for _ in range(min(max(count, 1), self.lines)):
+            self.reverse_index()
+        self.cursor.y = y
+
+    def repeat(self, count: int = 0) -> None:
+        """REP: draw the last character again."""
+        if self._last_drawn:
+            self.draw(self._last_drawn * min(max(count, 1), self.columns * self.lines))
+
+    def tabs(self, count: int = 0) -> None:
+        """CHT: go on by so many tab stops."""
+        for _ in range(min(max(count, 1), self.columns)):
+            self.tab()
+
+    def back_tabs(self, count: int = 0) -> None:
+        """CBT: go back by so many tab stops."""
+        before = [0, *sorted(stop for stop in self.tabstops if stop < self.cursor.x)]
+        self.cursor.x = before[-min(max(count, 1), len(before))]
+
+    def save_place(self, *_: int) -> None:
+        """SCOSC, as ESC 7."""
+        self.save_cursor()
+
+    def restore_place(self, *_: int) -> None:
+        """SCORC, as ESC 8."""
+        self.restore_cursor()
 
     # -- modes ---------------------------------------------------------------------------------------------------------
 

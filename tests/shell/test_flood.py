@@ -179,7 +179,7 @@ def shown(*parts: str) -> str:
         ("a\x1b[" + "1;" * 5000 + "mb", "ab"),
         ("a\x1b[?2026$pb\x1b[2 qc\x1b[!pd\x1b[>4;2me", "abcde"),  # sequences that are not ours
         ("a\x1b[4:3mb\x1b[38:2::1:2:3mc", "abc"),  # the colours of ITU T.416
-        ("a\x1b(0b\x1b)Bc\x1b%Gd", "abcd"),
+        ("a\x1b)0b\x1b(Bc\x1b%Gd", "abcd"),
         ("a\x1b[<5mb", "ab"),
         ("one\x85two", "one\ntwo"),  # C1: NEL
         ("one\x1bEtwo", "one\ntwo"),
