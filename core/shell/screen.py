@@ -57,8 +57,16 @@ _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
 _PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
-_NOT_NARROW = re.compile("[^ -~\xa0-\xac\xae-\u02ff\u0370-\u0482\u048a-\u0590\u05d0-\u05ff\u0620-\u064a\ufffd]")
-"""What may take no cell or two, after Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters."""
+_NARROW = (
+    " -~\xa0-\xac\xae-\u02ff\u0370-\u0377\u037a-\u037f\u0384-\u038a\u038c\u038e-\u03a1\u03a3-\u0482"
+    "\u048a-\u052f\u0531-\u0556\u0559-\u058a\u05d0-\u05ea\u0620-\u064a\ufffd"
+)
+"""Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters: one cell each."""
+_WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
+_NOT_NARROW = re.compile(f"[^{_NARROW}]")
+"""What may take no cell, or two."""
+_NOT_COMMON = re.compile(f"[^\r\n{_NARROW}{_WIDE}]")
+"""What may take no cell."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -284,6 +292,14 @@ class Screen(PyteScreen):
                 self._arrive([((line, style),) if line else "" for line in lines])
             return start + len(chunk) + 2
         rows: list[Row] = []
+        if regular and not coloured and not _NOT_COMMON.search(chunk) and self._style() == PLAIN_STYLE:
+            for line in lines:
+                if 2 * len(line) <= self.columns:
+                    rows.append(line)
+                else:
+                    rows += folded(line, self.columns)
+            self._arrive(rows)
+            return start + len(chunk) + 2
         for line in lines:
             made = self._rows_of(line)
             if made is None:
