@@ -36,6 +36,9 @@ NEXT_LOOK = 0.004
 FLOOD_SECONDS = 0.1
 """A flood is over when nothing had to be read between two frames for so long."""
 
+NEXT_PICTURE = 0.1
+"""Seconds between two pictures of a flood that cannot be followed: nobody reads more, and drawing costs as much as reading."""
+
 
 class TerminalPane(Pane):
     """Shows the active terminal and sends it the keys. Terminals belong to the desk; here are only their views."""
@@ -56,6 +59,9 @@ class TerminalPane(Pane):
         self.known: weakref.WeakSet[Any] = weakref.WeakSet()
         """All terminals that were ever shown here."""
         self._flood_until = 0.0
+        self._behind_until = 0.0
+        """Until then the terminal that is shown counts as one whose output comes faster than it can be read."""
+        self._drawn = 0.0
         self._size_told: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
         self._shown_hint = ""
@@ -197,7 +203,10 @@ class TerminalPane(Pane):
             self._tell_size()
         view = self.view
         more = False
-        if view is not None:
+        if view is not None and now < self._behind_until and now - self._drawn < NEXT_PICTURE:
+            more = True
+        elif view is not None:
+            self._drawn = now
             spans = view.changes()
             if spans:
                 self.touch_spans(spans)
@@ -224,6 +233,8 @@ class TerminalPane(Pane):
                 self._flood_until = time.monotonic() + FLOOD_SECONDS
                 if view.has_more:
                     flood = NEXT_SLICE
+                    if view is self.view:
+                        self._behind_until = self._flood_until
         if flood is None and time.monotonic() < self._flood_until:
             flood = NEXT_LOOK
         return flood

@@ -14,13 +14,13 @@ def main() -> None:
     if sys.platform == "win32":
         raise NotImplementedError("processes are started without this there")
     mode, nice, memory, *argv = sys.argv[1:]
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
     if mode == "tty":
         import fcntl
         import termios
 
-        fcntl.ioctl(0, termios.TIOCSCTTY, 0)
-    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.SIG_DFL)
+        fcntl.ioctl(0, termios.TIOCSCTTY, 0)  # from now on Ctrl-C is a signal
     os.nice(int(nice))
     leave_no_core()
     if int(memory):
@@ -54,4 +54,8 @@ def limit_memory(size: int) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:  # it came before the first lines of `main`
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        os.kill(os.getpid(), signal.SIGINT)

@@ -93,7 +93,9 @@ class Process:
         """What is typed, on its way to the program."""
         self._master_lock = threading.Lock()
         self._readers: list[threading.Thread] = []
-        self._killed = False
+        self._early: list[int] | None = []
+        """Signals from before there was a process; None once there is one."""
+        self._early_lock = threading.Lock()
         self._mark = ""
         self._stopped_for: set[str] = set()
 
@@ -113,7 +115,6 @@ class Process:
         self.send(2)
 
     def kill(self) -> None:
-        self._killed = True
         self.send(9)
 
     def pause(self, stopped: bool, reason: str = "job") -> None:
@@ -126,7 +127,14 @@ class Process:
             self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
 
     def send(self, number: int) -> None:
-        """Deliver a signal to the whole group; without effect once it is gone. On Windows all but Ctrl-C just end it."""
+        """Deliver a signal to the whole group, when it has begun; without effect once it is gone.
+
+        On Windows all but Ctrl-C just end it.
+        """
+        with self._early_lock:
+            if self._early is not None:
+                self._early.append(number)
+                return
         popen = self._popen
         if popen is None or self.ended.is_set():
             return
@@ -185,8 +193,7 @@ class Process:
         with _running_lock:
             _running.add(self)
         guard(popen.pid)
-        if self._killed:
-            self.kill()
+        self._deliver_early_signals()
         try:
             self.returncode = popen.wait()
         finally:
@@ -202,7 +209,21 @@ class Process:
             self._close_master()
             if typed_ahead:
                 self.session.stdin.give_back(typed_ahead)
+            if self._keys is not None:
+                # There, because it is there that keys are still on their way here.
+                self.session.scheduler.call_soon_threadsafe(self._give_back_late_keys)
             self.ended.set()
+
+    def _deliver_early_signals(self) -> None:
+        with self._early_lock:
+            early, self._early = self._early, None
+        for number in early or ():
+            self.send(number)
+
+    def _give_back_late_keys(self) -> None:
+        """What was typed between the program's end and the end of its output."""
+        if self._keys is not None and (late := self._keys.close()):
+            self.session.stdin.give_back(late.decode("utf-8", "replace"))
 
     def _launch(self) -> None:
         session = self.session
@@ -332,10 +353,11 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     if sys.platform == "win32":
         decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
     fd = source if isinstance(source, int) else source.fileno()
+    never_blocks = sys.platform != "win32" and not os.get_blocking(fd)
     try:
         while True:
             try:
-                data = _read_some(fd)
+                data = _read_waiting(fd) if never_blocks else os.read(fd, READ_SIZE)
             except OSError:
                 data = b""  # Linux: the last process left the pty
             text = decoder.decode(data, final=not data)
@@ -351,13 +373,30 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             source.close()
 
 
-def _read_some(fd: int) -> bytes:
-    """Wait for output and return it, b'' at its end. Of a pty our side never blocks by itself (see `PtyKeys`)."""
-    while True:
+def _read_waiting(fd: int) -> bytes:
+    """Wait for output of a pty whose side here never blocks (see `PtyKeys`), and return all that is there; b'' at its end.
+
+    A pty hands out 4 kB at a time, and what follows a read costs more than the read.
+    """
+    parts: list[bytes] = []
+    size = 0
+    while size < READ_SIZE:
         try:
-            return os.read(fd, READ_SIZE)
+            data = os.read(fd, READ_SIZE)
         except BlockingIOError:
+            if parts:
+                break
             select.select([fd], [], [])
+            continue
+        except OSError:
+            if parts:
+                break  # the end is there the next time, too
+            raise
+        if not data:
+            break
+        parts.append(data)
+        size += len(data)
+    return b"".join(parts)
 
 
 def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> None:

@@ -10,12 +10,16 @@ import os
 import select
 import sys
 import threading
+import time
 
 MOST_WAITING = 4 * 1024 * 1024
 """Bytes that may wait here; more is refused."""
 
 LOOK_AGAIN = 0.25
 """Seconds after which the thread that waits for room looks whether it is still wanted."""
+
+UNTIL_OWNED = 0.005
+"""Seconds after which it is looked again whether the program has made the pty its terminal."""
 
 INTERRUPT, QUIT = b"\x03", b"\x1c"
 
@@ -31,19 +35,20 @@ class PtyKeys:
         self._lock = threading.Lock()
         self._waiting = bytearray()
         self._closed = False
+        self._is_owned = False
         self._flusher: threading.Thread | None = None
 
     def put(self, data: bytes) -> bool:
         """Send keys behind those that wait, without ever blocking; False if there is no room for them."""
         with self._lock:
-            if self._closed:
-                return True
             fits = len(self._waiting) + len(data) <= MOST_WAITING
             signal = max(data.rfind(INTERRUPT), data.rfind(QUIT))
             if fits:
                 self._waiting += data
             elif signal >= 0:
                 self._waiting += data[signal:]
+            if self._closed:
+                return fits  # the program has ended: what is typed now is for whoever reads next
             self._write()
             if self._waiting and signal >= 0 and self._makes_signals():
                 self._overtake()
@@ -54,13 +59,24 @@ class PtyKeys:
             return fits
 
     def close(self) -> bytes:
-        """Send nothing any more; returns what was not sent."""
+        """Send nothing any more; returns what was not sent. Called again, it returns what was put since."""
         with self._lock:
             self._closed = True
             waiting, self._waiting = bytes(self._waiting), bytearray()
             return waiting
 
+    def _has_owner(self) -> bool:
+        """Whether the program has made the pty its terminal: before, a kernel has nobody to send the signal of a Ctrl-C to."""
+        if not self._is_owned and sys.platform != "win32":
+            try:
+                self._is_owned = os.tcgetpgrp(self._master) != 0
+            except OSError:
+                self._is_owned = True  # this system does not tell
+        return self._is_owned
+
     def _write(self) -> None:
+        if not self._has_owner():
+            return
         try:
             while self._waiting:
                 del self._waiting[: os.write(self._master, self._waiting[:65536])]
@@ -99,6 +115,10 @@ class PtyKeys:
                 if self._closed or not self._waiting:
                     self._flusher = None
                     return
+                owned = self._is_owned
+            if not owned:
+                time.sleep(UNTIL_OWNED)
+                continue
             try:
                 select.select([], [self._master], [], LOOK_AGAIN)
             except (OSError, ValueError):

@@ -137,9 +137,15 @@ def without_end(row: Row) -> Row:
 
 def combined(cell: Char, char: str) -> Char:
     """A cell with a character of no width put on it; the cell alone if it is no mark, or one too many."""
-    if not is_mark(char) or len(cell.data) > MOST_MARKS:
-        return cell
-    return cell._replace(data=normalize("NFC", cell.data + char))
+    data = with_mark(cell.data, char)
+    return cell if data is cell.data else cell._replace(data=data)
+
+
+def with_mark(data: str, char: str) -> str:
+    """The same for the text of a cell."""
+    if not is_mark(char) or len(data) > MOST_MARKS:
+        return data
+    return normalize("NFC", data + char)
 
 
 def cells_of(row: Row) -> list[Char]:

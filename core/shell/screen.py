@@ -12,6 +12,7 @@ from __future__ import annotations
 import copy
 import re
 from collections import deque
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -31,6 +32,7 @@ from day6_tui.core.shell.rows import (
     folded,
     folded_runs,
     row_text,
+    with_mark,
     without_end,
 )
 from day6_tui.core.shell.sequences import NEVER, Parser, colour_numbers
@@ -55,6 +57,16 @@ _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
 _PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
+_NARROW = (
+    " -~\xa0-\xac\xae-\u02ff\u0370-\u0377\u037a-\u037f\u0384-\u038a\u038c\u038e-\u03a1\u03a3-\u0482"
+    "\u048a-\u052f\u0531-\u0556\u0559-\u058a\u05d0-\u05ea\u0620-\u064a\ufffd"
+)
+"""Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters: one cell each."""
+_WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
+_NOT_NARROW = re.compile(f"[^{_NARROW}]")
+"""What may take no cell, or two."""
+_NOT_COMMON = re.compile(f"[^\r\n{_NARROW}{_WIDE}]")
+"""What may take no cell."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -71,6 +83,16 @@ _CONTROLS = {
 _ESCAPES = {("", final): name for final, name in {**PyteStream.escape, "E": "new_line"}.items()}
 _ESCAPES["#", "8"] = "alignment_display"
 _SEQUENCES = {final: name for final, name in PyteStream.csi.items() if name != "select_graphic_rendition"}
+_SEQUENCES |= {
+    "b": "repeat",
+    "S": "scroll_up",
+    "T": "scroll_down",
+    "I": "tabs",
+    "Z": "back_tabs",
+    "`": "cursor_to_column",
+}
+_SEQUENCES |= {"s": "save_place", "u": "restore_place"}
+"""What ncurses uses as soon as TERM says xterm (`infocmp xterm-256color`: rep, indn, rin, cbt), and pyte does not know."""
 _PRIVATE_SEQUENCES = {"h": "set_mode", "l": "reset_mode", "J": "erase_in_display", "K": "erase_in_line"}
 
 
@@ -96,6 +118,10 @@ class Screen(PyteScreen):
         self._scrolled = 0
         self._arriving: list[Any] = []
         """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
+        self._pen: list[str] = []
+        """What was drawn in the last line so far, cell by cell, while it is plain text: it is no line of pyte's buffer yet."""
+        self._last_drawn = ""
+        """What REP repeats."""
         self._passed = 0
         """Rows that went by and are not even kept in the scrollback."""
         self._odd_before = 0
@@ -117,7 +143,7 @@ class Screen(PyteScreen):
     @property
     def buffer(self) -> Any:
         """pyte's lines of cells, by their number."""
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         return self._buffer
 
@@ -188,7 +214,9 @@ class Screen(PyteScreen):
 
     def escape(self, parts: str, final: str) -> None:
         name = _ESCAPES.get((parts, final))
-        if name is not None:
+        if parts in ("(", ")"):
+            self.define_charset(final, parts)
+        elif name is not None:
             getattr(self, name)()
 
     def sequence(self, private: str, parameters: list[int], final: str) -> None:
@@ -224,7 +252,9 @@ class Screen(PyteScreen):
     def _is_simple(self) -> bool:
         """Whether text goes from cell to cell and on to the next line, as it nearly always does."""
         mode = self.mode
-        return modes.IRM not in mode and modes.DECAWM in mode and not self.charset and not self.margins
+        return (
+            modes.IRM not in mode and modes.DECAWM in mode and not self.margins and self.g0_charset is charsets.LAT1_MAP
+        )
 
     def rush(self, text: str, start: int) -> int:
         if self.cursor.x or start < self._odd_before or not self._is_at_the_empty_end():
@@ -262,6 +292,14 @@ class Screen(PyteScreen):
                 self._arrive([((line, style),) if line else "" for line in lines])
             return start + len(chunk) + 2
         rows: list[Row] = []
+        if regular and not coloured and not _NOT_COMMON.search(chunk) and self._style() == PLAIN_STYLE:
+            for line in lines:
+                if 2 * len(line) <= self.columns:
+                    rows.append(line)
+                else:
+                    rows += folded(line, self.columns)
+            self._arrive(rows)
+            return start + len(chunk) + 2
         for line in lines:
             made = self._rows_of(line)
             if made is None:
@@ -360,6 +398,10 @@ class Screen(PyteScreen):
 
     def _settle(self) -> None:
         """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
+        if self._pen:
+            self._lay_pen_down()
+        if not self._arriving and not self._passed:
+            return
         arriving, self._arriving = self._arriving, []
         passed, self._passed = self._passed, 0
         buffer, bottom = self._buffer, self.lines - 1
@@ -385,7 +427,11 @@ class Screen(PyteScreen):
         """Make the cells of a row."""
         x = 0
         for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
-            x = _fill(line, x, text, "" if text.isascii() else widths(text), self._cells_for(Char(" ", *style)))
+            digits = "" if text.isascii() else widths(text)
+            if "0" in digits:
+                line.update(enumerate(cells_of(row)))
+                return
+            x = _fill(line, x, text, digits, self._cells_for(Char(" ", *style)))
 
     def _remember_all(self, rows: list[Any]) -> None:
         if self.alternate:
@@ -398,12 +444,13 @@ class Screen(PyteScreen):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def draw(self, data: str) -> None:
-        if self.charset or self.g0_charset is not charsets.LAT1_MAP:
-            data = data.translate(self.g1_charset if self.charset else self.g0_charset)
+        self._last_drawn = data[-1:]
+        if self.g0_charset is not charsets.LAT1_MAP:
+            data = data.translate(self.g0_charset)
         if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
             self._draw_slowly(data)
             return
-        digits = "" if data.isascii() else widths(data)
+        digits = "" if data.isascii() or not _NOT_NARROW.search(data) else widths(data)
         if "0" in digits:
             self._draw_with_marks(data, digits)
         else:
@@ -447,12 +494,15 @@ class Screen(PyteScreen):
     def _is_at_the_empty_end(self) -> bool:
         """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
         bottom = self.lines - 1
-        return self.cursor.y == bottom and not self._buffer.get(bottom) and not self.margins
+        return self.cursor.y == bottom and not self._pen and not self._buffer.get(bottom) and not self.margins
 
     def _put(self, text: str, digits: str) -> None:
         """Draw text that fits into the rest of the line."""
         cursor = self.cursor
         x = cursor.x
+        if self._pen_is_at_hand():
+            self._write(text, digits)
+            return
         line = self._line()
         end = x + len(text) + digits.count("2")
         if x in line or end in line:
@@ -461,10 +511,43 @@ class Screen(PyteScreen):
         cursor.x = end
         self.dirty.add(cursor.y)
 
+    def _pen_is_at_hand(self) -> bool:
+        """Whether the last line is plain text, and what comes is too."""
+        if self.cursor.y != self.lines - 1 or modes.DECSCNM in self.mode or self._style() != PLAIN_STYLE:
+            return False
+        return bool(self._pen) or not self._buffer.get(self.lines - 1)
+
+    def _write(self, text: str, digits: str) -> None:
+        """Draw plain text into the last line."""
+        pen, cursor = self._pen, self.cursor
+        x, used = cursor.x, len(self._pen)
+        cells = _with_second_halves(text, digits) if "2" in digits else text
+        end = x + len(cells)
+        if x > used:
+            pen += " " * (x - used)
+        elif x < used:
+            if x and pen[x] == "":
+                pen[x - 1] = " "
+            if end < used and pen[end] == "":
+                pen[end] = " "
+        pen[x:end] = cells
+        cursor.x = end
+        self.dirty.add(cursor.y)
+
+    def _lay_pen_down(self) -> None:
+        """The last line becomes one like the others."""
+        pen, self._pen = self._pen, []
+        cells = self._cells_for(Char(" ", *PLAIN_STYLE))
+        self._buffer[self.lines - 1].update(enumerate(map(cells.__getitem__, pen)))
+
     def _line(self) -> Any:
         """The line with the cursor: the last of the screen stands still, whatever arrives above it."""
         y = self.cursor.y
-        return (self._buffer if y == self.lines - 1 else self.buffer)[y]
+        if y != self.lines - 1:
+            return self.buffer[y]
+        if self._pen:
+            self._lay_pen_down()
+        return self._buffer[y]
 
     def _draw_slowly(self, data: str) -> None:
         """Character by character: insert mode, no autowrap."""
@@ -503,8 +586,15 @@ class Screen(PyteScreen):
     def _combine(self, char: str) -> None:
         if not self.cursor.x:
             return
-        line = self._line()
         x = self.cursor.x - 1
+        pen = self._pen
+        if self.cursor.y == self.lines - 1 and x < len(pen):
+            if pen[x] == "" and x:
+                x -= 1
+            pen[x] = with_mark(pen[x], char)
+            self.dirty.add(self.cursor.y)
+            return
+        line = self._line()
         if line[x].data == "" and x:
             x -= 1
         line[x] = combined(line[x], char)
@@ -553,7 +643,11 @@ class Screen(PyteScreen):
         if self.margins is None and self.cursor.y == self.lines - 1:
             if not self._arriving:
                 self.dirty.update(range(self.lines))
-            self._arriving.append(self._buffer.pop(self.lines - 1, ""))
+            if self._pen:
+                self._arriving.append("".join(self._pen))
+                self._pen = []
+            else:
+                self._arriving.append(self._buffer.pop(self.lines - 1, ""))
             return
         super().index()
 
@@ -567,6 +661,45 @@ class Screen(PyteScreen):
             self.dirty.update(range(self.lines))
             return
         super().erase_in_display(how, *args, **kwargs)
+
+    def scroll_up(self, count: int = 0) -> None:
+        """SU: the lines between the margins move up, and the cursor stays where it is."""
+        y = self.cursor.y
+        self.cursor.y = self.margins.bottom if self.margins else self.lines - 1
+        for _ in range(min(max(count, 1), self.lines)):
+            self.index()
+        self.cursor.y = y
+
+    def scroll_down(self, count: int = 0) -> None:
+        """SD: the lines between the margins move down."""
+        y = self.cursor.y
+        self.cursor.y = self.margins.top if self.margins else 0
+        for _ in range(min(max(count, 1), self.lines)):
+            self.reverse_index()
+        self.cursor.y = y
+
+    def repeat(self, count: int = 0) -> None:
+        """REP: draw the last character again."""
+        if self._last_drawn:
+            self.draw(self._last_drawn * min(max(count, 1), self.columns * self.lines))
+
+    def tabs(self, count: int = 0) -> None:
+        """CHT: go on by so many tab stops."""
+        for _ in range(min(max(count, 1), self.columns)):
+            self.tab()
+
+    def back_tabs(self, count: int = 0) -> None:
+        """CBT: go back by so many tab stops."""
+        before = [0, *sorted(stop for stop in self.tabstops if stop < self.cursor.x)]
+        self.cursor.x = before[-min(max(count, 1), len(before))]
+
+    def save_place(self, *_: int) -> None:
+        """SCOSC, as ESC 7."""
+        self.save_cursor()
+
+    def restore_place(self, *_: int) -> None:
+        """SCORC, as ESC 8."""
+        self.restore_cursor()
 
     # -- modes ---------------------------------------------------------------------------------------------------------
 
@@ -612,7 +745,7 @@ class Screen(PyteScreen):
         self.savepoints[:] = saved
 
     def reset(self) -> None:
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         self._main = None
         super().reset()
@@ -629,7 +762,7 @@ class Screen(PyteScreen):
         columns = columns or self.columns
         if (lines, columns) == (self.lines, self.columns):
             return
-        if self._arriving:
+        if self._arriving or self._pen:
             self._settle()
         self.tabstops = set(range(8, columns, 8))
         if self.alternate:
@@ -696,15 +829,19 @@ def _expanded(line: str) -> str:
     return "".join(parts)
 
 
+def _with_second_halves(text: str, digits: str) -> Sequence[str]:
+    """The cells of a text whose widths are `digits`."""
+    cells = []
+    for char, digit in zip(text, digits, strict=True):
+        cells.append(char)
+        if digit == "2":
+            cells.append("")
+    return cells
+
+
 def _fill(line: Any, x: int, text: str, digits: str, cells: _Cells) -> int:
     """Put characters into a line of pyte's buffer; returns the place after them. `digits` are their widths, '' if all are 1."""
-    parts: Any = text
-    if "2" in digits:
-        parts = []
-        for char, digit in zip(text, digits, strict=True):
-            parts.append(char)
-            if digit == "2":
-                parts.append("")
+    parts = _with_second_halves(text, digits) if "2" in digits else text
     end = x + len(parts)
     line.update(zip(range(x, end), map(cells.__getitem__, parts)))  # noqa: B905
     return end

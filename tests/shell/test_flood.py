@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from day6_tui.core.shell import screen as screen_module
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
 from day6_tui.core.shell.screen import Screen
+from day6_tui.core.shell.width import char_width
 
 WORDS = ["a", " ", "  ", "hello", "x" * 7, "word " * 5, "y" * 33, "z" * 130, "é", "\xa0", "\ufffd", "\u3000"]
 CHINESE = ["你", "你好", "机器人操作系统", "a你b好", "温度" * 20, "，", "한글", "🙂"]
@@ -179,7 +180,7 @@ def shown(*parts: str) -> str:
         ("a\x1b[" + "1;" * 5000 + "mb", "ab"),
         ("a\x1b[?2026$pb\x1b[2 qc\x1b[!pd\x1b[>4;2me", "abcde"),  # sequences that are not ours
         ("a\x1b[4:3mb\x1b[38:2::1:2:3mc", "abc"),  # the colours of ITU T.416
-        ("a\x1b(0b\x1b)Bc\x1b%Gd", "abcd"),
+        ("a\x1b)0b\x1b(Bc\x1b%Gd", "abcd"),
         ("a\x1b[<5mb", "ab"),
         ("one\x85two", "one\ntwo"),  # C1: NEL
         ("one\x1bEtwo", "one\ntwo"),
@@ -273,6 +274,14 @@ def test_eight_times_as_much_output_takes_eight_times_as_long(kind: str) -> None
     piece = FLOODS[kind]
     short = piece * (8_000 // len(piece))
     assert seconds_for(short * 8) < 40 * seconds_for(short) + 0.05
+
+
+def test_characters_taken_for_one_cell_or_for_no_mark_are_that() -> None:
+    every = [chr(code) for code in range(32, 0x20000) if not 0xD800 <= code < 0xE000]
+    narrow = [char for char in every if not screen_module._NOT_NARROW.search(char)]
+    common = [char for char in every if not screen_module._NOT_COMMON.search(char)]
+    assert len(narrow) > 1000 and {char_width(char) for char in narrow} == {1}
+    assert len(common) > 30_000 and {char_width(char) for char in common} == {1, 2}
 
 
 def test_a_single_line_of_a_megabyte_scrolls_by_like_lines_do() -> None:
