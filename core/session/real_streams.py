@@ -182,7 +182,7 @@ class RealInput(InputStream):
         if sys.platform == "win32" and self.isatty():
             self._read_windows()
             return
-        decoder = codecs.getincrementaldecoder("utf-8")("replace")
+        decoder = codecs.getincrementaldecoder("utf-8")("surrogateescape")
         fd = sys.stdin.fileno()
         while True:
             try:

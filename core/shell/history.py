@@ -16,7 +16,7 @@ class History:
         self._file = file
         self.lines: list[str] = []
         try:
-            self.lines = file.read_text(encoding="utf-8", errors="replace").splitlines()[-KEPT:]
+            self.lines = file.read_text(encoding="utf-8", errors="surrogateescape").splitlines()[-KEPT:]
         except OSError:
             return  # a first start, or a home that cannot be read: then there is none
 
@@ -29,7 +29,7 @@ class History:
         if len(self.lines) > KEPT:
             del self.lines[0]
         try:
-            append_private(self._file, (line.replace("\n", " ") + "\n").encode("utf-8", "replace"))
+            append_private(self._file, (line.replace("\n", " ") + "\n").encode("utf-8", "surrogateescape"))
         except OSError:
             return  # a full or read-only disk must not make the terminal unusable
 

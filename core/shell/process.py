@@ -311,7 +311,7 @@ class Process:
             os.close(slave)
         data += unsent
         # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
-        return data.replace(b"\0", b"").decode("utf-8", "replace").replace("\n", "\r")
+        return data.replace(b"\0", b"").decode("utf-8", "surrogateescape").replace("\n", "\r")
 
     def _close_master(self) -> None:
         self.session.stdin.pass_keys_to(None)
@@ -328,7 +328,7 @@ def _launcher(mode: str) -> list[str]:
 def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     """Copy a process's output to a stream as it comes, until its end; waits while the stream is full."""
     decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
-    decoder = codecs.getincrementaldecoder("utf-8")("replace")
+    decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
     if sys.platform == "win32":
         decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
     fd = source if isinstance(source, int) else source.fileno()

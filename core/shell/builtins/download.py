@@ -122,7 +122,7 @@ def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Calla
         tell(time.strftime(f"%Y-%m-%d %H:%M:%S ERROR {answer.status}: {answer.reason}.\n"))
         return 8
     if name == "-":
-        session.stdout.write(answer.body.decode("utf-8", "replace"))
+        session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
         return 0
     try:
         replace_file(session.cwd / name, answer.body)
@@ -161,7 +161,7 @@ async def curl(session: Session) -> int:
             return _curl_fails(session, 22, f"The requested URL returned error: {answer.status}", quiet)
         name = options.get("o") or (os.path.basename(urlsplit(url).path) if "O" in options else "")
         if not name:
-            session.stdout.write(answer.body.decode("utf-8", "replace"))
+            session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
             continue
         try:
             replace_file(session.cwd / name, answer.body)
