@@ -5,11 +5,14 @@ Textual ends the whole application with the first exception of a handler, and wi
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Awaitable
 from typing import Any
 
 from textual import events
 from textual.app import App
+
+_log = logging.getLogger(__name__)
 
 TYPED = (events.InputEvent, events.Paste)
 """What a person does: keys, the mouse, what is pasted."""
@@ -23,6 +26,9 @@ async def survive(app: App[Any], event: events.Event, handling: Awaitable[None])
     try:
         await handling
     except Exception as error:
+        if app._exit:
+            _log.debug("a key or a click came too late", exc_info=error)  # for a pane that is gone
+            return
         failed = getattr(app, "frame_failed", None)
         if failed is None or app.is_headless or not isinstance(event, TYPED):
             raise

@@ -34,9 +34,32 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 
 import pyte
-from ends import KEYS, LINES, PROGRAMS, START, _processes, modes_left
+from ends import KEYS, LINES, PROGRAMS, _processes, modes_left
 from hostile import HOSTILE, SEQUENCES, SHORT, foreign
 from screen import Screen, set_window_size
+
+START = """\
+import asyncio, faulthandler, signal, sys
+stacks = open({stacks!r}, "w")
+faulthandler.register(signal.SIGUSR1, file=stacks, all_threads=True)
+from day6_tui.tui.app import Day6App
+from day6_tui.tui.main import main
+attach = Day6App._attend_the_end
+
+def attend(app):
+    def tell():
+        print("leaving:", app._exit, "focus:", app.focused, "overlay:", app.desktop.overlay, app.size, file=stacks)
+        for task in asyncio.all_tasks():
+            task.print_stack(file=stacks)
+        stacks.flush()
+    asyncio.get_running_loop().add_signal_handler(signal.SIGUSR2, tell)
+    attach(app)
+
+Day6App._attend_the_end = attend
+sys.argv[1:] = {words!r}
+sys.exit(main())
+"""
+"""The installed command, which moreover writes the stacks of its threads on SIGUSR1, of its tasks on SIGUSR2."""
 
 ANSWER_SECONDS = 30.0
 """Within which a new terminal answers; the machine may be full of programs that spin."""
@@ -283,8 +306,11 @@ class Attack:
                 if not asked_stacks and time.monotonic() - began > SLOW_SECONDS:
                     asked_stacks = 1
                     os.kill(self.screen.pid, signal.SIGUSR1)
+                    os.kill(self.screen.pid, signal.SIGUSR2)
         shown = "\n".join(line.rstrip() for line in picture.display)
-        self.troubles.append(f"no answer within {ANSWER_SECONDS} s\n{shown}\n{self.stacks.read_text()}")
+        self.troubles.append(
+            f"no answer within {ANSWER_SECONDS} s\n{shown}\n{self.stacks.read_text()}\n{self.log_text()[-2000:]}"
+        )
         return False
 
     def has_left(self) -> bool:
@@ -305,6 +331,7 @@ class Attack:
                 break
         if self.status is None:
             os.kill(self.screen.pid, signal.SIGUSR1)
+            os.kill(self.screen.pid, signal.SIGUSR2)
         while self.status is None and time.monotonic() - began < END_SECONDS + 10:
             self.look(0.1)
         if self.status is None:
@@ -332,8 +359,12 @@ class Attack:
         outside = re.sub(rb"\x1b\[\?1049h.*?(?:\x1b\[\?1049l|\Z)", b"", data, flags=re.DOTALL)
         if b"Traceback" in outside or b"Error" in outside or b"Exception" in outside:
             self.troubles.append(f"printed\n{outside.decode('utf-8', 'replace')[-3000:]}")
-        if self.log.exists() and "Traceback" in (text := self.log.read_text(encoding="utf-8", errors="replace")):
+        if "Traceback" in (text := self.log_text()):
             self.troubles.append(f"logged\n{text[-5000:]}")
+
+    def log_text(self) -> str:
+        """What our own parts have logged."""
+        return self.log.read_text(encoding="utf-8", errors="replace") if self.log.exists() else ""
 
     def look_for_leftovers(self, runtime: Path, temporary: Path) -> None:
         end = time.monotonic() + 5
@@ -532,9 +563,8 @@ def main() -> int:
         counts["slowest ms"] = max(counts["slowest ms"], int(1000 * attack.slowest_answer))
         if attack.troubles:
             counts["bad"] += 1
-            print(f"run {number}: {'; '.join(attack.deeds)}")
-            for trouble in attack.troubles:
-                print(f"    {trouble}", flush=True)
+            told = [f"run {number}: {'; '.join(attack.deeds)}", *(f"    {trouble}" for trouble in attack.troubles)]
+            print("\n".join(told), flush=True)
         else:
             print(f"{number} …", flush=True)
 
