@@ -235,8 +235,11 @@ class Day6App(AppActions, App[None]):
             leave(self, error)
 
     async def on_event(self, event: events.Event) -> None:
-        if not (self._exit and isinstance(event, TYPED)):  # on the way out keys have nobody to go to
-            await survive(self, event, super().on_event(event))
+        if isinstance(event, TYPED):
+            if self._exit:
+                return  # on the way out keys have nobody to go to
+            self.desktop.keep_keyboard()
+        await survive(self, event, super().on_event(event))
 
     def on_bad_input(self, event: BadInput) -> None:
         """The terminal has another code than the desktop: what is typed in it cannot be read."""
@@ -311,6 +314,8 @@ class Day6App(AppActions, App[None]):
         if self.is_headless:
             self._handle_exception(error)
             return
+        if self._exit:
+            return  # the panes are going away
         _log.error("a frame failed", exc_info=error)
         if not isinstance(self.desktop.overlay, MessageOverlay):
             self.desktop.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))

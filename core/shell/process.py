@@ -8,6 +8,7 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 from __future__ import annotations
 
 import codecs
+import contextlib
 import io
 import logging
 import os
@@ -184,25 +185,33 @@ class Process:
         assert popen is not None
         with _running_lock:
             _running.add(self)
-        guard(popen.pid)
-        if self._killed:
-            self.kill()
         try:
+            guard(popen.pid)
+            if self._killed:
+                self.kill()
             self.returncode = popen.wait()
+            self._clear_up(popen.pid)
+        except Exception as error:
+            self.problem = error
         finally:
-            typed_ahead = self._take_unread()
-            # What the process started in the background may hold its output open; that must not hold up the prompt.
-            for reader in self._readers:
-                reader.join(0.5)
             with _running_lock:
                 _running.discard(self)
-            release(popen.pid)
-            _end_group(popen.pid)
-            end_marked(self._mark)
-            self._close_master()
-            if typed_ahead:
-                self.session.stdin.give_back(typed_ahead)
-            self.ended.set()
+            self.ended.set()  # whatever failed: the terminal waits for this
+
+    def _clear_up(self, pid: int) -> None:
+        """It has ended: what it left running goes with it, what it has not read of the keys goes to whoever reads next."""
+        typed_ahead = self._take_unread()
+        # What the process started in the background may hold its output open; that must not hold up the prompt.
+        for reader in self._readers:
+            reader.join(0.5)
+        with _running_lock:
+            _running.discard(self)
+        release(pid)
+        _end_group(pid)
+        end_marked(self._mark)
+        self._close_master()
+        if typed_ahead:
+            self.session.stdin.give_back(typed_ahead)
 
     def _launch(self) -> None:
         session = self.session
@@ -346,9 +355,19 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             target.wait_for_room()
     except BrokenPipeError:
         return  # the reader is gone; closing our end tells the process, as in any pipeline
+    except Exception:
+        _log.exception("output of a process could not be taken")
+        _read_off(fd)
     finally:
         if not isinstance(source, int):
             source.close()
+
+
+def _read_off(fd: int) -> None:
+    """Read on to the end, for nobody: the process would wait for a reader for ever."""
+    with contextlib.suppress(OSError):
+        while _read_some(fd):
+            pass
 
 
 def _read_some(fd: int) -> bytes:

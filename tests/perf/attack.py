@@ -331,7 +331,6 @@ class Attack:
                 break
         if self.status is None:
             os.kill(self.screen.pid, signal.SIGUSR1)
-            os.kill(self.screen.pid, signal.SIGUSR2)
         while self.status is None and time.monotonic() - began < END_SECONDS + 10:
             self.look(0.1)
         if self.status is None:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.task import Signal
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.builtins.options import UsageError, parse
 from day6_tui.core.shell.outside import asking
 from day6_tui.core.whole_file import replace_file
@@ -33,18 +33,9 @@ class Answer(NamedTuple):
 
 async def _fetch(session: Session, url: str) -> Answer:
     """Ask a server on a thread of its own; Ctrl-C gives up waiting."""
-    done = Signal()
-    answers: list[Answer] = []
     given_up = threading.Event()
-
-    def ask() -> None:
-        answers.append(_ask(url, given_up))
-        done.set()
-
     session.defer(given_up.set)
-    threading.Thread(target=ask, name="day6-download", daemon=True).start()
-    await session.wait(done)
-    return answers[0]
+    return await in_thread(lambda: _ask(url, given_up))
 
 
 def _ask(url: str, given_up: threading.Event) -> Answer:
