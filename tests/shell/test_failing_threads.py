@@ -21,6 +21,7 @@ from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.streams import Captured
 from day6_tui.core.shell import process
 from day6_tui.core.shell.feeder import Feeder
+from day6_tui.core.workspace import build
 
 PATIENCE = 20.0
 posix = pytest.mark.skipif(os.name != "posix", reason="needs Unix's pipes and processes")
@@ -146,8 +147,9 @@ def test_a_job_of_colcon_that_fails_ends_the_build(
         raise error("planted")
 
     machine.run("mkdir -p ~/ws/src && cd ~/ws/src && ros2 pkg create --build-type ament_python p")
-    monkeypatch.setattr("day6_tui.core.workspace.build_python.build", fail)
-    assert machine.run("cd ~/ws && colcon build").status != 0
+    monkeypatch.setitem(build._TASKS, "ros.ament_python", fail)
+    failed = machine.run("cd ~/ws && colcon build")
+    assert failed.status != 0 and "planted" in failed.out + failed.err
     assert machine.run("echo 42").out == "42\n"
 
 

@@ -322,7 +322,7 @@ async def test_keys_find_a_pane_although_the_keyboard_is_with_a_menu_that_was_cl
             await pilot.press(*"echo")
             await step(app, pilot)
             assert app.screen.focused is app.terminals
-        assert "".join(app.terminals.view.terminal.typed) == "echoecho"
+        assert "".join(app.terminals.view.terminal.sent) == "echoecho"
 
 
 async def test_the_language_changes_at_once(desk) -> None:
