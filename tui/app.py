@@ -50,6 +50,7 @@ from day6_tui.tui.machine import Machine
 from day6_tui.tui.overlay import MessageOverlay
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.survival import TYPED, survive
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import WindowPane
@@ -111,6 +112,9 @@ class Day6App(AppActions, App[None]):
 
     CSS = "Screen { layout: vertical; overflow: hidden; }"
     ENABLE_COMMAND_PALETTE = False
+    ALLOW_SELECT = (
+        False  # terminals have their own way to mark text; Textual's fails on a widget that is just going away
+    )
     BINDINGS = [Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()]
     TITLE = "day6-tui"
 
@@ -230,6 +234,13 @@ class Day6App(AppActions, App[None]):
         else:
             leave(self, error)
 
+    async def on_event(self, event: events.Event) -> None:
+        if isinstance(event, TYPED):
+            if self._exit:
+                return  # on the way out keys have nobody to go to
+            self.desktop.keep_keyboard()
+        await survive(self, event, super().on_event(event))
+
     def on_bad_input(self, event: BadInput) -> None:
         """The terminal has another code than the desktop: what is typed in it cannot be read."""
         self.say(self.look.texts(event.key), HINT_SECONDS)
@@ -303,6 +314,8 @@ class Day6App(AppActions, App[None]):
         if self.is_headless:
             self._handle_exception(error)
             return
+        if self._exit:
+            return  # the panes are going away
         _log.error("a frame failed", exc_info=error)
         if not isinstance(self.desktop.overlay, MessageOverlay):
             self.desktop.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))

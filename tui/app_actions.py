@@ -57,10 +57,13 @@ class AppActions:
     # -- terminals and windows -----------------------------------------------------------------------------------------
 
     def new_terminal(self) -> None:
-        """Open a terminal and show it."""
+        """Open a terminal and show it; says so when too many programs run for one more."""
         if self.machine.desk is not None:
             columns, rows = self.terminals.terminal_size()
-            self.terminals.add(self.machine.desk.open_terminal(columns, rows))
+            try:
+                self.terminals.add(self.machine.desk.open_terminal(columns, rows))
+            except BlockingIOError:
+                self.say(self.look.texts("terminal.no_room"), 10.0)
 
     def do_terminal(self) -> None:
         self.new_terminal()

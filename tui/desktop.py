@@ -235,6 +235,17 @@ class Desktop(Container):
         else:
             target.focus(scroll_visible=False)
 
+    def keep_keyboard(self) -> None:
+        """Before a key: where the keyboard is with nobody, or with what has gone, the pane that should have it gets it.
+
+        Textual gives it back to an overlay that was closed in the meantime when the terminal has lost and won the focus.
+        """
+        if not self.is_attached:
+            return
+        focused = self.screen.focused
+        if focused is None or not focused.is_attached or (isinstance(focused, Overlay) and focused is not self.overlay):
+            self._give_keyboard(self.focused_pane() if self.overlay is None else self.overlay)
+
     def focused_pane(self) -> Pane:
         """The pane that has the keyboard, or had it before an overlay."""
         last = self._last_focus

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -120,6 +121,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Entry point of `day6-tui`; returns the exit status."""
     if arguments is None:
         _end_silently_on_ctrl_c()
+        threading.excepthook = _thread_failed
     from day6_tui.core.session.harmless import guard_standard_streams
 
     words = sys.argv[1:] if arguments is None else arguments
@@ -149,6 +151,20 @@ def main(arguments: list[str] | None = None) -> int:
     if arguments is None:
         leave(status)
     return status
+
+
+def _thread_failed(failure: threading.ExceptHookArgs) -> None:
+    """A thread of ours has failed of a mistake in it: one line, or the log's where there is one; Python prints a traceback."""
+    error = failure.exc_value
+    if error is None or isinstance(error, SystemExit):
+        return
+    logging = sys.modules.get("logging")
+    if logging is not None and logging.getLogger().handlers:
+        logging.getLogger("day6_tui").error(
+            "the thread %s failed", failure.thread and failure.thread.name, exc_info=error
+        )
+    elif sys.stderr is not None:
+        print(f"day6-tui: {type(error).__name__}: {error}", file=sys.stderr)
 
 
 def _end_silently_on_ctrl_c() -> None:

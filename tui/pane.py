@@ -19,6 +19,7 @@ from textual.widget import Widget
 
 from day6_tui.tui.cells import cell_len, clip, harmless
 from day6_tui.tui.look import Look
+from day6_tui.tui.survival import survive
 
 Action = Callable[[], object]
 
@@ -48,6 +49,9 @@ class Pane(Widget, can_focus=True):
         self.extent = Size(0, 0)
         """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
 

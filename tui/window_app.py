@@ -44,6 +44,7 @@ from day6_tui.tui.keyboard import BadInput, leave, sturdy
 from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay, page_of
 from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.survival import survive
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()
@@ -191,6 +192,7 @@ class WindowApp(App[None]):
 
     CSS = "Screen { layout: vertical; overflow: hidden; }"
     ENABLE_COMMAND_PALETTE = False
+    ALLOW_SELECT = False
     BINDINGS = [
         Binding(key, f"do('{name}')", show=False, priority=True)
         for key, name in (
@@ -250,6 +252,9 @@ class WindowApp(App[None]):
 
     def _handle_exception(self, error: Exception) -> None:
         leave(self, error)
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self, event, super().on_event(event))
 
     def on_bad_input(self, event: BadInput) -> None:
         """The terminal has another code than this program: what is typed in it cannot be read."""

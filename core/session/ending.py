@@ -112,8 +112,11 @@ class Ending:
                 for number in numbers:
                     if number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                         self._signalled(number)
-                if self.nudge is not None:
-                    self.nudge()
+                try:
+                    if self.nudge is not None:
+                        self.nudge()
+                except Exception:
+                    _log.exception("waking the main thread failed")  # signals have to be heard all the same
 
     def _signalled(self, number: int) -> None:
         again = self.begun

@@ -182,7 +182,14 @@ class RealInput(InputStream):
         if sys.platform == "win32" and self.isatty():
             self._read_windows()
             return
-        decoder = codecs.getincrementaldecoder("utf-8")("replace")
+        try:
+            self._read_bytes()
+        finally:
+            self._waiting.append("")  # the end, also where reading failed: somebody waits for it
+            self._arrived.set()
+
+    def _read_bytes(self) -> None:
+        decoder = codecs.getincrementaldecoder("utf-8")("surrogateescape")
         fd = sys.stdin.fileno()
         while True:
             try:
@@ -190,7 +197,7 @@ class RealInput(InputStream):
             except OSError:
                 data = b""
             text = decoder.decode(data, final=not data)
-            if text or not data:
+            if text:
                 self._waiting.append(text)
                 self._arrived.set()
             if not data:

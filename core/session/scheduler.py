@@ -9,6 +9,7 @@ clock cannot be set.
 
 from __future__ import annotations
 
+import contextlib
 import heapq
 import itertools
 import logging
@@ -32,6 +33,9 @@ STEPS_PER_DEADLINE = 10_000
 
 SETTLE_SECONDS = 0.02
 """Wall seconds that programs which keep going on may keep others from being heard: a Ctrl-C, the next deadline."""
+
+PAUSE_AFTER_FAILURE = 0.05
+"""Wall seconds until the thread that runs all programs goes on after a mistake of ours in it: it may come every time."""
 
 LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
 """Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
@@ -165,6 +169,11 @@ class Scheduler:
                 self._turn(wait=True, longest=math.inf)
             except KeyboardInterrupt:
                 continue  # of `insist`, for a step that was over at this very moment
+            except Exception:
+                # All programs stand still without this thread, and every other one has not failed.
+                _log.exception("a turn of the scheduler failed")
+                with contextlib.suppress(Empty):
+                    self._run_item(self._inbox.get(timeout=PAUSE_AFTER_FAILURE))
         end()
         self._thread_id = None
 

@@ -306,7 +306,7 @@ class FileInput(InputStream):
     def __init__(self, path: Path) -> None:
         if stat.S_ISFIFO(path.stat().st_mode):  # opening one waits for its writer, and everybody would wait with us
             raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
-        self._file: TextIO = path.open(encoding="utf-8", errors="replace", newline="")
+        self._file: TextIO = path.open(encoding="utf-8", errors="surrogateescape", newline="")
 
     def fileno(self) -> int | None:
         return self._file.fileno()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import signal
 import sys
 from pathlib import Path
@@ -48,11 +49,13 @@ def main(arguments: list[str]) -> int:
         words = ([options.file] if options.file is not None else []) + words
     elif options.file is not None:
         try:
-            commands = Path(options.file).read_text(encoding="utf-8", errors="replace")
+            commands = Path(options.file).read_text(encoding="utf-8", errors="surrogateescape")
         except OSError as error:
             print(f"day6-tui exec: {options.file}: {error.strerror}", file=sys.stderr)
             return 127
     else:
+        if isinstance(sys.stdin, io.TextIOWrapper):
+            sys.stdin.reconfigure(encoding="utf-8", errors="surrogateescape")
         commands = sys.stdin.read()
         stdin = None
     try:

@@ -8,6 +8,7 @@ output it simply inherits that. It leads a session of its own, runs at nice +10,
 from __future__ import annotations
 
 import codecs
+import contextlib
 import io
 import logging
 import os
@@ -17,6 +18,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
@@ -192,27 +194,35 @@ class Process:
         assert popen is not None
         with _running_lock:
             _running.add(self)
-        guard(popen.pid)
-        self._deliver_early_signals()
         try:
+            guard(popen.pid)
+            self._deliver_early_signals()
             self.returncode = popen.wait()
+            self._clear_up(popen.pid)
+        except Exception as error:
+            self.problem = error
         finally:
-            typed_ahead = self._take_unread()
-            # What the process started in the background may hold its output open; that must not hold up the prompt.
-            for reader in self._readers:
-                reader.join(0.5)
             with _running_lock:
                 _running.discard(self)
-            release(popen.pid)
-            _end_group(popen.pid)
-            end_marked(self._mark)
-            self._close_master()
-            if typed_ahead:
-                self.session.stdin.give_back(typed_ahead)
-            if self._keys is not None:
-                # There, because it is there that keys are still on their way here.
-                self.session.scheduler.call_soon_threadsafe(self._give_back_late_keys)
-            self.ended.set()
+            self.ended.set()  # whatever failed: the terminal waits for this
+
+    def _clear_up(self, pid: int) -> None:
+        """It has ended: what it left running goes with it, what it has not read of the keys goes to whoever reads next."""
+        typed_ahead = self._take_unread()
+        # What the process started in the background may hold its output open; that must not hold up the prompt.
+        for reader in self._readers:
+            reader.join(0.5)
+        with _running_lock:
+            _running.discard(self)
+        release(pid)
+        _end_group(pid)
+        end_marked(self._mark)
+        self._close_master()
+        if typed_ahead:
+            self.session.stdin.give_back(typed_ahead)
+        if self._keys is not None:
+            # There, because it is there that keys are still on their way here.
+            self.session.scheduler.call_soon_threadsafe(self._give_back_late_keys)
 
     def _deliver_early_signals(self) -> None:
         with self._early_lock:
@@ -332,7 +342,7 @@ class Process:
             os.close(slave)
         data += unsent
         # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
-        return data.replace(b"\0", b"").decode("utf-8", "replace").replace("\n", "\r")
+        return data.replace(b"\0", b"").decode("utf-8", "surrogateescape").replace("\n", "\r")
 
     def _close_master(self) -> None:
         self.session.stdin.pass_keys_to(None)
@@ -349,15 +359,15 @@ def _launcher(mode: str) -> list[str]:
 def _pump(source: int | IO[bytes], target: OutputStream) -> None:
     """Copy a process's output to a stream as it comes, until its end; waits while the stream is full."""
     decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
-    decoder = codecs.getincrementaldecoder("utf-8")("replace")
+    decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
     if sys.platform == "win32":
         decoder = io.IncrementalNewlineDecoder(decoder, translate=True)
     fd = source if isinstance(source, int) else source.fileno()
-    never_blocks = sys.platform != "win32" and not os.get_blocking(fd)
+    read = _read_waiting if sys.platform != "win32" and not os.get_blocking(fd) else _read_at_once
     try:
         while True:
             try:
-                data = _read_waiting(fd) if never_blocks else os.read(fd, READ_SIZE)
+                data = read(fd)
             except OSError:
                 data = b""  # Linux: the last process left the pty
             text = decoder.decode(data, final=not data)
@@ -368,9 +378,23 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             target.wait_for_room()
     except BrokenPipeError:
         return  # the reader is gone; closing our end tells the process, as in any pipeline
+    except Exception:
+        _log.exception("output of a process could not be taken")
+        _read_off(fd, read)
     finally:
         if not isinstance(source, int):
             source.close()
+
+
+def _read_off(fd: int, read: Callable[[int], bytes]) -> None:
+    """Read on to the end, for nobody: the process would wait for a reader for ever."""
+    with contextlib.suppress(OSError):
+        while read(fd):
+            pass
+
+
+def _read_at_once(fd: int) -> bytes:
+    return os.read(fd, READ_SIZE)
 
 
 def _read_waiting(fd: int) -> bytes:

@@ -116,11 +116,13 @@ class Work:
         pipe = source
 
         def read() -> None:
-            with pipe:
-                for line in pipe:
-                    target(line.decode("utf-8", "replace").replace("\r\n", "\n"))
-            if at_end is not None:
-                at_end(None)
+            try:
+                with pipe:
+                    for line in pipe:
+                        target(line.decode("utf-8", "replace").replace("\r\n", "\n"))
+            finally:
+                if at_end is not None:
+                    at_end(None)
 
         thread = threading.Thread(target=read, name="day6-build-output", daemon=True)
         thread.start()
@@ -251,6 +253,9 @@ class Executor:
         except Exception as error:
             work.stderr(traceback.format_exc())
             result = error
+        except BaseException as error:  # the build waits for the end of every job
+            work.stderr(f"error: {type(error).__name__}: {error}\n")
+            result = 1
         if work.stopped and result:
             result = INTERRUPTED
         told = result if isinstance(result, (int, str)) else 1

@@ -97,7 +97,9 @@ def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> Non
         "rclpy.shutdown()\n",
         encoding="utf-8",
     )
-    turtlesim = "ros2 run turtlesim turtlesim_node & sleep 0.1; ros2 node list; kill %1"
+    turtlesim = (
+        "ros2 run turtlesim turtlesim_node & until ros2 node list | grep turtlesim; do sleep 0.05; done; kill %1"
+    )
     script = f"echo one | python3 talker.py | grep -c 'ONE$'; {turtlesim}"
     code = f"""
 subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0

@@ -181,8 +181,9 @@ def test_a_changed_window_reaches_it(seat: Any) -> None:
     write(
         seat.desk.home,
         "a.py",
-        "import os, signal\nsignal.signal(signal.SIGWINCH, lambda *a: print(os.get_terminal_size()))\n"
-        "print('ready')\nwhile True: signal.pause()\n",
+        # A handler must not print: it may come in the middle of the program's own print.
+        "import os, signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGWINCH])\nprint('ready')\n"
+        "while True:\n    signal.sigwait([signal.SIGWINCH])\n    print(os.get_terminal_size())\n",
     )
     seat.line("python3 a.py")
     seat.wait(lambda text: "ready" in text)

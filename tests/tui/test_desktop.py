@@ -310,6 +310,21 @@ async def test_the_palette_finds_a_command_by_either_language(desk) -> None:
         assert app.look.colours.name == "light" and app.desktop.overlay is None
 
 
+async def test_keys_find_a_pane_although_the_keyboard_is_with_a_menu_that_was_closed(desk) -> None:
+    async with opened(desk, 80, 24) as (app, pilot):
+        await pilot.press("f2")
+        await pilot.press("ctrl+p")
+        menu = app.desktop.overlay
+        await pilot.press("escape")
+        await step(app, pilot)
+        for gone in (menu, None):
+            app.screen.focused = gone
+            await pilot.press(*"echo")
+            await step(app, pilot)
+            assert app.screen.focused is app.terminals
+        assert "".join(app.terminals.view.terminal.sent) == "echoecho"
+
+
 async def test_the_language_changes_at_once(desk) -> None:
     async with opened(desk, 80, 24, lang="zh") as (app, pilot):
         assert "退出" in screen_text(app)

@@ -208,3 +208,12 @@ def test_any_size_can_be_drawn() -> None:
         for height in (3, 5, 12, 60):
             for glyphs in ("half", "ascii"):
                 text_of(pane_of(model_of("maze"), width, height, glyphs=glyphs))
+
+
+def test_a_window_that_opens_before_its_world_is_read_is_empty_and_takes_keys() -> None:
+    pane = pane_of(WorldModel())
+    assert text_of(pane) == [""] * pane.inner_height
+    pane.restyle()
+    pane.title()
+    pane.status()
+    pane.status_right()

@@ -100,6 +100,7 @@ TEXTS = {
     "terminal.arrows": "Arrow keys drive only in terminal {number}: {key} leads there",
     "terminal.scrolled": "{count} lines further down · any key goes there",
     "terminal.copied": "Copied",
+    "terminal.no_room": "No new terminal: too many programs run. End some of them (Ctrl-C, kill, close their terminals)",
     # welcome
     "welcome.title": "Welcome",
     "welcome.heading": "ROS 2, right here in your terminal",

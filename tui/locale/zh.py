@@ -100,6 +100,7 @@ TEXTS = {
     "terminal.arrows": "方向键只在终端 {number}（遥控）里有用：按 {key} 切换过去",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
     "terminal.copied": "已复制",
+    "terminal.no_room": "开不了新终端：运行的程序太多了。先结束一些（Ctrl-C、kill、关掉它们的终端）",
     # welcome
     "welcome.title": "欢迎",
     "welcome.heading": "ROS 2，就在你的终端里",

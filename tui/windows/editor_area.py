@@ -11,6 +11,7 @@ from textual.widgets import TextArea
 
 from day6_tui.core.session.harmless import same_length
 from day6_tui.tui.look import Look
+from day6_tui.tui.survival import survive
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.editor import EditorPane
@@ -50,6 +51,9 @@ class EditorArea(TextArea):
         self._last_key = 0.0
         self._cut = ""
         self._cut_row = -1
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
 
     def take_look(self, look: Look) -> None:
         """Take the colours of the desktop."""

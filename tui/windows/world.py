@@ -131,7 +131,10 @@ class WorldPane(WindowPane):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if not self._rows:
-            self._take_over(self.model.snapshot())
+            snapshot = self.model.snapshot()
+            if snapshot.scenery is None:
+                return []  # the window is open before its program has read the world
+            self._take_over(snapshot)
         view, colours = self._view, self.look.colours
         if view is None:
             return []

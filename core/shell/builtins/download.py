@@ -11,7 +11,7 @@ from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.task import Signal
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.builtins.options import UsageError, parse
 from day6_tui.core.shell.outside import asking
 from day6_tui.core.whole_file import replace_file
@@ -33,18 +33,9 @@ class Answer(NamedTuple):
 
 async def _fetch(session: Session, url: str) -> Answer:
     """Ask a server on a thread of its own; Ctrl-C gives up waiting."""
-    done = Signal()
-    answers: list[Answer] = []
     given_up = threading.Event()
-
-    def ask() -> None:
-        answers.append(_ask(url, given_up))
-        done.set()
-
     session.defer(given_up.set)
-    threading.Thread(target=ask, name="day6-download", daemon=True).start()
-    await session.wait(done)
-    return answers[0]
+    return await in_thread(lambda: _ask(url, given_up))
 
 
 def _ask(url: str, given_up: threading.Event) -> Answer:
@@ -122,7 +113,7 @@ def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Calla
         tell(time.strftime(f"%Y-%m-%d %H:%M:%S ERROR {answer.status}: {answer.reason}.\n"))
         return 8
     if name == "-":
-        session.stdout.write(answer.body.decode("utf-8", "replace"))
+        session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
         return 0
     try:
         replace_file(session.cwd / name, answer.body)
@@ -161,7 +152,7 @@ async def curl(session: Session) -> int:
             return _curl_fails(session, 22, f"The requested URL returned error: {answer.status}", quiet)
         name = options.get("o") or (os.path.basename(urlsplit(url).path) if "O" in options else "")
         if not name:
-            session.stdout.write(answer.body.decode("utf-8", "replace"))
+            session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
             continue
         try:
             replace_file(session.cwd / name, answer.body)

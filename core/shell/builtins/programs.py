@@ -59,7 +59,7 @@ async def bash(session: Session) -> int:
 async def run_script(session: Session, name: str, arguments: list[str]) -> int:
     """Run a file of command lines in a copy of the shell."""
     try:
-        text = (session.cwd / name).read_text(encoding="utf-8", errors="replace")
+        text = (session.cwd / name).read_text(encoding="utf-8", errors="surrogateescape")
     except OSError as error:
         session.print_error(f"{session.shell.name}: {name}: {reason(error)}")
         return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127

@@ -29,6 +29,8 @@ async def xterm(session: Session) -> int:
         session.print_error("xterm: Xt error: Can't open display: \nxterm: DISPLAY is not set")
         return 1
     terminal = _open(session, command)
+    if terminal is None:
+        return 1
     # Ctrl-C for xterm closes its window; the desktop ends what still runs in it.
     session.defer(terminal.program.terminate)
     await terminal.program.wait()
@@ -52,14 +54,20 @@ async def gnome_terminal(session: Session) -> int:
     if session.display is None:
         session.print_error("# Failed to open display: ")
         return 1
-    _open(session, command)
-    return 0
+    return 1 if _open(session, command) is None else 0
 
 
-def _open(session: Session, command: Sequence[str]) -> Terminal:
-    """Open a terminal; one word is a line for the shell, several are a command and its arguments."""
+def _open(session: Session, command: Sequence[str]) -> Terminal | None:
+    """Open a terminal; one word is a line for the shell, several are a command and its arguments.
+
+    None, with a message, when too many programs run for one more.
+    """
     line = command[0] if len(command) == 1 else shlex.join(command)
-    terminal: Terminal = session.shell.desk.open_terminal(cwd=session.cwd, env=session.env, command=line)
+    try:
+        terminal: Terminal = session.shell.desk.open_terminal(cwd=session.cwd, env=session.env, command=line)
+    except BlockingIOError as error:
+        session.print_error(f"{session.argv[0]}: fork: {error.strerror}")
+        return None
     return terminal
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.byte_text import joined, of_byte, of_code
 from day6_tui.core.shell.outside import agreed, keys_of
 from day6_tui.core.whole_file import replace_file
 
@@ -29,13 +30,15 @@ def unescape(text: str) -> str:
 
     def one(match: re.Match[str]) -> str:
         code = match[1]
-        if code[0] in "xu" and len(code) > 1:
-            return chr(int(code[1:], 16))
+        if code[0] == "x" and len(code) > 1:
+            return of_byte(int(code[1:], 16))
+        if code[0] == "u" and len(code) > 1:
+            return of_code(int(code[1:], 16))
         if code[0] in "01234567" and code != "0":
-            return chr(int(code, 8) & 0xFF)
+            return of_byte(int(code, 8) & 0xFF)
         return _ESCAPES.get(code, match[0])
 
-    return _ESCAPE.sub(one, text)
+    return joined(_ESCAPE.sub(one, text))
 
 
 async def echo(session: Session) -> int:
@@ -123,7 +126,7 @@ def whole_text(path: Path) -> str:
     """Read a file at once. Raises OSError, also for one that is too large for that (/dev/zero has no end)."""
     if stat.S_ISFIFO(path.stat().st_mode):
         raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
-    with path.open(encoding="utf-8", errors="replace") as file:
+    with path.open(encoding="utf-8", errors="surrogateescape") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:
         raise OSError(errno.ENOMEM, "Cannot allocate memory")
@@ -203,7 +206,7 @@ async def _follow(session: Session, names: list[str]) -> None:
             if size > place:
                 with path.open("rb") as file:
                     file.seek(place)
-                    session.stdout.write(file.read().decode("utf-8", "replace"))
+                    session.stdout.write(file.read().decode("utf-8", "surrogateescape"))
             places[name] = size
 
 
@@ -224,8 +227,8 @@ async def wc(session: Session) -> int:
         already = len(problems)
         async for _, line in lines_of(session, [name], problems):
             found["l"] += line.endswith("\n")
-            found["w"] += len(line.split())
-            found["m"] += len(line)
+            found["w"] += sum(word.isprintable() or any(map(str.isprintable, word)) for word in line.split())
+            found["m"] += len(line) if line.isascii() else len(line.encode("utf-8", "ignore").decode())
             found["c"] += len(line.encode("utf-8", "surrogateescape"))
         size += found["c"]
         if len(problems) == already:

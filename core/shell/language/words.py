@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from day6_tui.core.shell.byte_text import joined, of_byte, of_code
+
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{1,2}|u[0-9a-fA-F]{1,4}|U[0-9a-fA-F]{1,8}|[0-7]{1,3}|.)", re.DOTALL)
 _NAMED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "e": "\x1b", "E": "\x1b", "f": "\f", "v": "\v",
           "\\": "\\", "'": "'", '"': '"', "?": "?"}  # fmt: skip
@@ -69,7 +71,7 @@ class Word:
 
 def unescaped(text: str) -> str:
     """Return what the inside of `$'…'` stands for: backslashes mean what they mean in C."""
-    return _ESCAPE.sub(_character, text)
+    return joined(_ESCAPE.sub(_character, text))
 
 
 def _character(match: re.Match[str]) -> str:
@@ -77,10 +79,12 @@ def _character(match: re.Match[str]) -> str:
     code = match[1]
     if code in _NAMED:
         return _NAMED[code]
-    if code[0] in "xuU" and len(code) > 1:
-        return chr(min(int(code[1:], 16), 0x10FFFF))
+    if code[0] == "x" and len(code) > 1:
+        return of_byte(int(code[1:], 16))
+    if code[0] in "uU" and len(code) > 1:
+        return of_code(int(code[1:], 16))
     if code[0] in "01234567":
-        return chr(int(code, 8) & 0xFF)
+        return of_byte(int(code, 8) & 0xFF)
     return "\\" + code
 
 

@@ -1,0 +1,118 @@
+"""A mistake of our own: a key or a click that fails is lost and told, everything else ends in order; never with a traceback."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from place import Place
+    from terminal import Terminal
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+
+START = "import sys\nfrom day6_tui.tui.main import main\nsys.argv[1:] = {words!r}\n{plant}\nsys.exit(main())\n"
+
+BREAK = """
+def breaks(*arguments, **named):
+    raise RuntimeError("planted")
+"""
+A_KEY = f"""{BREAK}
+from day6_tui.tui.app_actions import AppActions
+AppActions.do_palette = breaks
+from day6_tui.tui.terminal_pane import TerminalPane
+TerminalPane.on_mouse_scroll_up = breaks
+"""
+EVERYTHING = f"""{BREAK}
+from day6_tui.tui.app_actions import AppActions
+AppActions.do_palette = lambda self: self.call_later(breaks)
+"""
+READER = f"""{BREAK}
+from day6_tui.tui.terminal_driver import TerminalDriver
+original = TerminalDriver._read
+def _read(self):
+    data = original(self)
+    if data == b"\\x10":
+        breaks()
+    return data
+TerminalDriver._read = _read
+"""
+
+
+def desktop(place: Place, plant: str) -> Terminal:
+    """The desktop with a mistake planted in it."""
+    from terminal import Terminal
+
+    words = ["--home", str(place.home), "--lang", "en", "--scene", "empty"]
+    code = START.format(words=words, plant=plant)
+    return Terminal([sys.executable, "-c", code], 80, 24, cwd=place.work, env=place.environment())
+
+
+def given_back(desk: Terminal) -> None:
+    for mode in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?2004l", b"\x1b[?1003l"):
+        assert mode in desk.output
+    assert b"Traceback" not in desk.output
+
+
+@pytest.mark.parametrize("data", [b"\x10", b"\x1b[<64;10;18M"], ids=["a key", "the wheel"])
+def test_a_key_or_a_click_that_fails_is_told_and_everything_goes_on(place: Place, data: bytes) -> None:
+    with desktop(place, A_KEY) as desk:
+        desk.wait("$")
+        desk.line("echo $((6*7))")
+        desk.wait_lines("42")
+        desk.send_bytes(data)
+        desk.wait("RuntimeError: planted")
+        desk.press("Esc")
+        desk.wait_gone("RuntimeError")
+        desk.line("echo $((6*9))")
+        desk.wait_lines("54")
+        desk.press("Ctrl-Q")
+        assert desk.wait_end() == 0
+        given_back(desk)
+
+
+@pytest.mark.parametrize("plant", [EVERYTHING, READER], ids=["the application", "the reader of keys"])
+def test_what_cannot_go_on_ends_with_one_line_and_status_1_and_the_text_is_kept(place: Place, plant: str) -> None:
+    place.home_file("talker.py", "print(1)\n")
+    with desktop(place, plant) as desk:
+        desk.wait("$")
+        desk.line("nano talker.py")
+        desk.wait("print(1)")
+        desk.send("# unsaved ")
+        desk.wait("# unsaved print(1)")
+        desk.press("Ctrl-P")
+        assert desk.wait_end() == 1
+        given_back(desk)
+        after = bytes(desk.output).rpartition(b"\x1b[?1049l")[2].decode()
+        assert after.count("day6-tui: RuntimeError: planted") == 1
+    assert not place.processes()
+    assert (place.home / "talker.py").read_text() == "print(1)\n"
+    with place.desktop("--scene", "empty") as desk:
+        desk.wait("$")
+        desk.line("nano talker.py")
+        desk.wait("# unsaved print(1)")
+
+
+FORKS = "for i in $(seq 1010); do sleep 100 & done 2> /dev/null"
+
+
+def test_with_as_many_programs_as_there_may_be_no_terminal_opens_and_the_desktop_says_so(place: Place) -> None:
+    with place.desktop("--scene", "empty", columns=120) as desk:
+        desk.wait("$")
+        desk.line("clear; " + FORKS)
+        desk.wait("bash: fork: Resource temporarily unavailable")
+        desk.press("F2")
+        desk.wait("too many programs run")
+        desk.line("gnome-terminal")
+        desk.wait("gnome-terminal: fork: Resource temporarily unavailable")
+        desk.line("kill $(jobs -p)")
+        desk.line("clear; echo $((6*9))")
+        desk.wait_lines("54")
+        desk.press("F2")
+        desk.wait("2 ~")
+        desk.press("Ctrl-Q")
+        assert desk.wait_end() == 0
+        given_back(desk)

@@ -1,0 +1,177 @@
+"""A mistake of ours in a thread: what waits for the thread goes on, and no traceback of ours is on the screen."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from day6_tui.core.session import real_streams
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.ending import Ending, Step
+from day6_tui.core.session.real_streams import RealInput
+from day6_tui.core.session.scheduler import Scheduler
+from day6_tui.core.session.streams import Captured
+from day6_tui.core.shell import process
+from day6_tui.core.shell.feeder import Feeder
+from day6_tui.core.workspace import build
+
+PATIENCE = 20.0
+posix = pytest.mark.skipif(os.name != "posix", reason="needs Unix's pipes and processes")
+pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+
+
+def breaks(*arguments: object, **named: object) -> Any:
+    raise RuntimeError("planted")
+
+
+class Broken(Captured):
+    """A stream that fails of a mistake, not of a reader who has gone."""
+
+    def write(self, text: str) -> int:
+        return breaks()
+
+
+@posix
+def test_what_copies_output_reads_on_so_that_the_process_can_end() -> None:
+    reading, writing = os.pipe()
+    pump = threading.Thread(target=process._pump, args=(open(reading, "rb"), Broken()), daemon=True)  # noqa: SIM115
+    pump.start()
+    for _ in range(100):
+        os.write(writing, b"x" * 65536)  # far more than a pipe holds
+    os.close(writing)
+    pump.join(PATIENCE)
+    assert not pump.is_alive()
+
+
+@posix
+@pytest.mark.parametrize("planted", ["_end_group", "end_marked", "release", "_set_window_size", "guard"])
+def test_a_process_whose_thread_fails_gives_the_prompt_back(
+    machine: Any, monkeypatch: pytest.MonkeyPatch, planted: str
+) -> None:
+    monkeypatch.setattr(process, planted, breaks)
+    machine.run("python3 -c 'print(1)'")
+    assert not process.running_processes()
+    monkeypatch.undo()
+    assert machine.run("echo 42").out == "42\n"
+
+
+def test_what_feeds_a_process_says_that_it_will_not_write_any_more() -> None:
+    class Pipe:
+        write = flush = breaks
+
+        def close(self) -> None:
+            """Closed."""
+
+    feeder = Feeder(Pipe())  # type: ignore[arg-type]
+    feeder.put(b"x" * 1_000_000)
+    end = time.monotonic() + PATIENCE
+    while not feeder.broken:
+        assert time.monotonic() < end
+        time.sleep(0.001)
+    assert not feeder.is_full
+
+
+def test_the_scheduler_goes_on_with_everybody_else(monkeypatch: pytest.MonkeyPatch) -> None:
+    scheduler = Scheduler(WorldClock())
+    failures = []
+
+    def announce() -> None:
+        failures.append(1)
+        breaks()
+
+    scheduler.on_activity = announce
+    scheduler.start()
+    try:
+        for _ in range(3):
+            heard = threading.Event()
+            scheduler.call_soon_threadsafe(heard.set)
+            assert heard.wait(PATIENCE)
+    finally:
+        scheduler.on_activity = None
+        scheduler.stop()
+    assert failures
+
+
+def test_a_reader_of_standard_input_that_fails_is_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real_streams.codecs, "getincrementaldecoder", breaks)
+    stream = RealInput()
+    lines: list[str] = []
+
+    async def read() -> None:
+        lines.append(await stream.read_line())
+
+    scheduler = Scheduler(WorldClock())
+    task = scheduler.spawn(read())
+    assert scheduler.run(lambda: task.finished, PATIENCE)
+    assert lines == [""]
+
+
+@posix
+def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
+    heard = threading.Event()
+    ending = Ending(Step(heard.set, PATIENCE), Step(breaks, PATIENCE))
+    ending.nudge = breaks
+    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR2)
+    before = {number: signal.getsignal(number) for number in numbers}
+    signal.signal(signal.SIGUSR2, lambda number, frame: None)
+    ending.listen()
+    try:
+        os.kill(os.getpid(), signal.SIGUSR2)  # only wakes
+        os.kill(os.getpid(), signal.SIGTERM)
+        assert heard.wait(PATIENCE)
+    finally:
+        ending.over()
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def test_a_download_that_fails_tells_its_program(machine: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("day6_tui.core.shell.builtins.download._ask", breaks)
+    machine.run("curl http://localhost/x")
+    assert machine.run("echo 42").out == "42\n"
+
+
+@pytest.mark.parametrize("error", [RuntimeError, SystemExit])
+def test_a_job_of_colcon_that_fails_ends_the_build(
+    machine: Any, monkeypatch: pytest.MonkeyPatch, error: type[BaseException]
+) -> None:
+    def fail(*arguments: object) -> Any:
+        raise error("planted")
+
+    machine.run("mkdir -p ~/ws/src && cd ~/ws/src && ros2 pkg create --build-type ament_python p")
+    monkeypatch.setitem(build._TASKS, "ros.ament_python", fail)
+    failed = machine.run("cd ~/ws && colcon build")
+    assert failed.status != 0 and "planted" in failed.out + failed.err
+    assert machine.run("echo 42").out == "42\n"
+
+
+PLANTED = """\
+import sys, threading
+from day6_tui.core.shell import process
+from day6_tui.tui.main import main
+def breaks(*a): raise RuntimeError('planted')
+process._pump = breaks
+sys.argv[1:] = ['exec', '--home', sys.argv[1], '-c', "python3 -c 'print(1)' | cat; echo $((6*7))"]
+sys.exit(main())
+"""
+
+
+def test_a_thread_that_fails_outside_the_desktop_is_told_in_one_line(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PLANTED, str(tmp_path)],
+        env={**os.environ, "DAY6_LINK": "off"},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert "Traceback" not in done.stderr
+    assert "day6-tui: RuntimeError: planted" in done.stderr
+    assert "42" in done.stdout
