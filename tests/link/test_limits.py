@@ -243,9 +243,10 @@ def test_a_flood_of_bad_questions_leaves_the_server_answering(world: World, open
 
 
 def test_tokens_of_wrong_forms_are_counted_and_passed_over(world: World, open_desk: Peer, hostile: Hostile) -> None:
-    for pattern in ("@ros2_lv/0/x", "@ros2_lv/0/a/b/c/d/e/f", "@day6/0/here", "@day6/0/nowhere/1", "@day6/0/here/1/2"):
+    for pattern in ("@day6/0/here", "@day6/0/nowhere/1", "@day6/0/here/1/2", "@ros2_lv/0/x", "@ros2_lv/0/a/b/c/d/e/f"):
         hostile.tokens(pattern, 1)
-    assert until(lambda: refused(open_desk, "names") >= 5, PATIENCE)
+    # The first three are this machine's own way of telling, and nobody listens to it outside.
+    assert until(lambda: refused(open_desk, "names") == 2, PATIENCE)
     beside = world.process()
     beside.node("pupil")
     assert until(lambda: open_desk.nodes() == ["/pupil"], PATIENCE)
