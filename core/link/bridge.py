@@ -72,8 +72,8 @@ class Bridge:
         """The sessions of this machine that have announced anything, processes without a socket included."""
         self._own_gids: set[bytes] = set()
         """Of this machine's publishers and clients: nobody else speaks in their names."""
-        self._machines: set[str] = set()
-        """The sessions that are joined to the outer one."""
+        self._links: Counter[str] = Counter()
+        """How many links there are to each session that is joined to the outer one."""
         self._flooded = False
         self._let_in = 0.0
         self._declared: list[Any] = []
@@ -81,7 +81,7 @@ class Bridge:
         """What hears the tokens of other machines."""
         self._thread = threading.Thread(target=self._run, name="day6-bridge", daemon=True)
         self._thread.start()
-        self._follow_machines()
+        self._follow_links()
         for side in (_INNER, _OUTER):
             self._listen(side)
 
@@ -100,16 +100,17 @@ class Bridge:
         self._hearing.clear()
         self._sessions = ()  # type: ignore[assignment]
 
-    def _follow_machines(self) -> None:
+    def _follow_links(self) -> None:
         import zenoh
 
-        def on_event(event: zenoh.TransportEvent) -> None:
+        def on_event(event: zenoh.LinkEvent) -> None:
             there = event.kind == zenoh.SampleKind.PUT
-            self._work.put(partial(self._take_machine, str(event.transport.zid), there))
+            self._work.put(partial(self._take_link, str(event.link.zid), there))
 
+        # The event of a transport comes only after all its tokens are withdrawn.
         handler = zenoh.handlers.Callback(callback(on_event), indirect=False)
         outer = self._sessions[_OUTER]
-        self._declared.append(outer.info.declare_transport_events_listener(handler, history=True))
+        self._declared.append(outer.info.declare_link_events_listener(handler, history=True))
 
     def _listen(self, side: int) -> None:
         # A chunk that begins with @, as of the caches of transient-local publishers, is matched by no wildcard.
@@ -205,14 +206,14 @@ class Bridge:
         for key in (f"@ros2_lv/{self._domain_id}/**", f"{self._domain_id}/**/@adv/**"):
             self._hearing.append(self._hear_tokens(_OUTER, key))
 
-    def _take_machine(self, zid: str, there: bool) -> None:
-        if there:
-            self._machines.add(zid)
+    def _take_link(self, zid: str, there: bool) -> None:
+        self._links[zid] += 1 if there else -1
+        if self._links[zid] > 0:
             return
-        self._machines.discard(zid)
+        del self._links[zid]
         # Zenoh withdraws its tokens one by one, which takes long when they are many. Behind a router there may be more
         # sessions than that one; of these we hear by and by.
-        self._forget(zid if self._machines else None)
+        self._forget(zid if self._links else None)
 
     def _forget(self, zid: str | None) -> None:
         for key in self._admission.of(zid):

@@ -119,6 +119,7 @@ class Stranger:
         if way == "close":
             assert self.process.stdin is not None
             self.process.stdin.close()
+            self.process.wait()  # Zenoh first takes all back, which takes long
         else:
             self.process.send_signal(signal.SIGKILL if way == "kill" else signal.SIGSTOP)
 
