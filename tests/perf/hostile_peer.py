@@ -5,7 +5,8 @@
 For each way of parting a desktop with `--listen` on this machine's loopback, a pupil's process beside it and a stranger that
 speaks plain Zenoh. Printed are the seconds of CPU that the desktop and the pupil spend while the stranger declares, how many
 remote nodes the pupil sees, how long a new node of the pupil's takes to be seen by a second pupil meanwhile, and how long after
-the parting nothing of the stranger is left: `close` undeclares and closes, `kill` is kill -9, `stop` a pulled cable (the
+the parting nothing of the stranger is left (all of its tokens have been read by then; Zenoh reads a flood to its end even
+when the sender is dead): `close` undeclares and closes, `kill` is kill -9, `stop` a pulled cable (the
 process sleeps, Zenoh's lease runs out), `end` is SIGTERM to the desktop, whose end is timed. Budgets: forgotten within
 5 seconds, ended within 2.
 """
@@ -56,6 +57,14 @@ def seconds_until(condition: Callable[[], Any], most: float) -> float:
             return float("inf")
         time.sleep(0.02)
     return time.monotonic() - started
+
+
+def wait_until_quiet(pid: int) -> None:
+    """Wait until a process uses less than a tenth of a core."""
+    used = -1.0
+    while (now := cpu(pid)) - used > 0.1:
+        used = now
+        time.sleep(1.0)
 
 
 class Desktop:
@@ -159,7 +168,7 @@ def play(way: str, nodes: int, folder: Path, words: list[str]) -> bool:
     pupils[0].node("second")
     seen = seconds_until(lambda: "/second" in pupils[1].nodes(), 60)
     if way != "end":
-        time.sleep(4.0)  # what the stranger costs is not over with its last word
+        wait_until_quiet(desktop.process.pid)  # what the stranger costs is not over with its last word
     there = flooded(pupils[1])
     spent = [cpu(pid) - past for pid, past in zip(pids, before, strict=True)]
     size = [memory(pid) for pid in pids]
