@@ -5,10 +5,13 @@ Importing this costs nothing; Zenoh is imported by the first `join`. Callers loo
 
 from __future__ import annotations
 
+import os
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
+
+from day6_tui.core.graph.discovery import wants_to_be_alone
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
@@ -61,7 +64,7 @@ def join(
             never_wait=never_wait,
             secret=secret,
         )
-        if not (listen or connect) and _wants_to_be_alone():
+        if not (listen or connect) and wants_to_be_alone(os.environ):
             link.problem = "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"
             return link
         try:
@@ -96,16 +99,6 @@ def doors_of(graph: Graph) -> tuple[Door, ...]:
     """Return the doors that this process itself opened for `graph`, from memory."""
     link = _links.get(graph)
     return link.doors if link is not None else ()
-
-
-def _wants_to_be_alone() -> bool:
-    """Say whether the environment asks for no other processes at all.
-
-    Its other ranges and ROS_LOCALHOST_ONLY ask for this machine or more; nothing leaves it unless `listen` or `connect` say so.
-    """
-    import os
-
-    return os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "").upper() == "OFF"
 
 
 def _names(endpoints: str | Sequence[str] | None) -> Sequence[str]:

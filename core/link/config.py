@@ -73,19 +73,6 @@ def meeting_config(place: Place) -> zenoh.Config:
     return _config(place, mode='"router"', listen__endpoints=json.dumps([place.meeting_endpoint]))
 
 
-def gate_config(place: Place, listen: Sequence[str], connect: Sequence[str]) -> zenoh.Config:
-    """Return the configuration of the router that joins the meeting point to other machines."""
-    return _config(
-        place,
-        mode='"router"',
-        listen__endpoints=json.dumps(list(listen)),
-        connect__endpoints=json.dumps([place.meeting_endpoint, *connect]),
-        connect__timeout_ms="-1",
-        connect__exit_on_failure="false",
-        **_STRANGERS,
-    )
-
-
 def outer_config(listen: Sequence[str], connect: Sequence[str], secret: str | None, users: Path) -> zenoh.Config:
     """Return the configuration of the half of a `Bridge` that meets other machines: a router without this machine's password.
 

@@ -13,12 +13,13 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from typing import TYPE_CHECKING, NamedTuple
 
 from day6_tui.core.link.addresses import Address, address_of
 from day6_tui.core.link.bridge import Bridge
-from day6_tui.core.link.config import gate_config, inner_config, outer_config
+from day6_tui.core.link.config import inner_config, outer_config
+from day6_tui.core.link.file_lock import FileLock
+from day6_tui.core.link.limits import Refusals
 from day6_tui.core.link.paths import Place
 from day6_tui.core.link.secret import USER
 from day6_tui.core.link.state import Door, DoorState, remove_doors, write_doors
@@ -31,9 +32,11 @@ Report = Callable[[str, Exception], None]
 LOOK_SECONDS = 0.5
 RETRY_SECONDS = 2.0
 """Until a door that could not be opened is tried again."""
+_CLOSING_SECONDS = 0.7
 _ANSWER_SECONDS = 2.0
 _ASK_SECONDS = 5.0
 """Between questions to a machine that does not answer; Zenoh itself goes on calling it."""
+_ANOTHER = "another program of yours keeps the doors of this domain"
 _IN_USE = (errno.EADDRINUSE, 10048, 10013)
 """The last two are Windows' WSAEADDRINUSE, and its WSAEACCES for a port that another program has for itself alone."""
 
@@ -49,18 +52,22 @@ class Gate:
         connect: Sequence[str],
         secret: str | None,
         report: Report,
+        is_neighbour: Callable[[str], bool],
     ) -> None:
         self._place = place
         self._domain_id = domain_id
         self._secret = secret
         self._report = report
+        self._is_neighbour = is_neighbour
+        self.refusals = Refusals()
+        self._lock = FileLock(place.folder / "gate.lock")
         doors = [(endpoint, True) for endpoint in listen] + [(endpoint, False) for endpoint in connect]
         self._doors = {
             (endpoint, listening): Door(endpoint, listening, secret=secret is not None) for endpoint, listening in doors
         }
         self._outer: zenoh.Session | None = None
-        self._whole: zenoh.Session | Bridge | None = None
-        """What is closed in the end: the session itself, or the bridge that owns it."""
+        self._bridge: Bridge | None = None
+        """What owns the session, and is closed in the end."""
         self._asked: dict[str, float] = {}
         self._addresses: dict[str, frozenset[str]] = {}
         """By endpoint to connect to: `host:port` of all its host's addresses, as links write them."""
@@ -80,10 +87,10 @@ class Gate:
         self._tried.wait(patience)
 
     def close(self) -> None:
-        """Close all doors."""
+        """Close all doors, those of a machine with thousands of tokens in the background: Zenoh takes seconds for them."""
         self._closing.set()
         if self._thread.is_alive():
-            self._thread.join(timeout=2.0)
+            self._thread.join(timeout=_CLOSING_SECONDS)
         remove_doors(self._place)
 
     def _run(self) -> None:
@@ -98,6 +105,7 @@ class Gate:
                 self._closing.wait(LOOK_SECONDS if self._outer is not None else RETRY_SECONDS)
         finally:
             self._shut()
+            self._lock.release()
 
     def _look(self) -> None:
         """Open what is not open, and see who came in and who does not answer."""
@@ -120,6 +128,11 @@ class Gate:
         import zenoh
 
         self._shut()
+        if not self._lock.try_acquire():
+            # Two ways out to one place would be a circle, in which messages run for ever.
+            for endpoint, listening in self._doors:
+                self._change(endpoint, listening, state=DoorState.FAILED, reason=_ANOTHER)
+            return
         listen, connect = self._endpoints(listening=True), self._endpoints(listening=False)
         if listen:
             try:
@@ -143,9 +156,6 @@ class Gate:
         """Open what joins this machine to others. Raises zenoh.ZError."""
         import zenoh
 
-        if self._secret is None and not self._place.tcp:
-            self._whole = self._outer = zenoh.open(gate_config(self._place, listen, connect))
-            return
         users = self._place.folder / f"guests-{os.getpid()}"
         try:
             if self._secret is not None:
@@ -159,16 +169,13 @@ class Gate:
         except zenoh.ZError:
             outer.close()
             raise
-        self._whole = Bridge(inner, outer, self._domain_id, self._report)
+        self._bridge = Bridge(inner, outer, self._domain_id, self._report, self.refusals, self._is_neighbour)
         self._outer = outer
 
     def _shut(self) -> None:
-        import zenoh
-
-        whole, self._whole, self._outer = self._whole, None, None
-        if whole is not None:
-            with suppress(zenoh.ZError):
-                whole.close()
+        bridge, self._bridge, self._outer = self._bridge, None, None
+        if bridge is not None:
+            bridge.close()
 
     # looking
 

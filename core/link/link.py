@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import defaultdict, deque
+from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from queue import Empty, SimpleQueue
@@ -131,7 +131,9 @@ class Link:
             raise LinkError(f"{place.folder}: {error}") from error
         self._thread.start()
         if self._listen or self._connect:
-            self._gate = Gate(place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report)
+            self._gate = Gate(
+                place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report, self._is_neighbour
+            )
             self._gate.start(_GATE_PATIENCE)
 
     def close(self) -> None:
@@ -162,7 +164,8 @@ class Link:
             return
         import zenoh
 
-        owners = [owner for owner in (self._gate, self._session, self._meeting) if owner is not None]
+        # The processes of this machine first: a gate that strangers have flooded takes its time.
+        owners = [owner for owner in (self._session, self._gate, self._meeting) if owner is not None]
         for closing in (owner.close for owner in owners):
             try:
                 closing()
@@ -459,7 +462,10 @@ class Link:
         """What a person should know: why there is no link, how it stands with everybody's doors, what was refused."""
         doors = read_doors(self._place) if self._place is not None else ()
         passed_over = self._place.passed_over if self._place is not None else ()
-        return LinkState(self.problem, doors or self.doors, self.refusals.counts, passed_over)
+        refused = Counter(self.refusals.counts)
+        if self._gate is not None:
+            refused.update(self._gate.refusals.counts)
+        return LinkState(self.problem, doors or self.doors, refused, passed_over)
 
     def abandon(self) -> None:
         """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""

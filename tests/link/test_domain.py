@@ -8,6 +8,7 @@ import sys
 
 import pytest
 
+from day6_tui.core.graph.discovery import discovery_warning
 from day6_tui.core.graph.domain import DomainError, domain_from_text
 
 NO_NUMBER = "failed to initialize rcl: ROS_DOMAIN_ID is not an integral number, at /project/src/rcl/domain_id.c:49"
@@ -85,3 +86,25 @@ def _run(*words: str) -> subprocess.CompletedProcess[str]:
         text=True,
         timeout=120,
     )
+
+
+@pytest.mark.parametrize("value", ["", "OFF", "LOCALHOST", "SUBNET", "SYSTEM_DEFAULT"])
+def test_a_known_discovery_range_is_taken_silently(value: str) -> None:
+    assert discovery_warning({"ROS_AUTOMATIC_DISCOVERY_RANGE": value}) is None
+
+
+@pytest.mark.parametrize("value", ["off", "NOT_SET", "BANANA"])
+def test_an_unknown_discovery_range_is_warned_of_at_every_init_in_the_words_of_rcl(value: str) -> None:
+    source = "import rclpy; rclpy.init(); rclpy.shutdown(); rclpy.init(); rclpy.shutdown()"
+    done = subprocess.run(
+        [sys.executable, "-m", "day6_tui.tui.main", "python", "-c", source],
+        env={**os.environ, "ROS_AUTOMATIC_DISCOVERY_RANGE": value, "DAY6_LINK": "off", "PYTHONPATH": ""},
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=60,
+    )
+    words = f"[rcl]: Invalid value '{value}' specified for 'ROS_AUTOMATIC_DISCOVERY_RANGE', assuming localhost only"
+    lines = done.stderr.splitlines()
+    assert [line[:8] for line in lines] == ["[WARN] ["] * 2
+    assert all(line.endswith(words) for line in lines)

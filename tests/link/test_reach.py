@@ -178,6 +178,7 @@ def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix
     ("name", "value", "meet"),
     [
         ("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF", False),
+        ("ROS_AUTOMATIC_DISCOVERY_RANGE", "off", True),  # rcl: assuming localhost only
         ("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST", True),
         ("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET", True),
         ("ROS_LOCALHOST_ONLY", "1", True),

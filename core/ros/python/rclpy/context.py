@@ -15,6 +15,7 @@ from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph import Graph, graph_for_domain
+from day6_tui.core.graph.discovery import discovery_warning
 from day6_tui.core.graph.domain import DomainError, domain_from_text
 from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
@@ -149,6 +150,8 @@ class Context:
                 )
             self._arguments = parse_global_arguments(sys.argv if args is None else args, self._logging)
             self._domain_id = _domain_from_environment() if domain_id is None else domain_id
+            if warning := discovery_warning(os.environ):
+                self._logging.emit(30, "rcl", warning, "", "", 0)
             if self._graph is None:
                 self._graph = graph_for_domain(self._domain_id)
             self._handle = _ContextHandle(self)
