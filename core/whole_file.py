@@ -8,18 +8,22 @@ cannot do safely).
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import secrets
 import stat
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO
+from typing import IO, Any, BinaryIO
 
 PRIVATE = 0o600
 """The mode of a file that is nobody else's business: what was typed, unsaved texts, passwords."""
 
 _PRIVATE_FOLDER = 0o700
+
+_CONTROLLING = 5 << 8
+"""The number of /dev/tty on Linux (Documentation/admin-guide/devices.txt)."""
 
 
 @contextlib.contextmanager
@@ -36,6 +40,7 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
         before = _before(target)
         if before is not None and not stat.S_ISREG(before.st_mode):
             with open(target, "wb") as device:  # and it stays one
+                refuse_own_terminal(device.fileno(), device)
                 yield device
             return
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
@@ -59,6 +64,19 @@ def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bo
     """Make `data` the content of `target`; see `replacing`. Raises OSError, and then the old file is untouched."""
     with replacing(target, mode=mode, sync=sync, follow=follow) as file:
         file.write(data)
+
+
+def refuse_own_terminal(number: int, opened: IO[Any]) -> None:
+    """Close a file that turns out to be the terminal in which we run, and raise OSError: only the screen is drawn there.
+
+    The names by which a command means its own terminal never get here (`core/shell/own_streams.py`).
+    """
+    if sys.platform == "win32" or not os.isatty(number):
+        return
+    device = os.fstat(number).st_rdev
+    if device == _CONTROLLING or any(os.isatty(own) and os.fstat(own).st_rdev == device for own in (0, 1, 2)):
+        opened.close()
+        raise OSError(errno.ENXIO, os.strerror(errno.ENXIO))
 
 
 def must_stay(target: Path) -> bool:

@@ -13,6 +13,7 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.outside import agreed, keys_of
+from day6_tui.core.shell.own_streams import own_input, own_output, table_of
 from day6_tui.core.whole_file import replace_file
 
 _ESCAPES = {
@@ -103,9 +104,10 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
             stream = session.stdin
         else:
             try:
-                if (session.cwd / name).is_dir():
+                own = own_input(session.cwd / name, table_of(session))
+                if own is None and (session.cwd / name).is_dir():
                     raise IsADirectoryError(21, "Is a directory")
-                stream = FileInput(session.cwd / name)
+                stream = own or FileInput(session.cwd / name)
             except OSError as error:
                 complain(session, f"{name}: {reason(error)}")
                 problems.append(name)
@@ -115,8 +117,14 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
                 yield name, line
                 await session.stdout.drain()
         finally:
-            if name != "-":
+            if isinstance(stream, FileInput) and stream is not session.stdin:
                 stream.close()
+
+
+async def text_named(session: Session, name: str) -> str:
+    """Read what `name` means to a command at once: a file, or a stream of its own. Raises OSError."""
+    own = own_input(session.cwd / name, table_of(session))
+    return whole_text(session.cwd / name) if own is None else await own.read_all()
 
 
 def whole_text(path: Path) -> str:
@@ -289,12 +297,22 @@ async def _sorted_into(session: Session, name: str, text: str) -> int:
     if not await agreed(session.name, [path], keys_of(session.stdin, session.stdout), session.stderr, session.env):
         return 2
     try:
-        replace_file(path, text.encode("utf-8", "surrogateescape"))
+        await write_named(session, name, text.encode("utf-8", "surrogateescape"))
     except OSError as error:
         failed = "write" if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EDQUOT) else "open"
         complain(session, f"{failed} failed: {name}: {reason(error)}")
         return 2
     return 0
+
+
+async def write_named(session: Session, name: str, data: bytes) -> None:
+    """Make `data` the content of what `name` means to a command: a file, or a stream of its own. Raises OSError."""
+    own = own_output(session.cwd / name, table_of(session))
+    if own is None:
+        replace_file(session.cwd / name, data)
+    else:
+        own.write(data.decode("utf-8", "surrogateescape"))
+        await own.drain()
 
 
 async def uniq(session: Session) -> int:
