@@ -30,6 +30,9 @@ async def main(session: Session) -> int:
         session.stdout.write(build_parser(session).format_usage() + "\n")
         session.print_error("Error: No verb provided")
         return 1
+    if not session.cwd.is_dir():  # making `build` would bring it back
+        session.print_error(f"colcon: {LOST}")
+        return 1
     colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:

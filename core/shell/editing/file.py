@@ -14,6 +14,7 @@ import os
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_tui.core.session.folder import working_folder
 from day6_tui.core.whole_file import must_stay, overwrite_file, replace_file, write_private
 
 LARGEST = 4_000_000
@@ -65,7 +66,9 @@ class TextFile:
 
     def __init__(self, path: Path, state: Path) -> None:
         self.path = path
-        self._copy = state / (hashlib.sha256(os.fsencode(os.path.abspath(path))).hexdigest()[:24] + ".json")
+        self._copy = state / (
+            hashlib.sha256(os.fsencode(os.path.normpath(working_folder() / path))).hexdigest()[:24] + ".json"
+        )
         self.form = Form()
         self._stamp: Stamp | None = None
 

@@ -80,7 +80,10 @@ async def main(session: Session, args: Namespace) -> str | None:
         node,
         args.library_name,
     )
-    _announce(session, plan, os.path.abspath(destination))
+    if not session.cwd.is_dir():
+        session.print_error(f"ros2 pkg create: {LOST}")
+        return 1
+    _announce(session, plan, os.path.normpath(session.cwd / destination))
     create(plan, destination, args.destination_directory, session.print)
     return None
 
