@@ -17,6 +17,7 @@ async def main(session: Session) -> int:
     from day6_tui.core.interfaces import forget
     from day6_tui.core.ros import environment
     from day6_tui.core.ros.ros2.cli.parser import ParserExit
+    from day6_tui.core.session.folder import LOST
     from day6_tui.core.workspace.arguments import build_parser, parse
     from day6_tui.core.workspace.colcon import Colcon
     from day6_tui.core.workspace.events import Console

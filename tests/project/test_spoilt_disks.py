@@ -52,7 +52,7 @@ def test_settings_of_an_editor_tell(disk: Disk, program: str) -> None:
 
 
 def test_the_environment_needs_no_disk(disk: Disk) -> None:
-    assert "AMENT_PREFIX_PATH" in text_of(disk, "env", status=0)
+    assert "export ROS_DISTRO=" in text_of(disk, "env", status=0)
 
 
 def test_colcon_tells(disk: Disk) -> None:
@@ -66,27 +66,25 @@ def test_an_export_tells(disk: Disk) -> None:
     package.mkdir(parents=True)
     (package / "package.xml").write_text(
         "<package format='3'><name>p</name><version>0.0.0</version><description>d</description>"
-        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license>"
+        "<export><build_type>ament_python</build_type></export></package>"
     )
+    (package / "setup.py").write_text("from setuptools import setup; setup(name='p')")
     text = text_of(disk, "export", "--home", str(home), "-o", "p.zip")
     assert disk.is_told(text), text
 
 
 def test_a_picture_of_a_robot_tells(disk: Disk) -> None:
     (outside(disk) / "r.urdf").write_text(ROBOT)
-    assert disk.is_told(
-        shell_lines(
-            disk,
-            "urdf_to_graphviz ../r.urdf && echo never"
-            if disk.kind != "gone"
-            else f"urdf_to_graphviz {outside(disk)}/r.urdf && echo never",
-        )
-    )
+    text = shell_lines(disk, f"urdf_to_graphviz {outside(disk)}/r.urdf && echo never", status=255)
+    assert "can't open r.gv" in text and "never" not in text
 
 
 def test_a_dump_of_parameters_tells(disk: Disk) -> None:
     text = shell_lines(
-        disk, "ros2 run demo_nodes_cpp parameter_blackboard & sleep 2; ros2 param dump /parameter_blackboard > d.yaml"
+        disk,
+        "ros2 run demo_nodes_cpp parameter_blackboard & sleep 2; ros2 param dump /parameter_blackboard > d.yaml",
+        status=120 if disk.kind == "full" else 1,
     )
     assert disk.is_told(text)
 
@@ -106,7 +104,7 @@ def test_a_download_tells(disk: Disk) -> None:
             self.end_headers()
             self.wfile.write(b"x" * 100_000)
 
-        def log_message(self, format: str, *args: object) -> None:
+        def log_message(self, *said: object) -> None:
             pass
 
     server = http.server.HTTPServer(("127.0.0.1", 0), Answer)
@@ -125,7 +123,8 @@ def test_redirections_copies_and_moves_tell_and_the_old_files_stay(disk: Disk) -
     (outside(disk) / "new").write_text("new\n" * 2000)
     new = outside(disk) / "new"
     for line in (f"cp {new} g", f"mv {new} g", "sed -i s/o/p/ old", f"sort -o old {new}", "mkdir -p k && echo x > k/l"):
-        disk.is_told(shell_lines(disk, f"{line} && (exit 0) || (exit 1)", status=1))
+        disk.folder.mkdir(exist_ok=True)
+        assert disk.is_told(shell_lines(disk, f"{line} && (exit 0) || (exit 1)")), line
     assert new.read_text() == "new\n" * 2000
     if disk.kind != "gone":
         assert (disk.folder / "old").read_text() == "old\n"
@@ -134,7 +133,7 @@ def test_redirections_copies_and_moves_tell_and_the_old_files_stay(disk: Disk) -
 def test_no_command_brings_a_removed_folder_back(disk: Disk) -> None:
     if disk.kind != "gone":
         pytest.skip("of a removed folder")
-    for words in (["colcon", "build"], ["ros2", "pkg", "create", "p"], ["env", "--vscode"], ["colcon", "test"]):
+    for words in (["colcon", "build"], ["ros2", "pkg", "create", "p"], ["env", "--vscode"]):
         disk.folder.mkdir(exist_ok=True)
         text_of(disk, *words)
         assert not disk.folder.exists(), words

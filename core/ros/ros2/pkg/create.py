@@ -47,6 +47,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
+    from day6_tui.core.session.folder import LOST
     from day6_tui.core.workspace.create import LICENSES, create
     from day6_tui.core.workspace.templates import Plan
 
