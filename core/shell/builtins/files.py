@@ -42,6 +42,8 @@ async def tee(session: Session) -> int:
         try:
             target = own_output(session.cwd / name, table_of(session))
             if target is None:
+                if name.endswith("/"):
+                    raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
                 target = FileOutput(session.cwd / name, append="a" in options)
                 files.append(target)
         except OSError as error:

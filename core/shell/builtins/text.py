@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import re
 import stat
 from collections import deque
@@ -14,7 +15,7 @@ from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.outside import agreed, keys_of
 from day6_tui.core.shell.own_streams import own_input, own_output, table_of
-from day6_tui.core.whole_file import replace_file
+from day6_tui.core.whole_file import must_stay, overwrite_file, replace_file
 
 _ESCAPES = {
     "n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "e": "\x1b", "E": "\x1b", "f": "\f", "v": "\v", "\\": "\\", "0": "\0",
@@ -273,6 +274,8 @@ async def sort(session: Session) -> int:
         if size > LONGEST_TEXT:
             complain(session, "memory exhausted")
             return 2
+    if problems:  # GNU's sort begins to write when it has read everything
+        return 2
     column = int(options["k"].split(",")[0]) - 1 if options.get("k", "").split(",")[0].isdigit() else None
 
     def key(line: str) -> tuple[float, str]:
@@ -286,9 +289,9 @@ async def sort(session: Session) -> int:
         lines = list(dict.fromkeys(lines))
     text = "".join(line + "\n" for line in lines)
     if "o" in options:
-        return await _sorted_into(session, options["o"], text) or (2 if problems else 0)
+        return await _sorted_into(session, options["o"], text)
     session.stdout.write(text)
-    return 2 if problems else 0
+    return 0
 
 
 async def _sorted_into(session: Session, name: str, text: str) -> int:
@@ -309,7 +312,10 @@ async def write_named(session: Session, name: str, data: bytes) -> None:
     """Make `data` the content of what `name` means to a command: a file, or a stream of its own. Raises OSError."""
     own = own_output(session.cwd / name, table_of(session))
     if own is None:
-        replace_file(session.cwd / name, data)
+        path = session.cwd / name
+        if name.endswith("/") and not path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
+        (overwrite_file if must_stay(path) else replace_file)(path, data)
     else:
         own.write(data.decode("utf-8", "surrogateescape"))
         await own.drain()

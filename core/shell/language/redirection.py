@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -116,6 +117,8 @@ def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
     if name == "/dev/null":
         return OutputStream()
     try:
+        if name.endswith("/"):  # which a Path forgets
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         return FileOutput(path, append=append)
     except OSError as error:
         raise OSError(error.errno, error.strerror, name) from None
