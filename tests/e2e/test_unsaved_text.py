@@ -58,7 +58,7 @@ def is_back(place: Place) -> None:
         screen.wait("$")
         screen.line("nano work.txt")
         screen.wait("all my work")
-        screen.press("Ctrl-S")
+        screen.send("\x13")
         until(lambda: (place.home / "work.txt").exists())
         assert (place.home / "work.txt").read_text().startswith("all my work")
 
@@ -96,7 +96,7 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
         with desktop(place, *([str(SETPRIV), *WITHOUT_RIGHTS] if ROOT else [])) as screen:
             type_in_nano(screen)
             screen.wait("no copy of the unsaved text: Permission denied")
-            screen.press("Ctrl-S")
+            screen.send("\x13")
             screen.wait("not saved: Permission denied")
             screen.press("Ctrl-Q")
             screen.wait("A text would be lost", "work.txt")

@@ -55,7 +55,7 @@ def a_line(rng: random.Random) -> str:
         return f"./{word}" if word.startswith("-") else f"'{word}'" if " " in word else word
 
     first, second, third = name(), name(), name()
-    if first == third or first == second:  # what two processes do to one file at once is chance
+    if first in (second, third):  # what two processes do to one file at once is chance
         third = "other"
         second = "another"
     return rng.choice(
@@ -73,7 +73,6 @@ def a_line(rng: random.Random) -> str:
             f"cp -a {first} {second}",
             f"cp -n {first} {second}",
             f"cp {first} {second} {third}",
-            f"cp -r {first} {second} {third}",
             f"mv {first} {second}",
             f"mv -n {first} {second}",
             f"mv {first} {second} {third}",

@@ -157,8 +157,7 @@ def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bo
         path = session.cwd / name
         if path.exists() and not path.is_file():
             complain(session, f"couldn't edit {name}: not a regular file")
-            status = 4
-            continue
+            return 4
         try:
             text = path.read_bytes().decode("utf-8", "surrogateescape")
             lines = [line + "\n" for line in text.split("\n")]

@@ -136,7 +136,7 @@ async def touch(session: Session) -> int:
         return 1
     for name in names:
         try:
-            if not name:
+            if not name or (name.endswith("/") and not os.path.lexists(session.cwd / name)):
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
             (session.cwd / name).touch()
         except OSError as error:
