@@ -8,18 +8,22 @@ cannot do safely).
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import secrets
 import stat
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO
+from typing import IO, Any, BinaryIO
 
 PRIVATE = 0o600
 """The mode of a file that is nobody else's business: what was typed, unsaved texts, passwords."""
 
 _PRIVATE_FOLDER = 0o700
+
+_CONTROLLING = 5 << 8
+"""The number of /dev/tty on Linux (Documentation/admin-guide/devices.txt)."""
 
 
 @contextlib.contextmanager
@@ -36,6 +40,7 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
         before = _before(target)
         if before is not None and not stat.S_ISREG(before.st_mode):
             with open(target, "wb") as device:  # and it stays one
+                refuse_own_terminal(device.fileno(), device)
                 yield device
             return
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
@@ -59,6 +64,78 @@ def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bo
     """Make `data` the content of `target`; see `replacing`. Raises OSError, and then the old file is untouched."""
     with replacing(target, mode=mode, sync=sync, follow=follow) as file:
         file.write(data)
+
+
+def refuse_own_terminal(number: int, opened: IO[Any]) -> None:
+    """Close a file that turns out to be the terminal in which we run, and raise OSError: only the screen is drawn there.
+
+    The names by which a command means its own terminal never get here (`core/shell/own_streams.py`).
+    """
+    if sys.platform == "win32" or not os.isatty(number):
+        return
+    device = os.fstat(number).st_rdev
+    if device == _CONTROLLING or any(os.isatty(own) and os.fstat(own).st_rdev == device for own in (0, 1, 2)):
+        opened.close()
+        raise OSError(errno.ENXIO, os.strerror(errno.ENXIO))
+
+
+def must_stay(target: Path) -> bool:
+    """Say whether the file at `target` (links are followed) is more than its name and its text.
+
+    Another name of it (a hard link), an owner or group that a new file could not get, an access list or other attributes would be
+    lost by `replace_file`, and a folder that nobody may write takes no new file. `overwrite_file` is for those.
+    """
+    if sys.platform == "win32":
+        return False
+    real = os.path.realpath(target)
+    try:
+        found = os.stat(real)
+    except OSError:
+        return False
+    if not stat.S_ISREG(found.st_mode):
+        return False
+    others = os.geteuid() != 0 and (found.st_uid != os.geteuid() or found.st_gid not in (os.getegid(), *os.getgroups()))
+    return found.st_nlink > 1 or others or not os.access(os.path.dirname(real), os.W_OK) or _has_attributes(real)
+
+
+def overwrite_file(target: Path, data: bytes) -> None:
+    """Make `data` the content of the file that is there, which stays the same file. Raises OSError.
+
+    What is longer than before is written first: when that does not fit, the file is as it was. Only a crash in the middle leaves
+    it half, so whoever calls this has a copy of `data` on the disk.
+    """
+    with _named(target):
+        number = os.open(target, os.O_WRONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0))
+        try:
+            size = os.fstat(number).st_size
+            try:
+                _write_at(number, data[size:], size)
+                os.fsync(number)
+            except OSError:
+                os.ftruncate(number, size)
+                raise
+            _write_at(number, data[:size], 0)
+            os.ftruncate(number, len(data))
+            os.fsync(number)
+        finally:
+            os.close(number)
+
+
+def _write_at(number: int, data: bytes, place: int) -> None:
+    os.lseek(number, place, os.SEEK_SET)
+    rest = memoryview(data)
+    while rest:
+        rest = rest[os.write(number, rest) :]
+
+
+def _has_attributes(real: str) -> bool:
+    """Whether a file has extended attributes; an access list is one of them. (The system gives each file its own label.)"""
+    if sys.platform != "linux":
+        return False
+    try:
+        return any(name != "security.selinux" for name in os.listxattr(real))
+    except OSError:
+        return False
 
 
 def write_private(target: Path, data: bytes) -> None:
@@ -105,9 +182,11 @@ def _before(target: Path) -> os.stat_result | None:
 def _keep_rights(number: int, before: os.stat_result) -> None:
     if sys.platform == "win32":
         return
-    with contextlib.suppress(OSError):  # a file system that knows no modes
-        if before.st_uid != os.fstat(number).st_uid:
+    own = os.fstat(number)
+    if (before.st_uid, before.st_gid) != (own.st_uid, own.st_gid):
+        with contextlib.suppress(OSError):  # only root gives files away
             os.fchown(number, before.st_uid, before.st_gid)
+    with contextlib.suppress(OSError):  # a file system that knows no modes
         os.fchmod(number, stat.S_IMODE(before.st_mode))
 
 

@@ -9,12 +9,12 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
+from day6_tui.core.session.folder import working_folder
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
 from day6_tui.core.session.scheduler import STUCK_SECONDS, Scheduler
@@ -100,7 +100,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
         linked_graph,
         argv,
         env=dict(os.environ),
-        cwd=Path.cwd(),
+        cwd=working_folder(),
         pid=os.getpid(),
         stdin=stdin,
         stdout=stdout,

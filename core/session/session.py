@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.display import Display, ProgramDisplay
+from day6_tui.core.session.folder import working_folder
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.streams import InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
@@ -65,7 +66,7 @@ class Session:
         self._graph = graph
         self.argv = argv
         self.env: dict[str, str] = {} if env is None else env
-        self.cwd: Path = Path.cwd() if cwd is None else cwd
+        self.cwd: Path = working_folder() if cwd is None else cwd
         self.pid = pid
         self.stdin: InputStream = InputStream() if stdin is None else stdin
         self.stdout: OutputStream = OutputStream() if stdout is None else stdout

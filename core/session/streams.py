@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Protocol, TextIO
 
 from day6_tui.core.session.task import Signal, let_others_run, wait_for
+from day6_tui.core.whole_file import refuse_own_terminal
 
 END_OF_INPUT = ""
 
@@ -306,7 +307,9 @@ class FileInput(InputStream):
     def __init__(self, path: Path) -> None:
         if stat.S_ISFIFO(path.stat().st_mode):  # opening one waits for its writer, and everybody would wait with us
             raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
-        self._file: TextIO = path.open(encoding="utf-8", errors="surrogateescape", newline="")
+        # Every byte gets out again as it was (FileOutput), and only a newline ends a line.
+        self._file: TextIO = path.open(encoding="utf-8", errors="surrogateescape", newline="\n")
+        refuse_own_terminal(self._file.fileno(), self._file)
 
     def fileno(self) -> int | None:
         return self._file.fileno()
@@ -330,6 +333,7 @@ class FileOutput(OutputStream):
 
     def __init__(self, path: Path, *, append: bool = False) -> None:
         self._file = io.FileIO(path, "a" if append else "w")
+        refuse_own_terminal(self._file.fileno(), self._file)
         self._waiting = bytearray()
         self._problem: OSError | None = None
         self._lock = threading.Lock()

@@ -8,6 +8,7 @@ import signal
 import sys
 from pathlib import Path
 
+from day6_tui.core.session.folder import working_folder
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
 from day6_tui.core.session.scheduler import STUCK_SECONDS
@@ -70,7 +71,7 @@ def run(
     desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: RealInput | None, timeout: float | None
 ) -> int:
     """Run command lines on a desk that nobody drives yet, in this thread; closes the desk."""
-    shell = desk.shell(cwd=Path.cwd())
+    shell = desk.shell(cwd=working_folder())
     shell.name = name
     shell.arguments = arguments
     stdout, stderr = RealOutput(sys.stdout), RealOutput(sys.stderr)

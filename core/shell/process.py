@@ -22,6 +22,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
+from day6_tui.core.session.folder import LOST
 from day6_tui.core.session.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
@@ -55,6 +56,9 @@ async def run_python(session: Session, args: list[str]) -> int:
     Ctrl-C becomes SIGINT, SIGTERM SIGTERM, and SIGKILL SIGKILL of its group. Raises KilledBySignal (KeyboardInterrupt for SIGINT)
     when a signal ended it, and OSError when it could not be started.
     """
+    if not session.cwd.is_dir():
+        session.print_error(f"{session.name}: {LOST}")
+        return 1
     process = Process(session, args)
     session.on_stop = process.pause
     session.defer(process.kill)

@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 from day6_tui.core.ros.environment import program_environment
+from day6_tui.core.session.folder import working_folder
 
 _SELF = [sys.executable, "-m", "day6_tui.tui.main"]
 """The words that run `day6-tui` wherever its own script may be."""
@@ -128,7 +129,7 @@ def _write_settings(options: argparse.Namespace) -> int:
     from day6_tui.core.shell import ide
 
     activate()
-    project, stubs = options.project.absolute(), ide.stub_folder()
+    project, stubs = working_folder() / options.project, ide.stub_folder()
     try:
         if not project.is_dir():
             raise ValueError(f"{project} is no folder")

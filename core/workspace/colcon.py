@@ -41,7 +41,7 @@ class Colcon:
         self.cwd = cwd
         self.environment = environment
         base = args.log_base or environment.get("COLCON_LOG_PATH") or "log"
-        self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name)
+        self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name, self._tell_of_logs)
         self.selected: list[str] = []
         """The packages of a build."""
         self._executor: Executor | None = None
@@ -59,8 +59,10 @@ class Colcon:
         """Do it. Errors of the file system are told with the name of the file."""
         verb = self.args.verb_name
         try:
-            with suppress(OSError):
+            try:
                 self.log.write("logger_all.log", f"[0.000s] DEBUG:colcon:Command line arguments: {['colcon', verb]}\n")
+            except OSError as error:
+                self.log.give_up(error)
             return _VERBS[verb](self)
         except (Failure, OrderError) as error:
             self.warn("colcon", f"colcon {verb}: {error}", level="ERROR")
@@ -73,6 +75,9 @@ class Colcon:
 
     def warn(self, logger: str, text: str, level: str = "WARNING") -> None:
         self.console.warn(logger, text, level)
+
+    def _tell_of_logs(self, text: str) -> None:
+        self.warn("colcon.colcon_core.logging", text)
 
     # -- packages ------------------------------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ async def main(session: Session) -> int:
     from day6_tui.core.interfaces import forget
     from day6_tui.core.ros import environment
     from day6_tui.core.ros.ros2.cli.parser import ParserExit
+    from day6_tui.core.session.folder import LOST
     from day6_tui.core.workspace.arguments import build_parser, parse
     from day6_tui.core.workspace.colcon import Colcon
     from day6_tui.core.workspace.events import Console
@@ -29,6 +30,9 @@ async def main(session: Session) -> int:
     if args.verb_name is None:
         session.stdout.write(build_parser(session).format_usage() + "\n")
         session.print_error("Error: No verb provided")
+        return 1
+    if not session.cwd.is_dir():  # making `build` would bring it back
+        session.print_error(f"colcon: {LOST}")
         return 1
     colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)

@@ -17,6 +17,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from day6_tui.core.session.folder import working_folder
 from day6_tui.core.whole_file import replacing
 from day6_tui.core.workspace.packages import Package, find_packages, holds_packages
 
@@ -89,7 +90,7 @@ def _parser() -> argparse.ArgumentParser:
 def _workspace(given: Path | None, home: Path | None) -> Path:
     if given is not None:
         return given.expanduser().resolve()
-    if home is None and (here := workspace_around(Path.cwd())) is not None:
+    if home is None and (here := workspace_around(working_folder())) is not None:
         return here
     from day6_tui.core.session.places import default_home
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import IO
@@ -20,10 +21,15 @@ def mark_ignored(output: Output, base: Path) -> None:
 
 
 class LogFolder:
-    """`log/build_2026-11-21_14-32-05`, made when the first file is written to it. `base` may be os.devnull: no logs."""
+    """`log/build_2026-11-21_14-32-05`, made when the first file is written to it. `base` may be os.devnull: no logs.
 
-    def __init__(self, base: Path, verb: str) -> None:
+    `tell` is called once if they cannot be written.
+    """
+
+    def __init__(self, base: Path, verb: str, tell: Callable[[str], None]) -> None:
         self._base = base
+        self._tell = tell
+        self._told = False
         self._verb = verb
         self._path: Path | None = None
         self._output = Output([base])
@@ -72,6 +78,13 @@ class LogFolder:
         self._output.make_folder(self.path / job)
         return self.path / job
 
+    def give_up(self, error: OSError) -> None:
+        """Say, the first time, that the logs of this run are not whole."""
+        if not self._told:
+            self._told = True
+            where = f": '{error.filename}'" if error.filename else ""
+            self._tell(f"the log cannot be written: {error.strerror or error}{where}")
+
     def write(self, name: str, text: str) -> None:
         """Append to a file of the folder."""
         if self.path is not None:
@@ -80,7 +93,9 @@ class LogFolder:
 
 
 class _Logging:
-    """A handler that writes files. When it cannot (a full disk), it gives up: a build must not fail for want of its log."""
+    """A handler that writes files. When it cannot (a full disk), it says so once and gives up: a build must not fail for want
+    of its log.
+    """
 
     def __init__(self, folder: LogFolder) -> None:
         self._folder = folder
@@ -91,8 +106,9 @@ class _Logging:
             return
         try:
             self._log(event)
-        except OSError:
+        except OSError as error:
             self._given_up = True
+            self._folder.give_up(error)
 
     def _log(self, event: Event) -> None:
         raise NotImplementedError

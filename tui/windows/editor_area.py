@@ -6,12 +6,16 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 from textual import events
+from textual._tree_sitter import get_language
 from textual.color import Color
+from textual.document._document_navigator import DocumentNavigator
+from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_tui.core.session.harmless import same_length
 from day6_tui.tui.look import Look
 from day6_tui.tui.survival import survive
+from day6_tui.tui.windows.editor_document import document_of
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.editor import EditorPane
@@ -70,6 +74,19 @@ class EditorArea(TextArea):
                 behind
             )
 
+    def _set_document(self, text: str, language: str | None) -> None:
+        """As TextArea does it, with documents that change no character."""
+        document = document_of(text, get_language(language) if language else None)
+        self._highlight_query = None
+        if language:
+            self._highlight_query = document.prepare_query(self._get_builtin_highlight_query(language))
+        self.document = document
+        self.wrapped_document = WrappedDocument(document, tab_width=self.indent_width)
+        self.navigator = DocumentNavigator(self.wrapped_document)
+        self._build_highlight_map()
+        self.move_cursor((0, 0))
+        self._rewrap_and_refresh_virtual_size()
+
     def on_text_area_changed(self, event: TextArea.Changed) -> None:
         event.stop()
         self._pane.edited()
@@ -101,6 +118,7 @@ class EditorArea(TextArea):
 
     async def _on_paste(self, event: events.Paste) -> None:
         event.stop()  # the text area, which Textual asks next, inserts it; nobody else shall
+        event.text = event.text.replace("\r\n", "\n").replace("\r", "\n")  # terminals send what Enter sends
 
     def _typed(self, key: str, pasted: bool) -> bool:
         """Do what a program's text wants of a key; False if it is an ordinary one."""

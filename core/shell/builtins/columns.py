@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_tui.core.shell.builtins.text import lines_of, unescape, whole_text
+from day6_tui.core.shell.builtins.text import lines_of, text_named, unescape
 from day6_tui.core.shell.outside import agreed, keys_of
 
 # -- cut ---------------------------------------------------------------------------------------------------------------
@@ -157,10 +157,12 @@ def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bo
         path = session.cwd / name
         if path.exists() and not path.is_file():
             complain(session, f"couldn't edit {name}: not a regular file")
-            status = 4
-            continue
+            return 4
         try:
-            lines = path.read_text(encoding="utf-8", errors="surrogateescape").splitlines(keepends=True)
+            text = path.read_bytes().decode("utf-8", "surrogateescape")
+            lines = [line + "\n" for line in text.split("\n")]
+            lines[-1] = lines[-1][:-1]  # where the last line has no end
+            lines = lines if lines[-1] else lines[:-1]
         except OSError as error:
             complain(session, f"can't read {name}: {reason(error)}")
             status = status or 2
@@ -253,11 +255,11 @@ async def diff(session: Session) -> int:
     texts = []
     for name in names:
         try:
-            data = await session.stdin.read_all() if name == "-" else whole_text(session.cwd / name)
+            data = await session.stdin.read_all() if name == "-" else await text_named(session, name)
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             return 2
-        texts.append(data.splitlines())
+        texts.append(data.removesuffix("\n").split("\n") if data else [])
     old, new = texts
     if old == new:
         return 0

@@ -13,8 +13,8 @@ from urllib.parse import urlsplit
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.builtins.options import UsageError, parse
+from day6_tui.core.shell.builtins.text import write_named
 from day6_tui.core.shell.outside import asking
-from day6_tui.core.whole_file import replace_file
 
 MOST_BYTES = 200_000_000
 PATIENCE = 20.0
@@ -93,7 +93,7 @@ async def wget(session: Session) -> int:
         name = options.get("O") or os.path.join(
             options.get("P", ""), os.path.basename(urlsplit(url).path) or "index.html"
         )
-        status = _wget_end(session, url, name, answer, say) or status
+        status = await _wget_end(session, url, name, answer, say) or status
     return status
 
 
@@ -101,7 +101,7 @@ def _silence(text: object) -> None:
     """What `wget -q` says."""
 
 
-def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Callable[[object], None]) -> int:
+async def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Callable[[object], None]) -> int:
     if answer.unknown_host:
         session.print_error(f"wget: unable to resolve host address ‘{urlsplit(url).hostname}’")
         return 4
@@ -116,7 +116,7 @@ def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Calla
         session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
         return 0
     try:
-        replace_file(session.cwd / name, answer.body)
+        await write_named(session, name, answer.body)
     except OSError as error:
         session.print_error(f"{name}: {error.strerror}")
         return 3
@@ -155,7 +155,7 @@ async def curl(session: Session) -> int:
             session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
             continue
         try:
-            replace_file(session.cwd / name, answer.body)
+            await write_named(session, name, answer.body)
         except OSError as error:
             return _curl_fails(session, 23, f"Failure writing output to destination: {name}: {error.strerror}", quiet)
     return 0

@@ -12,6 +12,7 @@ from day6_tui.core.session.streams import FileOutput, OutputStream, WriteError
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of
 from day6_tui.core.shell.outside import asking
+from day6_tui.core.shell.own_streams import own_output, table_of
 
 
 async def cat(session: Session) -> int:
@@ -39,12 +40,17 @@ async def tee(session: Session) -> int:
     status = 0
     for name in names:
         try:
-            files.append(FileOutput(session.cwd / name, append="a" in options))
+            target = own_output(session.cwd / name, table_of(session))
+            if target is None:
+                if name.endswith("/"):
+                    raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+                target = FileOutput(session.cwd / name, append="a" in options)
+                files.append(target)
         except OSError as error:
             complain(session, f"{name}: {reason(error)}")
             status = 1
         else:
-            targets[name] = files[-1]
+            targets[name] = target
     try:
         while targets and (line := await session.stdin.read_line()):
             for name, target in list(targets.items()):
@@ -130,7 +136,7 @@ async def touch(session: Session) -> int:
         return 1
     for name in names:
         try:
-            if not name:
+            if not name or (name.endswith("/") and not os.path.lexists(session.cwd / name)):
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
             (session.cwd / name).touch()
         except OSError as error:

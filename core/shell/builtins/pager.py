@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import InputStream, TerminalSide
 from day6_tui.core.shell.builtins.options import reason
-from day6_tui.core.shell.builtins.text import whole_text
+from day6_tui.core.shell.builtins.text import text_named
 from day6_tui.core.shell.width import char_width
 
 _QUIT = ("q", "Q", "\x03", "")
@@ -26,7 +26,7 @@ async def less(session: Session) -> int:
                 session.print_error(f"{name} is a directory")
                 status = 1
                 continue
-            texts.append(whole_text(path))
+            texts.append(await text_named(session, name))
         except OSError as error:
             session.print_error(f"{name}: {reason(error)}")
             status = 1

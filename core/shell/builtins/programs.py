@@ -7,6 +7,7 @@ import importlib
 from day6_tui.core.ros import programs
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
+from day6_tui.core.shell.builtins.text import text_named
 from day6_tui.core.shell.language.interpreter import Shell, subshell_main
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.outside import asking
@@ -59,7 +60,7 @@ async def bash(session: Session) -> int:
 async def run_script(session: Session, name: str, arguments: list[str]) -> int:
     """Run a file of command lines in a copy of the shell."""
     try:
-        text = (session.cwd / name).read_text(encoding="utf-8", errors="surrogateescape")
+        text = await text_named(session, name)
     except OSError as error:
         session.print_error(f"{session.shell.name}: {name}: {reason(error)}")
         return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain_as_shell, reason
-from day6_tui.core.shell.builtins.text import whole_text
+from day6_tui.core.shell.builtins.text import text_named
 from day6_tui.core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
 from day6_tui.core.shell.language.functions import in_the_shell_itself
 from day6_tui.core.shell.language.interpreter import Shell
@@ -106,7 +106,7 @@ async def source(session: Session) -> int:
         return 0
     path = shell.cwd / name
     try:
-        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else whole_text(path)
+        text = TEXTS[path.as_posix()] if path.as_posix() in TEXTS else await text_named(session, name)
     except OSError as error:
         if isinstance(error, IsADirectoryError):
             complain_as_shell(session, f"{name}: is a directory")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import re
 import stat
 from collections import deque
@@ -14,7 +15,8 @@ from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.byte_text import joined, of_byte, of_code
 from day6_tui.core.shell.outside import agreed, keys_of
-from day6_tui.core.whole_file import replace_file
+from day6_tui.core.shell.own_streams import own_input, own_output, table_of
+from day6_tui.core.whole_file import must_stay, overwrite_file, replace_file
 
 _ESCAPES = {
     "n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "e": "\x1b", "E": "\x1b", "f": "\f", "v": "\v", "\\": "\\", "0": "\0",
@@ -106,9 +108,10 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
             stream = session.stdin
         else:
             try:
-                if (session.cwd / name).is_dir():
+                own = own_input(session.cwd / name, table_of(session))
+                if own is None and (session.cwd / name).is_dir():
                     raise IsADirectoryError(21, "Is a directory")
-                stream = FileInput(session.cwd / name)
+                stream = own or FileInput(session.cwd / name)
             except OSError as error:
                 complain(session, f"{name}: {reason(error)}")
                 problems.append(name)
@@ -118,8 +121,14 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
                 yield name, line
                 await session.stdout.drain()
         finally:
-            if name != "-":
+            if isinstance(stream, FileInput) and stream is not session.stdin:
                 stream.close()
+
+
+async def text_named(session: Session, name: str) -> str:
+    """Read what `name` means to a command at once: a file, or a stream of its own. Raises OSError."""
+    own = own_input(session.cwd / name, table_of(session))
+    return whole_text(session.cwd / name) if own is None else await own.read_all()
 
 
 def whole_text(path: Path) -> str:
@@ -268,6 +277,8 @@ async def sort(session: Session) -> int:
         if size > LONGEST_TEXT:
             complain(session, "memory exhausted")
             return 2
+    if problems:  # GNU's sort begins to write when it has read everything
+        return 2
     column = int(options["k"].split(",")[0]) - 1 if options.get("k", "").split(",")[0].isdigit() else None
 
     def key(line: str) -> tuple[float, str]:
@@ -281,9 +292,9 @@ async def sort(session: Session) -> int:
         lines = list(dict.fromkeys(lines))
     text = "".join(line + "\n" for line in lines)
     if "o" in options:
-        return await _sorted_into(session, options["o"], text) or (2 if problems else 0)
+        return await _sorted_into(session, options["o"], text)
     session.stdout.write(text)
-    return 2 if problems else 0
+    return 0
 
 
 async def _sorted_into(session: Session, name: str, text: str) -> int:
@@ -292,12 +303,25 @@ async def _sorted_into(session: Session, name: str, text: str) -> int:
     if not await agreed(session.name, [path], keys_of(session.stdin, session.stdout), session.stderr, session.env):
         return 2
     try:
-        replace_file(path, text.encode("utf-8", "surrogateescape"))
+        await write_named(session, name, text.encode("utf-8", "surrogateescape"))
     except OSError as error:
         failed = "write" if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EDQUOT) else "open"
         complain(session, f"{failed} failed: {name}: {reason(error)}")
         return 2
     return 0
+
+
+async def write_named(session: Session, name: str, data: bytes) -> None:
+    """Make `data` the content of what `name` means to a command: a file, or a stream of its own. Raises OSError."""
+    own = own_output(session.cwd / name, table_of(session))
+    if own is None:
+        path = session.cwd / name
+        if name.endswith("/") and not path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
+        (overwrite_file if must_stay(path) else replace_file)(path, data)
+    else:
+        own.write(data.decode("utf-8", "surrogateescape"))
+        await own.drain()
 
 
 async def uniq(session: Session) -> int:

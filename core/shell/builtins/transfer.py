@@ -12,7 +12,9 @@ from pathlib import Path
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import let_others_run
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.builtins.text import text_named, write_named
 from day6_tui.core.shell.outside import asking
+from day6_tui.core.shell.own_streams import stream_number
 
 BLOCK = 1024 * 1024
 """Bytes that are copied before others may run."""
@@ -130,6 +132,10 @@ class _Transfer:
         if stat.S_ISDIR(source.st_mode) and not self._recursive:
             raise _Refused(f"-r not specified; omitting directory '{name}'")
         goal = self.session.cwd / shown
+        own = stream_number(goal) is not None or stream_number(self.session.cwd / name) is not None
+        if own and shown and not stat.S_ISDIR(source.st_mode):
+            await self._copy_stream(name, shown)
+            return
         if shown and goal.exists() and _same(self.session.cwd / name, goal, follow=follow):
             if stat.S_ISDIR(source.st_mode) and name.rstrip("/") in (".", ".."):
                 raise _Refused(f"cannot copy a directory, '{name}', into itself, '{shown}'")
@@ -189,6 +195,14 @@ class _Transfer:
                 raise _Refused(f"cannot create regular file '{shown}': {reason(error)}") from None
             self._told(f"'{name}' -> '{shown}'")
             await self._pour(data.read, writing, shown)
+
+    async def _copy_stream(self, name: str, shown: str) -> None:
+        """Copy from or to a stream of this command (`/dev/stdin`)."""
+        try:
+            text = await text_named(self.session, name)
+            await write_named(self.session, shown, text.encode("utf-8", "surrogateescape"))
+        except OSError as error:
+            raise _Refused(f"error copying '{name}' to '{shown}': {reason(error)}") from None
 
     def _create(self, shown: str, mode: int) -> int:
         """Open the new or old file `shown` to be written. Raises OSError."""

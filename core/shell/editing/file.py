@@ -7,13 +7,15 @@ day6-tui, a closed window and a full disk, and is offered when the file is opene
 from __future__ import annotations
 
 import contextlib
+import errno
 import hashlib
 import json
 import os
 from pathlib import Path
 from typing import NamedTuple
 
-from day6_tui.core.whole_file import replace_file, write_private
+from day6_tui.core.session.folder import working_folder
+from day6_tui.core.whole_file import must_stay, overwrite_file, replace_file, write_private
 
 LARGEST = 4_000_000
 """Bytes of the largest file that is opened: more is no program, and an editor in a terminal would crawl."""
@@ -30,41 +32,84 @@ class Stamp(NamedTuple):
     size: int
 
 
+class Form(NamedTuple):
+    """What of a file's bytes is not in its text: the mark at the beginning, and what stands for "\\n"."""
+
+    mark: str = ""
+    newline: str = "\n"
+
+
+MARK = "\ufeff"
+"""What some Windows programs begin a UTF-8 file with."""
+
+
+def taken_apart(whole: str) -> tuple[Form, str]:
+    """Return the form and the text of a file; `put_together` of them is the file again, whatever it holds.
+
+    Only where every line ends as on Windows are these ends ordinary ones; in a mixed file "\\r" is a character, as in nano.
+    """
+    mark = MARK if whole.startswith(MARK) else ""
+    text = whole[len(mark) :]
+    ends = text.count("\n")
+    if ends and text.count("\r\n") == ends:
+        return Form(mark, "\r\n"), text.replace("\r\n", "\n")
+    return Form(mark), text
+
+
+def put_together(form: Form, text: str) -> str:
+    """Return what is to be in the file."""
+    return form.mark + text.replace("\n", form.newline)
+
+
 class TextFile:
     """A file on the disk, which need not exist yet. `state` is the folder for copies of unsaved texts."""
 
     def __init__(self, path: Path, state: Path) -> None:
         self.path = path
-        self._copy = state / (hashlib.sha256(os.fsencode(os.path.abspath(path))).hexdigest()[:24] + ".json")
-        self._newline = "\n"
+        self._copy = state / (
+            hashlib.sha256(os.fsencode(os.path.normpath(working_folder() / path))).hexdigest()[:24] + ".json"
+        )
+        self.form = Form()
         self._stamp: Stamp | None = None
 
     def read(self) -> str:
-        """Return the text with "\\n" as line end; '' for a file that is not there yet. Raises CannotEdit."""
+        """Return the text with "\\n" as line end (see `taken_apart`); '' for a file that is not there yet. Raises CannotEdit."""
         try:
             if not self.path.exists():
-                self._stamp = None
+                self._stamp, self.form = None, Form()
                 return ""
             if self.path.is_dir():
                 raise CannotEdit(f"{self.path} is a directory")
             if self.path.stat().st_size > LARGEST:
                 raise CannotEdit(f"{self.path}: larger than {LARGEST // 1_000_000} MB")
+            stamp = self._look()  # before reading: what is written meanwhile is a change
             data = self.path.read_bytes()
         except OSError as error:
             raise CannotEdit(f"{self.path}: {error.strerror or error}") from None
         try:
-            text = data.decode("utf-8-sig")
+            text = data.decode("utf-8")
         except UnicodeDecodeError as error:
             raise CannotEdit(f"{self.path}: not UTF-8 text (byte {error.start})") from None
-        self._stamp = self._look()
-        self._newline = "\r\n" if "\r\n" in text else "\n"
-        return text.replace("\r\n", "\n")
+        self._stamp = stamp
+        self.form, text = taken_apart(text)
+        return text
 
     def write(self, text: str) -> None:
-        """Replace the file by `text`: either whole, or the old one stays. Raises OSError."""
+        """Make `text` the file's: either whole, or the old one stays. Raises OSError.
+
+        As in nano the file stays the one its other names, its rights and its owner belong to. It is written over only when a
+        copy of the text is on the disk, else it is replaced.
+        """
         target = Path(os.path.realpath(self.path))
-        target.parent.mkdir(parents=True, exist_ok=True)
-        replace_file(target, text.replace("\n", self._newline).encode("utf-8"))
+        data = put_together(self.form, text).encode("utf-8")
+        if target.is_file() and not os.access(target, os.W_OK):  # replacing it would be a way round
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(target))
+        if must_stay(target):
+            self.keep(text)
+            overwrite_file(target, data)
+        else:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            replace_file(target, data)
         self._stamp = self._look()
         self.forget()
 
@@ -76,14 +121,15 @@ class TextFile:
 
     def keep(self, text: str) -> None:
         """Keep a copy of an unsaved text. Raises OSError."""
-        write_private(self._copy, json.dumps({"path": str(self.path), "text": text}).encode("utf-8"))
+        write_private(self._copy, json.dumps({"path": str(self.path), "text": text, **self.form._asdict()}).encode())
 
-    def kept(self) -> str | None:
-        """Return the unsaved text of an earlier time, None if there is none."""
+    def kept(self) -> tuple[Form, str] | None:
+        """Return the unsaved text of an earlier time and the form it was to be written in, None if there is none."""
         try:
             found = json.loads(self._copy.read_text(encoding="utf-8"))
-            return str(found["text"])
-        except (OSError, ValueError, KeyError, TypeError):
+            form = Form(*(str(found.get(name, had)) for name, had in self.form._asdict().items()))
+            return form, str(found["text"])
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
             return None  # none, or one that was cut short: it is only a second copy
 
     def forget(self) -> None:

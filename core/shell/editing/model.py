@@ -66,8 +66,10 @@ class Editor:
         saved = file.read()
         kept = file.kept()
         self.file, self.saved = file, saved
-        self.recovered = kept is not None and kept != saved
-        self.text = kept if kept is not None and self.recovered else saved
+        self.text, self.recovered = saved, False
+        if kept is not None and kept[1] != saved:
+            file.form, self.text = kept
+            self.recovered = True
         self.version += 1
 
     def is_outside(self, path: Path) -> bool:
@@ -84,6 +86,8 @@ class Editor:
     def save_as(self, path: Path, text: str) -> None:
         """Write the text to another file and go on with that one. Raises OSError and then nothing has changed."""
         file = TextFile(path, self._state)
+        if self.file is not None:
+            file.form = self.file.form
         file.write(text)
         if self.file is not None:
             self.file.forget()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ from day6_tui.core.session.streams import FileInput, FileOutput, InputStream, Ou
 from day6_tui.core.shell.language import syntax
 from day6_tui.core.shell.language.expansion import expand_text
 from day6_tui.core.shell.outside import agreed, is_outside, keys_of
+from day6_tui.core.shell.own_streams import Table, own_input, own_output
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
@@ -49,14 +51,18 @@ async def redirect(
             else:
                 raise OSError(9, "Bad file descriptor", target)
         elif operator == "<":
-            stream = _open_input(shell.cwd / target, target)
-            opened.callback(stream.close)
+            own = _own_input(shell.cwd / target, target, table)
+            stream = own or _open_input(shell.cwd / target, target)
+            if own is None:
+                opened.callback(stream.close)
         else:
             path = shell.cwd / target
-            if not await _may_write(path, shell, streams):
+            mine = _own_output(path, target, table)
+            if mine is None and not await _may_write(path, shell, streams):
                 raise OSError(errno.ECANCELED, "not changed", target)
-            stream = _open_output(path, target, append=operator in (">>", "&>>"))
-            opened.callback(stream.close)
+            stream = mine or _open_output(path, target, append=operator in (">>", "&>>"))
+            if mine is None:
+                opened.callback(stream.close)
         table[fd] = stream
         if operator in ("&>", "&>>") or (operator == ">&" and redirection.fd is None and not target.isdigit()):
             table[2] = stream
@@ -82,6 +88,20 @@ async def _may_write(path: Path, shell: Shell, streams: Streams) -> bool:
         keys.unfocus()
 
 
+def _own_input(path: Path, name: str, table: Table) -> InputStream | None:
+    try:
+        return own_input(path, table)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, name) from None
+
+
+def _own_output(path: Path, name: str, table: Table) -> OutputStream | None:
+    try:
+        return own_output(path, table)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, name) from None
+
+
 def _open_input(path: Path, name: str) -> InputStream:
     if name == "/dev/null":
         return InputStream()
@@ -97,6 +117,8 @@ def _open_output(path: Path, name: str, *, append: bool) -> OutputStream:
     if name == "/dev/null":
         return OutputStream()
     try:
+        if name.endswith("/"):  # which a Path forgets
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         return FileOutput(path, append=append)
     except OSError as error:
         raise OSError(error.errno, error.strerror, name) from None

@@ -47,6 +47,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
+    from day6_tui.core.session.folder import LOST
     from day6_tui.core.workspace.create import LICENSES, create
     from day6_tui.core.workspace.templates import Plan
 
@@ -80,7 +81,10 @@ async def main(session: Session, args: Namespace) -> str | None:
         node,
         args.library_name,
     )
-    _announce(session, plan, os.path.abspath(destination))
+    if not session.cwd.is_dir():
+        session.print_error(f"ros2 pkg create: {LOST}")
+        return 1
+    _announce(session, plan, os.path.normpath(session.cwd / destination))
     create(plan, destination, args.destination_directory, session.print)
     return None
 

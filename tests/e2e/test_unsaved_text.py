@@ -1,0 +1,111 @@
+"""Text that was typed and not saved, and then the terminal, the desktop or the machine goes away: it comes back."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("needs a pty", allow_module_level=True)
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
+
+from disks import ROOT, SETPRIV, WITHOUT_RIGHTS
+from place import DAY6
+from terminal import Terminal
+
+if TYPE_CHECKING:
+    from place import Place
+
+BASH = shutil.which("bash")
+
+
+def desktop(place: Place, *before: str) -> Terminal:
+    command = [*before, *DAY6, "--scene", "empty", "--lang", "en", "--home", str(place.home)]
+    env = place.environment(XDG_DATA_HOME=str(place.work / "data"), TERM="xterm-256color")
+    return Terminal(command, 90, 24, cwd=place.work, env=env)
+
+
+def copies(place: Place) -> list[Path]:
+    return list((place.work / "data").rglob("*.json"))
+
+
+def until(holds: object, limit: float = 20.0) -> None:
+    assert callable(holds)
+    end = time.monotonic() + limit
+    while not holds():
+        assert time.monotonic() < end, "still waiting"
+        time.sleep(0.02)
+
+
+def type_in_nano(screen: Terminal) -> None:
+    screen.wait("$")
+    screen.line("nano work.txt")
+    screen.wait("work.txt", "^X close")
+    screen.send("all my work")
+    screen.wait("all my work")
+
+
+def is_back(place: Place) -> None:
+    """Whether the text is offered when the file is opened again, and can be saved."""
+    with desktop(place) as screen:
+        screen.wait("$")
+        screen.line("nano work.txt")
+        screen.wait("all my work")
+        screen.send("\x13")
+        until(lambda: (place.home / "work.txt").exists())
+        assert (place.home / "work.txt").read_text().startswith("all my work")
+
+
+@pytest.mark.parametrize("way", ["hang-up", "SIGHUP", "SIGTERM", "Ctrl-Q", "SIGKILL"])
+def test_it_comes_back_whatever_ended_the_desktop(place: Place, way: str) -> None:
+    with desktop(place) as screen:
+        type_in_nano(screen)
+        if way == "SIGKILL":  # of which nobody hears: what was typed a second ago is kept
+            until(lambda: any("all my work" in path.read_text() for path in copies(place)))
+        if way == "hang-up":
+            screen.hang_up()
+        elif way == "Ctrl-Q":
+            screen.press("Ctrl-Q")
+        else:
+            screen.kill(getattr(signal, way))
+        until(lambda: screen._reap() or screen.status is not None)
+    assert not (place.home / "work.txt").exists()
+    is_back(place)
+
+
+@pytest.mark.skipif(ROOT and SETPRIV is None, reason="for root no folder is read-only, and setpriv is not there")
+def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> None:
+    data = place.work / "data"
+    with desktop(place) as screen:  # makes its folders
+        type_in_nano(screen)
+        until(lambda: copies(place) != [])
+        screen.press("Ctrl-Q")
+        screen.wait_end()
+    folder = copies(place)[0].parent
+    copies(place)[0].unlink()
+    for each in (place.home, folder):
+        each.chmod(0o500)
+    try:
+        with desktop(place, *([str(SETPRIV), *WITHOUT_RIGHTS] if ROOT else [])) as screen:
+            type_in_nano(screen)
+            screen.wait("no copy of the unsaved text: Permission denied")
+            screen.send("\x13")
+            screen.wait("not saved: Permission denied")
+            screen.press("Ctrl-Q")
+            screen.wait("A text would be lost", "work.txt")
+            screen.press("Esc")
+            screen.wait_gone("A text would be lost")
+            screen.kill(signal.SIGTERM)
+            assert screen.wait_end() != 0
+            assert b"work.txt (Permission denied)" in screen.output
+    finally:
+        for each in (place.home, folder):
+            each.chmod(0o700)
+    assert data.is_dir()
