@@ -78,3 +78,39 @@ def test_others_go_on_beside_a_command_that_never_waits(tmp_path: Path) -> None:
     finally:
         process.kill()
     assert (process.returncode, said) == (0, "on\n")
+
+
+LETTERS = "a" * 40
+EXPRESSIONS = {
+    f"echo {LETTERS}b | grep -E '(a+)+$'": (1, ""),
+    f"echo {LETTERS}b | grep -oE '(a|a)*b'": (0, LETTERS + "b"),
+    f"echo {LETTERS}b | sed -E 's/(a|aa)+$/x/; s/(a*)*b/[&]/'": (0, f"[{LETTERS}b]"),
+    f"[[ {LETTERS}b =~ ^(a+)+$ ]]": (1, ""),
+    f"echo {LETTERS}b | grep -E '(a+)+\\1c'": (2, "grep: regular expression would take too long"),
+    "grep -E \"$(printf '(%.0s' {1..9999})\" /dev/null": (2, "grep: Regular expression too big"),
+}
+
+
+@pytest.mark.parametrize("line", EXPRESSIONS)
+def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> None:
+    process = start(f"{line} 2>&1", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    status, shown = EXPRESSIONS[line]
+    assert (process.returncode, said.strip()[: len(shown)]) == (status, shown)
+
+
+def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> None:
+    (tmp_path / "long.txt").write_text("ab" * 500_000)
+    process = start("(for i in 1 2 3; do sleep 0.01; echo tick; done) & grep -E '((a|b)+)+c' long.txt", tmp_path)
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
+        assert process.poll() is None  # it still searches
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode == 130
