@@ -77,7 +77,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 
     activate()
     clock = WorldClock()
-    scheduler = Scheduler(clock)
+    scheduler = Scheduler(clock, may_wait=True)
     joined: list[Graph] = []
     display = Display() if show is not None else None
 

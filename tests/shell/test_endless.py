@@ -114,3 +114,57 @@ def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> N
     finally:
         process.kill()
     assert process.returncode == 130
+
+
+WAITING = {
+    "cat f": 1,
+    "echo x > f": 1,
+    "cat < f": 1,
+    "source f": 1,
+    "bash f": 127,
+    "bash /dev/zero": 127,
+    "check_urdf f": 255,
+    "check_urdf /dev/zero": 255,
+    "urdf_to_graphviz f": 255,
+    "ros2 bag info f": 1,
+    "ros2 run demo_nodes_py talker --ros-args --params-file f": 1,
+    "ros2 run demo_nodes_py talker --ros-args --params-file /dev/zero": 1,
+    "ros2 run day6_world world --ros-args -p world:=f": 1,
+    "ros2 run robot_state_publisher robot_state_publisher f": 134,
+    "colcon build": 0,
+    "timeout 1 rviz2 -d f": 124,
+}
+
+
+@pytest.mark.parametrize("line", WAITING)
+def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(line: str, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "f")
+    (tmp_path / "src" / "p").mkdir(parents=True)
+    os.mkfifo(tmp_path / "src" / "p" / "package.xml")
+    process = start(f"{line} 2>&1", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode == WAITING[line], said
+    assert "Traceback" not in said
+
+
+def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
+    process = start("echo a > /dev/stdout; echo b > /dev/stderr; echo c | cat /dev/stdin; echo d > /dev/tty", tmp_path)
+    try:
+        said, errors = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert said == "a\nc\n"
+    assert errors == "b\nbash: /dev/tty: No such device or address\n"
+
+
+def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "f")
+    process = start("python3 -c \"print(open('f').read(), end='')\" & sleep 2; echo x > f; wait", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert said == "x\n"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import errno
 import re
-import stat
 from collections import deque
 from collections.abc import AsyncIterator
 from pathlib import Path
 
+from day6_tui.core.session.patient_files import refuse
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
@@ -99,7 +99,7 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
     """
     for name in names or ["-"]:
         stream: InputStream
-        if name == "-":
+        if name in ("-", "/dev/stdin"):
             stream = session.stdin
         else:
             try:
@@ -121,8 +121,7 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
 
 def whole_text(path: Path) -> str:
     """Read a file at once. Raises OSError, also for one that is too large for that (/dev/zero has no end)."""
-    if stat.S_ISFIFO(path.stat().st_mode):
-        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+    refuse(str(path), path.stat().st_mode, writing=False)
     with path.open(encoding="utf-8", errors="replace") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
 
 
+_NUMBERS = {"/dev/stdin": 0, "/dev/stdout": 1, "/dev/stderr": 2, "/dev/fd/0": 0, "/dev/fd/1": 1, "/dev/fd/2": 2}
+"""Files that bash knows itself (its manual, Redirections); the system's would be those of the desktop."""
+
+
 @dataclass(frozen=True)
 class Streams:
     """Where a command reads and writes."""
@@ -48,6 +52,8 @@ async def redirect(
                 stream = table[int(target)]
             else:
                 raise OSError(9, "Bad file descriptor", target)
+        elif (number := _NUMBERS.get(target)) is not None or (number := _terminal(target, operator, table)) is not None:
+            stream = table[number]
         elif operator == "<":
             stream = _open_input(shell.cwd / target, target)
             opened.callback(stream.close)
@@ -68,6 +74,14 @@ async def redirect(
     ):
         raise OSError(9, "Bad file descriptor", str(fd))
     return Streams(stdin, stdout, stderr)
+
+
+def _terminal(name: str, operator: str, table: dict[int, InputStream | OutputStream]) -> int | None:
+    """Which stream of the command is the terminal that `/dev/tty` stands for."""
+    if name != "/dev/tty":
+        return None
+    wanted = InputStream if operator == "<" else OutputStream
+    return next((number for number, stream in table.items() if isinstance(stream, wanted) and stream.isatty()), None)
 
 
 async def _may_write(path: Path, shell: Shell, streams: Streams) -> bool:
