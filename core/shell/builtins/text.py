@@ -62,7 +62,11 @@ async def printf(session: Session) -> int:
     status = 0
     while True:
         before = len(values)
-        text, ok = _format(pattern, values, session)
+        try:
+            text, ok = _format(pattern, values, session)
+        except MemoryError:  # the real one says the same where the machine has no room for so wide a number
+            session.print_error("bash: printf: write error: Cannot allocate memory")
+            return 1
         session.stdout.write(text)
         status = status or (0 if ok else 1)
         if not values or len(values) == before:
@@ -75,6 +79,8 @@ def _format(pattern: str, values: list[str], session: Session) -> tuple[str, boo
     def one(match: re.Match[str]) -> str:
         nonlocal ok
         flags, kind = match[1], match[2]
+        if any(int(number) > LONGEST_TEXT for number in re.findall(r"\d+", flags)):
+            raise MemoryError
         if kind == "%":
             return "%"
         value = values.pop(0) if values else ""
