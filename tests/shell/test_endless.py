@@ -28,7 +28,19 @@ BOUNDED = {
     "diff /dev/zero /dev/zero": (2, "diff: /dev/zero: Cannot allocate memory"),
     "x=a; while true; do x=$x$x; done": (2, "bash: xrealloc: cannot allocate"),
     "mkfifo=$(python3 -c 'import os; os.mkfifo(\"f\")'); cat f": (1, "cat: f: Resource temporarily unavailable"),
+    "source brackets": (2, "bash: memory exhausted"),
+    "source braces": (2, "bash: memory exhausted"),
+    'eval "$(cat conditions)"': (2, "bash: memory exhausted"),
+    "echo " + "{a,b}" * 24: (1, "bash: brace expansion: cannot allocate memory"),
+    "echo {1..99}{1..99}{1..99}{1..99}": (1, "bash: brace expansion: cannot allocate memory"),
+    "printf %9999999999d 1": (1, "bash: printf: write error: Cannot allocate memory"),
+    "printf %.9999999999f 1": (1, "bash: printf: write error: Cannot allocate memory"),
+    'ros2 topic pub -1 /t std_msgs/msg/String "$(cat brackets)$(cat brackets)"': (
+        126,
+        "bash: /opt/ros/jazzy/bin/ros2: Argument list too long",
+    ),
 }
+DEEP = {"brackets": "$(" * 50_000, "braces": "{ " * 50_000, "conditions": "[[ " + "! " * 50_000 + "a ]]"}
 
 
 def start(line: str, folder: Path) -> subprocess.Popen[str]:
@@ -60,6 +72,8 @@ def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("line", BOUNDED)
 def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: str, tmp_path: Path) -> None:
+    for name, text in DEEP.items():
+        (tmp_path / name).write_text(text)
     process = start(line, tmp_path)
     try:
         _, error = process.communicate(timeout=PATIENCE)

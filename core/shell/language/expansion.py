@@ -23,6 +23,10 @@ _CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A
 """Of regular expressions and patterns: `[[:digit:]]`."""
 
 
+MOST_WORDS = 1_000_000
+"""That braces may stand for; the real shell takes all memory for more."""
+
+
 class UnboundProblem(SyntaxProblem):
     """`${NAME:?text}` and bad substitutions: ends the command line with status 1."""
 
@@ -237,11 +241,21 @@ def _braces(word: Word) -> list[Word]:
     """`a{b,c}` and `{1..3}`, where the braces stand in one unquoted piece; every other word as it is."""
     for index, part in enumerate(word.parts):
         if isinstance(part, Text) and not part.quoted and "{" in part.text:
+            if _brace_count(part.text) > MOST_WORDS:
+                raise UnboundProblem("brace expansion: cannot allocate memory")
             texts = _brace_texts(part.text)
             if texts != [part.text]:
                 before, after = word.parts[:index], word.parts[index + 1 :]
                 return [replace(word, parts=(*before, Text(text), *after)) for text in texts]
     return [word]
+
+
+def _brace_count(text: str) -> int:
+    """At least as many words as the braces of a text make: what stands beside each other multiplies, commas add."""
+    numbers = 1
+    for inside in re.findall(r"\{([^{}]*)\}", text):
+        numbers *= len(_brace_range(inside)) or inside.count(",") + 1
+    return numbers
 
 
 def _brace_texts(text: str) -> list[str]:
