@@ -11,7 +11,7 @@ import math
 import re
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from day6_tui.core.linear_match import LinearMatcher
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 LONGEST_SEARCH = 4 * 10**8
 """Steps that `re` may take at most, well below a second."""
 
+_Result = TypeVar("_Result")
 _REPEATS = ("MAX_REPEAT", "MIN_REPEAT", "POSSESSIVE_REPEAT")
 
 
@@ -148,12 +149,13 @@ def _as_found(match: re.Match[str]) -> Found:
     return Found(match.string, tuple(place for span in match.regs for place in span))
 
 
-def _at_once(work: Generator[None, None, Any]) -> Any:
+def _at_once(work: Generator[None, None, _Result]) -> _Result:
     while True:
         try:
             next(work)
         except StopIteration as end:
-            return end.value
+            result: _Result = end.value
+            return result
 
 
 def _effort(tree: Any, length: float) -> float:

@@ -133,5 +133,6 @@ async def in_turns(work: Generator[None, None, _Result]) -> _Result:
         try:
             next(work)
         except StopIteration as end:
-            return end.value
+            result: _Result = end.value
+            return result
         await let_others_run()

@@ -182,3 +182,20 @@ def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
     finally:
         process.kill()
     assert said == "x\n"
+
+
+def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: Path) -> None:
+    (tmp_path / "big.yaml").write_text("{data: [" + ",".join(map(str, range(500_000))) + "]}")
+    ticks = 20
+    process = start(
+        f"(for ((i = 0; i < {ticks}; i++)); do sleep 0.1; echo tick; done) & "
+        "ros2 topic pub --stdin -1 -w 0 /t std_msgs/msg/Int32MultiArray < big.yaml; echo over",
+        tmp_path,
+    )
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(ticks)] == ["tick\n"] * ticks
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
