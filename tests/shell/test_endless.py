@@ -199,3 +199,16 @@ def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: P
         process.communicate(timeout=PATIENCE)
     finally:
         process.kill()
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs folders without number: /proc of Linux")
+def test_others_go_on_and_ctrl_c_works_beside_a_pattern_that_finds_half_the_disk(tmp_path: Path) -> None:
+    process = start("(for i in 1 2 3; do sleep 0.1; echo tick; done) & : /proc/*/task/*/*/*/*/* /*/*/*/*/*", tmp_path)
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode in (130, -signal.SIGINT)

@@ -6,10 +6,12 @@ import fnmatch
 import glob
 import itertools
 import re
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.language.arithmetic import evaluate
 from day6_tui.core.shell.language.lexer import single_word
 from day6_tui.core.shell.language.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
@@ -86,7 +88,7 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
                         fields.add_split(value)
             fields.end()
             for pieces in fields.done:
-                arguments.extend(_files(pieces, shell.cwd))
+                arguments.extend(await _files(pieces, shell.cwd))
     return arguments
 
 
@@ -229,12 +231,23 @@ def _trim(value: str, operator: str, pattern: str) -> str:
     return value
 
 
-def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
+async def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
     text = "".join(piece for piece, _ in pieces)
     if not any(not quoted and _PATTERN.intersection(piece) for piece, quoted in pieces):
         return [text]
     pattern = "".join(glob.escape(piece) if quoted else piece for piece, quoted in pieces)
-    return sorted(glob.glob(pattern, root_dir=cwd)) or [text]
+    if not _PATTERN.intersection(pattern.rpartition("/")[0]):
+        return sorted(glob.glob(pattern, root_dir=cwd)) or [text]
+    abandoned = threading.Event()  # folders of any number: others go on, and Ctrl-C ends it
+
+    def found() -> list[str]:
+        wanted = itertools.takewhile(lambda _: not abandoned.is_set(), glob.iglob(pattern, root_dir=cwd))
+        return sorted(itertools.islice(wanted, MOST_WORDS))
+
+    try:
+        return await in_thread(found) or [text]
+    finally:
+        abandoned.set()
 
 
 def _braces(word: Word) -> list[Word]:
