@@ -38,6 +38,7 @@ from day6_tui.tui.app import DEFAULT_FPS, HINT_SECONDS, DeskScreen, keep_log_off
 from day6_tui.tui.arrangement import Place
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
+from day6_tui.tui.departure import give_back
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
 from day6_tui.tui.keyboard import BadInput, leave, sturdy
@@ -403,6 +404,7 @@ def show(foreground: Foreground) -> None:
     keep_log_off_the_screen()
     look = make_look(SimpleNamespace(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
     app = WindowApp(foreground, look)
+    foreground.ending.give_back = lambda: give_back(app)
     app.run()
     if app.return_code and not foreground.over:
         _end_without_screen(foreground)

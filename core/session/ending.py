@@ -27,7 +27,8 @@ class Step(NamedTuple):
     """One way to ask for the end: `act` returns at once (it is called on a foreign thread), then `seconds` are waited."""
 
     act: Callable[[], object]
-    seconds: float
+    seconds: float | None
+    """None: as long as nobody insists."""
 
 
 class Ending:
@@ -71,6 +72,18 @@ class Ending:
             number = getattr(signal, name, None)
             if number is not None:
                 signal.signal(number, self._handle)
+        self._attend(terminal)
+
+    def overhear(self) -> None:
+        """The same for signals that are answered by handlers which are set already; on Windows those have to call `heard`."""
+        self._attend(None)
+
+    def heard(self, number: int) -> None:
+        """A handler was called with this signal."""
+        if sys.platform == "win32":
+            self._signalled(number)
+
+    def _attend(self, terminal: int | None) -> None:
         if sys.platform != "win32":
             # The system may hand a signal to any thread, and then the main one, where handlers run, sleeps on.
             reading, writing = os.pipe()
@@ -89,8 +102,7 @@ class Ending:
         self._orders.put(False)
 
     def _handle(self, number: int, frame: object) -> None:
-        if sys.platform == "win32":
-            self._signalled(number)
+        self.heard(number)
 
     def _read(self, reading: int, terminal: int | None) -> None:
         if sys.platform == "win32":

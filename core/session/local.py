@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.backlog import Backlog
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
+from day6_tui.core.session.ending import Ending, Step
 from day6_tui.core.session.folder import working_folder
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.real_streams import RealInput, RealOutput
@@ -29,16 +30,27 @@ GRACE = 2.0
 """Seconds that a child has to end after SIGTERM."""
 
 
+INSIST_SECONDS = 0.5
+"""What a program may take to end when its user has insisted; then it is ended by force."""
+
+SIGNALS_TO_INSIST = 3
+"""Signals by which a user insists; two are enough for a command that asks and goes, and for a window."""
+
+
 class Foreground:
     """A program that has opened a window, while that window has the terminal for itself."""
 
-    def __init__(self, scheduler: Scheduler, program: Program, display: Display, backlog: Backlog) -> None:
+    def __init__(
+        self, scheduler: Scheduler, program: Program, display: Display, backlog: Backlog, ending: Ending
+    ) -> None:
         self.scheduler = scheduler
         """Runs in a thread of its own meanwhile."""
         self.program = program
         self.display = display
         self.backlog = backlog
         """What the program has written and writes; the terminal gets afterwards what it has not got yet."""
+        self.ending = ending
+        """How the process ends by force; whoever draws says there how the terminal is given back."""
 
     @property
     def over(self) -> bool:
@@ -69,7 +81,8 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 
     `one_shot` is for a command that asks and goes (see `core.link.join`). With `show` the program has a display, and that
     draws its windows on the terminal; without it, it does without windows.
-    Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen.
+    Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen. Half a second after the
+    second signal (with a display or `one_shot`; otherwise the third) the process ends by force, whatever it does.
     """
     from day6_tui.core.graph import graph_for_domain
     from day6_tui.core.graph.domain import domain_from_text
@@ -77,7 +90,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 
     activate()
     clock = WorldClock()
-    scheduler = Scheduler(clock)
+    scheduler = Scheduler(clock, may_wait=True)
     joined: list[Graph] = []
     display = Display() if show is not None else None
 
@@ -110,14 +123,19 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
     session.background = display is None
     session.python = _python_in_place
     program = Program(session, main)
-    restore = _handle_signals(scheduler, program)
+    insisting = 2 if one_shot or display is not None else SIGNALS_TO_INSIST
+    ending = Ending(*[Step(_ask, None)] * (insisting - 1), Step(_ask, INSIST_SECONDS))
+    ending.give_back = stdin.restore
+    restore = _handle_signals(scheduler, program, ending)
+    ending.overhear()
     try:
         while program.status is None:
             scheduler.run(lambda: program.status is not None or (display is not None and bool(display.windows)))
             if program.status is None and display is not None and show is not None:
-                _show(show, Foreground(scheduler, program, display, backlog), (stdout, stderr))
+                _show(show, Foreground(scheduler, program, display, backlog, ending), (stdout, stderr))
     finally:
         restore()
+        ending.over()
         stdin.restore()
         stdout.flush_quietly()
         if os.environ.get("DAY6_LINK") != "off":
@@ -143,7 +161,11 @@ def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -
             foreground.backlog.release()
 
 
-def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None]:
+def _ask() -> None:
+    """The signal itself has asked the program."""
+
+
+def _handle_signals(scheduler: Scheduler, program: Program, ending: Ending) -> Callable[[], None]:
     from day6_tui.core.session.signals import from_system
 
     presses = 0
@@ -156,11 +178,13 @@ def _handle_signals(scheduler: Scheduler, program: Program) -> Callable[[], None
     def interrupt(number: int, frame: object) -> None:
         nonlocal presses
         presses += 1
+        ending.heard(number)
         scheduler.call_soon_threadsafe(program.interrupt if presses < 3 else program.kill)
         if stuck():
             raise KeyboardInterrupt
 
     def terminate(number: int, frame: object) -> None:
+        ending.heard(number)
         scheduler.call_soon_threadsafe(lambda: program.send(from_system(number)))
         if stuck():
             raise KilledBySignal(from_system(number))

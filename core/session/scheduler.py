@@ -22,6 +22,7 @@ from collections.abc import Callable, Coroutine
 from queue import Empty, SimpleQueue
 from typing import Any
 
+from day6_tui.core.session import patient_files
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.task import YIELD, Task, Wait
 
@@ -52,8 +53,10 @@ _log = logging.getLogger(__name__)
 class Scheduler:
     """Owns a world clock and the tasks that live by it. Run it with `start` (own thread), `run` or `advance` (the caller's)."""
 
-    def __init__(self, clock: WorldClock) -> None:
+    def __init__(self, clock: WorldClock, *, may_wait: bool = False) -> None:
         self.clock = clock
+        self.may_wait = may_wait
+        """It runs one program at a real terminal, which may wait for the system, as for a pipe that is its file."""
         clock.on_change = self.wake
         self._inbox: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
         self._ready: deque[tuple[Task, int, bool]] = deque()
@@ -136,6 +139,7 @@ class Scheduler:
         """Run on the caller's thread, paced by the wall, until `until()` holds; False after `timeout` wall seconds."""
         give_up = None if timeout is None else time.monotonic() + timeout
         previous, self._thread_id = self._thread_id, threading.get_ident()
+        end = self._without_waits()
         try:
             while not until():
                 left = LONGEST_WAIT if give_up is None else min(give_up - time.monotonic(), LONGEST_WAIT)
@@ -144,12 +148,13 @@ class Scheduler:
                 self._turn(wait=True, longest=left)
             return True
         finally:
+            end()
             self._thread_id = previous
 
     def advance(self, seconds: float = 0.0) -> None:
         """For tests and a stepped world: move the target on and run everything due until then, on the caller's thread."""
         previous, self._thread_id = self._thread_id, threading.get_ident()
-        end = _watched()
+        end = self._without_waits()
         try:
             while self._turn(wait=False, longest=math.inf):
                 pass  # what came before this moment runs before time moves
@@ -161,9 +166,22 @@ class Scheduler:
             end()
             self._thread_id = previous
 
+    def _without_waits(self) -> Callable[[], None]:
+        """Until the returned call, this thread opens no file that would keep everybody waiting, and is watched."""
+        if self.may_wait:
+            return _nothing
+        opened = patient_files.end if patient_files.begin() else _nothing
+        watched = _watched()
+
+        def end() -> None:
+            opened()
+            watched()
+
+        return end
+
     def _thread_main(self) -> None:
         self._thread_id = threading.get_ident()
-        end = _watched()
+        end = self._without_waits()
         while not self._stopping:
             try:
                 self._turn(wait=True, longest=math.inf)
@@ -374,7 +392,11 @@ class Scheduler:
 def _watched() -> Callable[[], None]:
     """In tests and for debugging: let `core.session.watch` look whether this thread waits until the returned call."""
     if "DAY6_WATCH" not in os.environ:
-        return lambda: None
+        return _nothing
     from day6_tui.core.session import watch
 
-    return watch.end if watch.begin() else lambda: None
+    return watch.end if watch.begin() else _nothing
+
+
+def _nothing() -> None:
+    """There is nothing to end."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
+import os
 import stat
 import threading
 import time
@@ -17,8 +18,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
+from day6_tui.core.session.patient_files import WITHOUT_END, refuse
 from day6_tui.core.session.task import Signal, let_others_run, wait_for
-from day6_tui.core.whole_file import refuse_own_terminal
 
 END_OF_INPUT = ""
 
@@ -301,15 +302,31 @@ class TextInput(InputStream):
         return line
 
 
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+
+
+def _pipe(path: Path) -> int | None:
+    """Open a named pipe for writing if `path` is one: without waiting for its reader, there has to be one (ENXIO)."""
+    try:
+        mode = path.stat().st_mode
+    except OSError:
+        return None
+    if stat.S_ISFIFO(mode):
+        return os.open(path, os.O_WRONLY | _AT_ONCE)
+    refuse(str(path), mode, writing=True)
+    return None
+
+
 class FileInput(InputStream):
     """Reads a file (`< FILE`). The constructor raises OSError as `open` does."""
 
     def __init__(self, path: Path) -> None:
-        if stat.S_ISFIFO(path.stat().st_mode):  # opening one waits for its writer, and everybody would wait with us
-            raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+        mode = path.stat().st_mode
+        if str(path) not in WITHOUT_END:  # those are read a line at a time, and others have their turn
+            refuse(str(path), mode, writing=False)
+        number = os.open(path, os.O_RDONLY | _AT_ONCE)
         # Every byte gets out again as it was (FileOutput), and only a newline ends a line.
-        self._file: TextIO = path.open(encoding="utf-8", errors="surrogateescape", newline="\n")
-        refuse_own_terminal(self._file.fileno(), self._file)
+        self._file: TextIO = os.fdopen(number, encoding="utf-8", errors="surrogateescape", newline="\n")
 
     def fileno(self) -> int | None:
         return self._file.fileno()
@@ -332,8 +349,7 @@ class FileOutput(OutputStream):
     """
 
     def __init__(self, path: Path, *, append: bool = False) -> None:
-        self._file = io.FileIO(path, "a" if append else "w")
-        refuse_own_terminal(self._file.fileno(), self._file)
+        self._file = io.FileIO(_pipe(path) or path, "a" if append else "w")
         self._waiting = bytearray()
         self._problem: OSError | None = None
         self._lock = threading.Lock()
@@ -374,7 +390,10 @@ class FileOutput(OutputStream):
         data, self._waiting = memoryview(self._waiting), bytearray()
         try:
             while data and not self._file.closed:
-                data = data[self._file.write(data) or 0 :]
+                written = self._file.write(data)
+                if written is None:  # a pipe whose reader is slower
+                    raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+                data = data[written:]
         except BrokenPipeError as error:
             self._problem = self._problem or error
         except OSError as error:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Coroutine, Generator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from day6_tui.core.session.scheduler import Scheduler
+
+_Result = TypeVar("_Result")
 
 
 class Signal:
@@ -123,3 +125,14 @@ async def sleep_until(deadline_ns: int) -> None:
 async def let_others_run() -> None:
     """Go to the end of the queue of everything that is ready at this moment."""
     await YIELD
+
+
+async def in_turns(work: Generator[None, None, _Result]) -> _Result:
+    """Do work that yields now and then, and let others run each time; returns what it returns."""
+    while True:
+        try:
+            next(work)
+        except StopIteration as end:
+            result: _Result = end.value
+            return result
+        await let_others_run()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -77,6 +78,27 @@ def place_of(name: str) -> str:
 
         return f"/opt/ros/{DISTRO}/bin/{name}"
     return f"/usr/bin/{name}"
+
+
+LONGEST_ARGUMENT = 128 * 1024
+LONGEST_ARGUMENTS = 2 * 1024 * 1024
+"""Bytes that Linux hands to a program, its variables included (execve(2): MAX_ARG_STRLEN, a quarter of an 8 MB stack)."""
+
+
+def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
+    """Whether the system would not start a program with these arguments; what is part of the shell takes any."""
+    if not argv or argv[0] not in _MODULE_OF or argv[0] in SHELL_BUILTINS:
+        return False
+    texts = [*argv, *(f"{name}={value}" for name, value in environment.items())]
+    if sum(map(len, texts)) < LONGEST_ARGUMENT // 4:
+        return False
+    sizes = [len(text.encode("utf-8", "surrogateescape")) + 1 for text in texts]
+    return max(sizes) > LONGEST_ARGUMENT or sum(sizes) + 8 * len(sizes) > LONGEST_ARGUMENTS
+
+
+def list_too_long(name: str, shell: Shell) -> Main:
+    """A program that says so, as bash does."""
+    return _saying(f"{shell.name}: {place_of(name)}: Argument list too long", 126)
 
 
 def find_command(name: str, shell: Shell) -> Main:

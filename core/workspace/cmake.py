@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from day6_tui.core.user_pattern import user_pattern
 from day6_tui.core.workspace.cmake_condition import holds
 
 _COMMAND = re.compile(r"(?m)^[ \t]*([A-Za-z_]\w*)[ \t]*\(")
@@ -359,7 +360,7 @@ def _list(command: Command, scope: _Scope) -> None:
 
 def _matches(pattern: str, text: str) -> bool:
     try:
-        return re.search(pattern, text) is not None
+        return user_pattern(pattern).search(text) is not None
     except re.error:
         return False
 

@@ -7,6 +7,8 @@ import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from day6_tui.core.user_pattern import user_pattern
+
 _TRUE = frozenset({"1", "ON", "YES", "TRUE", "Y"})
 _FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
 _UNARY = frozenset({"EXISTS", "DEFINED", "COMMAND", "TARGET", "POLICY", "IS_DIRECTORY", "IS_ABSOLUTE", "TEST"})
@@ -48,7 +50,7 @@ def _number(text: str) -> float:
 
 def _matches(text: str, pattern: str) -> bool:
     try:
-        return re.search(pattern, text) is not None
+        return user_pattern(pattern).search(text) is not None
     except re.error:
         return False
 

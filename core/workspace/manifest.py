@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import stat
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -67,6 +68,8 @@ def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> M
     Raises ManifestError.
     """
     try:
+        if not stat.S_ISREG((folder / FILE_NAME).stat().st_mode):  # as catkin_pkg; reading a pipe waits for its writer
+            return None
         data = (folder / FILE_NAME).read_bytes()
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError):
         return None

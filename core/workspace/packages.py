@@ -157,7 +157,8 @@ def _python_name(folder: Path) -> str | None:
     """Return the name that setup.cfg or setup.py gives, without running it (a list must not execute anything)."""
     parser = ConfigParser(interpolation=None)
     try:
-        parser.read(folder / "setup.cfg", encoding="utf-8")
+        if (folder / "setup.cfg").is_file():
+            parser.read(folder / "setup.cfg", encoding="utf-8")
         name = parser.get("metadata", "name", fallback=None)
     except (ConfigError, UnicodeDecodeError, OSError):
         name = None

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
+from day6_tui.core.user_pattern import user_pattern
 from day6_tui.core.workspace.order import Planned
 from day6_tui.core.workspace.packages import Package
 
@@ -24,7 +24,7 @@ def without_ignored(packages: Iterable[Package], args: Namespace) -> list[Packag
     return [
         package
         for package in packages
-        if package.name not in names and not any(re.match(pattern, package.name) for pattern in patterns)
+        if package.name not in names and not any(user_pattern(pattern).match(package.name) for pattern in patterns)
     ]
 
 
@@ -48,7 +48,7 @@ Test = Callable[[Planned, list[str]], bool]
 
 
 def _matches(each: Planned, patterns: list[str]) -> bool:
-    return any(re.match(pattern, each.package.name) for pattern in patterns)
+    return any(user_pattern(pattern).match(each.package.name) for pattern in patterns)
 
 
 def _keep(planned: list[Planned], values: list[str] | None, test: Test) -> None:

@@ -154,3 +154,50 @@ def test_a_script_that_a_signal_ends_has_the_status_of_the_signal(place: Place, 
     process.send_signal(getattr(signal, name))
     said, error = process.communicate(timeout=30)
     assert (process.returncode, said, error) == (status, "", "")
+
+
+DEAF = """\
+import os
+import time
+
+def wait():
+    os.write(2, b"deaf\\n")
+    while True:
+        try:
+            time.sleep(99)
+        except BaseException:
+            pass
+"""
+
+
+def test_a_command_that_does_not_listen_ends_by_force_when_its_user_insists(place: Place) -> None:
+    folder = place.work / "deaf"
+    folder.mkdir()
+    (folder / "zenoh.py").write_text(DEAF + "wait()\n", encoding="utf-8")
+    with place.terminal("ros2", "topic", "list", PYTHONPATH=str(folder)) as screen:
+        before = screen.attributes()
+        screen.wait("deaf")
+        screen.press("Ctrl-C")
+        screen.wait("^C")
+        screen.kill(signal.SIGTERM)  # another one, which the system does not make one with the first
+        assert screen.wait_end() == 130
+        assert "Traceback" not in screen.look()
+        assert screen.attributes() == before
+
+
+def test_a_window_that_does_not_listen_ends_by_force_and_gives_the_terminal_back(place: Place) -> None:
+    folder = place.work / "deaf"
+    folder.mkdir()
+    stick = (
+        "from day6_tui.core.session.local import Foreground\n"
+        "Foreground.over = property(lambda self: False if self.program.status is None else wait())\n"
+    )
+    (folder / "sitecustomize.py").write_text(DEAF + stick, encoding="utf-8")
+    with place.terminal("ros2", "run", "turtlesim", "turtlesim_node", PYTHONPATH=str(folder)) as screen:
+        before = screen.attributes()
+        screen.wait("x 5.54")
+        screen.kill(signal.SIGTERM)
+        until(lambda: (screen.look(0.02), b"deaf" in screen.output)[1])
+        screen.kill(signal.SIGTERM)
+        assert screen.wait_end() == 128 + signal.SIGTERM
+        expect_given_back(screen, before)

@@ -28,7 +28,19 @@ BOUNDED = {
     "diff /dev/zero /dev/zero": (2, "diff: /dev/zero: Cannot allocate memory"),
     "x=a; while true; do x=$x$x; done": (2, "bash: xrealloc: cannot allocate"),
     "mkfifo=$(python3 -c 'import os; os.mkfifo(\"f\")'); cat f": (1, "cat: f: Resource temporarily unavailable"),
+    "source brackets": (2, "bash: memory exhausted"),
+    "source braces": (2, "bash: memory exhausted"),
+    'eval "$(cat conditions)"': (2, "bash: memory exhausted"),
+    "echo " + "{a,b}" * 24: (1, "bash: brace expansion: cannot allocate memory"),
+    "echo {1..99}{1..99}{1..99}{1..99}": (1, "bash: brace expansion: cannot allocate memory"),
+    "printf %9999999999d 1": (1, "bash: printf: write error: Cannot allocate memory"),
+    "printf %.9999999999f 1": (1, "bash: printf: write error: Cannot allocate memory"),
+    'ros2 topic pub -1 /t std_msgs/msg/String "$(cat brackets)$(cat brackets)"': (
+        126,
+        "bash: /opt/ros/jazzy/bin/ros2: Argument list too long",
+    ),
 }
+DEEP = {"brackets": "$(" * 50_000, "braces": "{ " * 50_000, "conditions": "[[ " + "! " * 50_000 + "a ]]"}
 
 
 def start(line: str, folder: Path) -> subprocess.Popen[str]:
@@ -60,6 +72,8 @@ def test_ctrl_c_ends_what_never_ends(what: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("line", BOUNDED)
 def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: str, tmp_path: Path) -> None:
+    for name, text in DEEP.items():
+        (tmp_path / name).write_text(text)
     process = start(line, tmp_path)
     try:
         _, error = process.communicate(timeout=PATIENCE)
@@ -78,3 +92,123 @@ def test_others_go_on_beside_a_command_that_never_waits(tmp_path: Path) -> None:
     finally:
         process.kill()
     assert (process.returncode, said) == (0, "on\n")
+
+
+LETTERS = "a" * 40
+EXPRESSIONS = {
+    f"echo {LETTERS}b | grep -E '(a+)+$'": (1, ""),
+    f"echo {LETTERS}b | grep -oE '(a|a)*b'": (0, LETTERS + "b"),
+    f"echo {LETTERS}b | sed -E 's/(a|aa)+$/x/; s/(a*)*b/[&]/'": (0, f"[{LETTERS}b]"),
+    f"[[ {LETTERS}b =~ ^(a+)+$ ]]": (1, ""),
+    f"echo {LETTERS}b | grep -E '(a+)+\\1c'": (2, "grep: regular expression would take too long"),
+    "grep -E \"$(printf '(%.0s' {1..9999})\" /dev/null": (2, "grep: Regular expression too big"),
+}
+
+
+@pytest.mark.parametrize("line", EXPRESSIONS)
+def test_no_regular_expression_stops_everything(line: str, tmp_path: Path) -> None:
+    process = start(f"{line} 2>&1", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    status, shown = EXPRESSIONS[line]
+    assert (process.returncode, said.strip()[: len(shown)]) == (status, shown)
+
+
+def test_others_go_on_and_ctrl_c_works_beside_a_long_search(tmp_path: Path) -> None:
+    (tmp_path / "long.txt").write_text("ab" * 500_000)
+    process = start("(for i in 1 2 3; do sleep 0.01; echo tick; done) & grep -E '((a|b)+)+c' long.txt", tmp_path)
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
+        assert process.poll() is None  # it still searches
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode == 130
+
+
+WAITING = {
+    "cat f": 1,
+    "echo x > f": 1,
+    "cat < f": 1,
+    "source f": 1,
+    "bash f": 127,
+    "bash /dev/zero": 127,
+    "check_urdf f": 255,
+    "check_urdf /dev/zero": 255,
+    "urdf_to_graphviz f": 255,
+    "ros2 bag info f": 1,
+    "ros2 run demo_nodes_py talker --ros-args --params-file f": 1,
+    "ros2 run demo_nodes_py talker --ros-args --params-file /dev/zero": 1,
+    "ros2 run day6_world world --ros-args -p world:=f": 1,
+    "ros2 run robot_state_publisher robot_state_publisher f": 134,
+    "colcon build": 0,
+    "timeout 1 rviz2 -d f": 124,
+}
+
+
+@pytest.mark.parametrize("line", WAITING)
+def test_a_pipe_without_a_writer_and_a_device_without_end_keep_nobody_waiting(line: str, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "f")
+    (tmp_path / "src" / "p").mkdir(parents=True)
+    os.mkfifo(tmp_path / "src" / "p" / "package.xml")
+    process = start(f"{line} 2>&1", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode == WAITING[line], said
+    assert "Traceback" not in said
+
+
+def test_the_streams_have_their_names_as_files(tmp_path: Path) -> None:
+    process = start("echo a > /dev/stdout; echo b > /dev/stderr; echo c | cat /dev/stdin; echo d > /dev/tty", tmp_path)
+    try:
+        said, errors = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert said == "a\nc\n"
+    assert errors == "b\nbash: /dev/tty: No such device or address\n"
+
+
+def test_a_pipe_with_a_reader_is_written_to(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "f")
+    process = start("python3 -c \"print(open('f').read(), end='')\" & sleep 2; echo x > f; wait", tmp_path)
+    try:
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert said == "x\n"
+
+
+def test_others_go_on_and_ctrl_c_works_beside_a_message_of_megabytes(tmp_path: Path) -> None:
+    (tmp_path / "big.yaml").write_text("{data: [" + ",".join(map(str, range(500_000))) + "]}")
+    ticks = 20
+    process = start(
+        f"(for ((i = 0; i < {ticks}; i++)); do sleep 0.1; echo tick; done) & "
+        "ros2 topic pub --stdin -1 -w 0 /t std_msgs/msg/Int32MultiArray < big.yaml; echo over",
+        tmp_path,
+    )
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(ticks)] == ["tick\n"] * ticks
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs folders without number: /proc of Linux")
+def test_others_go_on_and_ctrl_c_works_beside_a_pattern_that_finds_half_the_disk(tmp_path: Path) -> None:
+    process = start("(for i in 1 2 3; do sleep 0.1; echo tick; done) & : /proc/*/task/*/*/*/*/* /*/*/*/*/*", tmp_path)
+    try:
+        assert process.stdout is not None
+        assert [process.stdout.readline() for _ in range(3)] == ["tick\n"] * 3
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    assert process.returncode in (130, -signal.SIGINT)

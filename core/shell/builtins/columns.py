@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.task import in_turns
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of, text_named, unescape
 from day6_tui.core.shell.outside import agreed, keys_of
+from day6_tui.core.user_pattern import Found, TooComplex, UserPattern
 
 # -- cut ---------------------------------------------------------------------------------------------------------------
 
@@ -141,14 +143,18 @@ async def sed(session: Session) -> int:
         paths = [session.cwd / name for name in names]
         if not await agreed(session.name, paths, keys, session.stderr, session.env):
             return 1
-        return _in_place(session, names, steps, "n" in options)
+        return await _in_place(session, names, steps, "n" in options)
     problems: list[str] = []
     lines = [line async for _, line in lines_of(session, names, problems)]
-    session.stdout.write("".join(_edited(lines, steps, "n" in options)))
+    try:
+        session.stdout.write("".join(await _edited(lines, steps, "n" in options)))
+    except TooComplex as error:
+        complain(session, str(error))
+        return 1
     return 2 if problems else 0
 
 
-def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
+async def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
     """Edit the files themselves, each whole or not at all. Returns sed's status: 4 where it could not write."""
     from day6_tui.core.whole_file import replace_file
 
@@ -168,20 +174,24 @@ def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bo
             status = status or 2
             continue
         try:
-            replace_file(path, "".join(_edited(lines, steps, silent)).encode("utf-8", "surrogateescape"), follow=False)
+            edited = "".join(await _edited(lines, steps, silent))
+            replace_file(path, edited.encode("utf-8", "surrogateescape"), follow=False)
+        except TooComplex as error:
+            complain(session, str(error))
+            return 1
         except OSError as error:
             complain(session, f"couldn't flush {name}: {reason(error)}")
             return 4
     return status
 
 
-def _edited(lines: list[str], steps: list[_Step], silent: bool) -> list[str]:
+async def _edited(lines: list[str], steps: list[_Step], silent: bool) -> list[str]:
     out = []
     for number, line in enumerate(lines, 1):
         text, end = line.rstrip("\n"), "\n" if line.endswith("\n") else ""
         deleted = False
         for step in steps:
-            if not step.applies(number, text, number == len(lines)):
+            if not await step.applies(number, text, number == len(lines)):
                 continue
             if step.action == "d":
                 deleted = True
@@ -189,7 +199,7 @@ def _edited(lines: list[str], steps: list[_Step], silent: bool) -> list[str]:
             if step.action == "p":
                 out.append(text + "\n")
             else:
-                text = step.substitute(text)
+                text = await in_turns(step.substitute(text))
         if not deleted and not silent:
             out.append(text + end)
     return out
@@ -217,12 +227,13 @@ class _Step:
             raise ValueError("unterminated `s' command")
         self._count = 0 if "g" in parts[2] else 1
         self._what = _pattern(parts[0].replace("\\" + mark, mark), extended, re.IGNORECASE if "I" in parts[2] else 0)
-        self._by = re.sub(r"(?<!\\)&", r"\\g<0>", parts[1].replace("\\" + mark, mark)).replace("\\&", "&")
+        self._by = parts[1].replace("\\" + mark, mark)
+        _check_replacement(self._by, self._what.groups)
 
-    def applies(self, number: int, text: str, last: bool) -> bool:
+    async def applies(self, number: int, text: str, last: bool) -> bool:
         """Say whether the command's address names this line."""
         if self._lines is not None:
-            return self._lines.search(text) is not None
+            return await in_turns(self._lines.searching(text)) is not None
         if self._from is None:
             return True
         first = last if self._from == "$" else number >= int(self._from)
@@ -230,14 +241,37 @@ class _Step:
             return last if self._from == "$" else number == int(self._from)
         return first and (self._to == "$" or number <= int(self._to))
 
-    def substitute(self, text: str) -> str:
-        return self._what.sub(self._by, text, count=self._count)
+    def substitute(self, text: str) -> Generator[None, None, str]:
+        """The line with what was found replaced."""
+        return self._what.replacing(text, lambda found: _replacement(self._by, found), self._count)
 
 
-def _pattern(text: str, extended: bool, flags: int) -> re.Pattern[str]:
+_IN_REPLACEMENT = re.compile(r"\\(?P<group>\d)|\\(?P<letter>.)|&", re.DOTALL)
+_LETTERS = {"n": "\n", "t": "\t"}
+
+
+def _check_replacement(by: str, groups: int) -> None:
+    """Raises ValueError with sed's text."""
+    for match in _IN_REPLACEMENT.finditer(by):
+        if match["group"] and int(match["group"]) > groups:
+            raise ValueError(f"invalid reference {match[0]} on `s' command's RHS")
+
+
+def _replacement(by: str, found: Found) -> str:
+    r"""What stands for a match: `&` and `\0` are all of it, `\1` its first group."""
+
+    def meaning(match: re.Match[str]) -> str:
+        if match["letter"]:
+            return _LETTERS.get(match["letter"], match["letter"])
+        return found[int(match["group"] or 0)] or ""
+
+    return _IN_REPLACEMENT.sub(meaning, by)
+
+
+def _pattern(text: str, extended: bool, flags: int) -> UserPattern:
     if not extended:
         text = re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], text)
-    return re.compile(text, flags)
+    return UserPattern(text, flags)
 
 
 # -- diff --------------------------------------------------------------------------------------------------------------

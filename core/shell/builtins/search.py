@@ -6,8 +6,10 @@ import re
 from collections import deque
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.task import in_turns
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
 from day6_tui.core.shell.builtins.text import lines_of
+from day6_tui.core.user_pattern import TooComplex, UserPattern
 
 _GREP_LONG = {
     "--ignore-case": "i",
@@ -67,13 +69,17 @@ async def grep(session: Session) -> int:
     show_name = ("H" in options or len(names) > 1) and "h" not in options
     search = _Grep(session, expression, options, show_name, before, after, most)
     problems: list[str] = []
-    async for name, line in lines_of(session, names, problems):
-        if not search.line(name, line):
-            break
+    try:
+        async for name, line in lines_of(session, names, problems):
+            if not await search.line(name, line):
+                break
+    except TooComplex as error:
+        complain(session, str(error))
+        return 2
     return search.finish(bool(problems))
 
 
-def _grep_expression(pattern: str, options: dict[str, str]) -> re.Pattern[str]:
+def _grep_expression(pattern: str, options: dict[str, str]) -> UserPattern:
     """One expression for a list of patterns, one a line: a line of text is found if any of them is in it."""
     pieces = pattern.split("\n")
     if "F" in options:
@@ -84,14 +90,14 @@ def _grep_expression(pattern: str, options: dict[str, str]) -> re.Pattern[str]:
             re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], piece) for piece in pieces
         ]
     for piece in pieces:
-        re.compile(piece)  # a mistake is that of one pattern
+        UserPattern(piece)  # a mistake is that of one pattern
     pattern = pieces[0] if len(pieces) == 1 else "|".join(f"(?:{piece})" for piece in pieces)
     pattern = re.sub(r"\[\[:(\w+):\]\]", lambda m: _CLASSES.get(m[1], m[0]), pattern)
     if "w" in options:
         pattern = rf"\b(?:{pattern})\b"
     if "x" in options:
         pattern = rf"\A(?:{pattern})\Z"
-    return re.compile(pattern, re.IGNORECASE if "i" in options else 0)
+    return UserPattern(pattern, re.IGNORECASE if "i" in options else 0)
 
 
 _CLASSES = {
@@ -122,7 +128,7 @@ class _Grep:
     def __init__(
         self,
         session: Session,
-        expression: re.Pattern[str],
+        expression: UserPattern,
         options: dict[str, str],
         show_name: bool,
         before: int,
@@ -136,7 +142,7 @@ class _Grep:
         self.shown = 0
         self.colour = session.stdout.isatty() or "always" in options.get("K", "")
 
-    def line(self, name: str, line: str) -> bool:
+    async def line(self, name: str, line: str) -> bool:
         """Handle one line; False when nothing more needs to be read."""
         if name != self.name:
             self._file_done()
@@ -144,11 +150,11 @@ class _Grep:
             self.earlier.clear()
         self.number += 1
         text = line.rstrip("\n")
-        match = self.expression.search(text)
+        match = await in_turns(self.expression.searching(text))
         if (match is None) == ("v" not in self.options):
             if self.left:
                 self.left -= 1
-                self._show(self.number, text, "-")
+                await self._show(self.number, text, "-")
             else:
                 self.earlier.append((self.number, text))
             return True
@@ -160,13 +166,13 @@ class _Grep:
             if (self.after or self.earlier.maxlen) and self.shown and self.number - len(self.earlier) > self.shown + 1:
                 self.session.print("--")
             for number, earlier in self.earlier:
-                self._show(number, earlier, "-")
+                await self._show(number, earlier, "-")
             self.earlier.clear()
             self.left = self.after
-            self._show(self.number, text, ":")
+            await self._show(self.number, text, ":")
         return self.most < 0 or self.count < self.most
 
-    def _show(self, number: int, text: str, mark: str) -> None:
+    async def _show(self, number: int, text: str, mark: str) -> None:
         self.shown = number
         prefix = (
             (self.name.replace("-", "(standard input)", 1) if self.name == "-" else self.name) + mark
@@ -175,11 +181,11 @@ class _Grep:
         )
         prefix += f"{number}{mark}" if "n" in self.options else ""
         if "o" in self.options and mark == ":":
-            for match in self.expression.finditer(text):
-                self.session.print(prefix + self._painted(match[0]))
+            for match in await in_turns(self.expression.finding(text)):
+                self.session.print(prefix + self._painted(match.whole))
             return
         if self.colour and mark == ":" and "v" not in self.options:
-            text = self.expression.sub(lambda match: self._painted(match[0]), text)
+            text = await in_turns(self.expression.replacing(text, lambda match: self._painted(match.whole)))
         self.session.print(prefix + text)
 
     def _painted(self, text: str) -> str:

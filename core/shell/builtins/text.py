@@ -5,11 +5,11 @@ from __future__ import annotations
 import errno
 import os
 import re
-import stat
 from collections import deque
 from collections.abc import AsyncIterator
 from pathlib import Path
 
+from day6_tui.core.session.patient_files import refuse
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
@@ -67,7 +67,11 @@ async def printf(session: Session) -> int:
     status = 0
     while True:
         before = len(values)
-        text, ok = _format(pattern, values, session)
+        try:
+            text, ok = _format(pattern, values, session)
+        except MemoryError:  # the real one says the same where the machine has no room for so wide a number
+            session.print_error("bash: printf: write error: Cannot allocate memory")
+            return 1
         session.stdout.write(text)
         status = status or (0 if ok else 1)
         if not values or len(values) == before:
@@ -80,6 +84,8 @@ def _format(pattern: str, values: list[str], session: Session) -> tuple[str, boo
     def one(match: re.Match[str]) -> str:
         nonlocal ok
         flags, kind = match[1], match[2]
+        if any(int(number) > LONGEST_TEXT for number in re.findall(r"\d+", flags)):
+            raise MemoryError
         if kind == "%":
             return "%"
         value = values.pop(0) if values else ""
@@ -104,7 +110,7 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
     """
     for name in names or ["-"]:
         stream: InputStream
-        if name == "-":
+        if name in ("-", "/dev/stdin"):
             stream = session.stdin
         else:
             try:
@@ -133,8 +139,7 @@ async def text_named(session: Session, name: str) -> str:
 
 def whole_text(path: Path) -> str:
     """Read a file at once. Raises OSError, also for one that is too large for that (/dev/zero has no end)."""
-    if stat.S_ISFIFO(path.stat().st_mode):
-        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+    refuse(str(path), path.stat().st_mode, writing=False)
     with path.open(encoding="utf-8", errors="surrogateescape") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:

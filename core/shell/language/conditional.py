@@ -6,11 +6,13 @@ import re
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.task import in_turns
 from day6_tui.core.shell.language import file_tests
 from day6_tui.core.shell.language.arithmetic import evaluate
 from day6_tui.core.shell.language.expansion import expand_pattern, expand_regular, expand_text
 from day6_tui.core.shell.language.syntax import Both, Condition, Not, Test
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
+from day6_tui.core.user_pattern import user_pattern
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
@@ -93,7 +95,7 @@ async def holds(condition: Condition, shell: Shell, streams: Streams) -> bool:
     if len(operands) == 1:
         return file_tests.unary(operator, left_text, shell.cwd)
     if operator == "=~":
-        return _matches(shell, left_text, await expand_regular(operands[1], shell, streams))
+        return await _matches(shell, left_text, await expand_regular(operands[1], shell, streams))
     if operator in ("=", "==", "!="):
         pattern = await expand_pattern(operands[1], shell, streams)
         return fnmatchcase(left_text, pattern) != (operator == "!=")
@@ -106,11 +108,11 @@ async def holds(condition: Condition, shell: Shell, streams: Streams) -> bool:
     return file_tests.INTEGER[operator](values[0], values[1])
 
 
-def _matches(shell: Shell, text: str, pattern: str) -> bool:
+async def _matches(shell: Shell, text: str, pattern: str) -> bool:
     """Search a regular expression and note the match, as BASH_REMATCH's first element is `$BASH_REMATCH`."""
     try:
-        match = re.search(pattern, text)
+        match = await in_turns(user_pattern(pattern).searching(text))
     except re.error as error:
         raise ValueError(f"{pattern}: {error}") from None
-    shell.variables["BASH_REMATCH"] = match[0] if match is not None else ""
+    shell.variables["BASH_REMATCH"] = match.whole if match is not None else ""
     return match is not None

@@ -6,10 +6,12 @@ import fnmatch
 import glob
 import itertools
 import re
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.language.arithmetic import evaluate
 from day6_tui.core.shell.language.lexer import single_word
 from day6_tui.core.shell.language.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
@@ -21,6 +23,10 @@ if TYPE_CHECKING:
 _PATTERN = frozenset("*?[")
 _CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A-Z", "lower": "a-z", "space": r"\s"}
 """Of regular expressions and patterns: `[[:digit:]]`."""
+
+
+MOST_WORDS = 1_000_000
+"""That braces may stand for; the real shell takes all memory for more."""
 
 
 class UnboundProblem(SyntaxProblem):
@@ -82,7 +88,7 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
                         fields.add_split(value)
             fields.end()
             for pieces in fields.done:
-                arguments.extend(_files(pieces, shell.cwd))
+                arguments.extend(await _files(pieces, shell.cwd))
     return arguments
 
 
@@ -225,23 +231,44 @@ def _trim(value: str, operator: str, pattern: str) -> str:
     return value
 
 
-def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
+async def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
     text = "".join(piece for piece, _ in pieces)
     if not any(not quoted and _PATTERN.intersection(piece) for piece, quoted in pieces):
         return [text]
     pattern = "".join(glob.escape(piece) if quoted else piece for piece, quoted in pieces)
-    return sorted(glob.glob(pattern, root_dir=cwd)) or [text]
+    if not _PATTERN.intersection(pattern.rpartition("/")[0]):
+        return sorted(glob.glob(pattern, root_dir=cwd)) or [text]
+    abandoned = threading.Event()  # folders of any number: others go on, and Ctrl-C ends it
+
+    def found() -> list[str]:
+        wanted = itertools.takewhile(lambda _: not abandoned.is_set(), glob.iglob(pattern, root_dir=cwd))
+        return sorted(itertools.islice(wanted, MOST_WORDS))
+
+    try:
+        return await in_thread(found) or [text]
+    finally:
+        abandoned.set()
 
 
 def _braces(word: Word) -> list[Word]:
     """`a{b,c}` and `{1..3}`, where the braces stand in one unquoted piece; every other word as it is."""
     for index, part in enumerate(word.parts):
         if isinstance(part, Text) and not part.quoted and "{" in part.text:
+            if _brace_count(part.text) > MOST_WORDS:
+                raise UnboundProblem("brace expansion: cannot allocate memory")
             texts = _brace_texts(part.text)
             if texts != [part.text]:
                 before, after = word.parts[:index], word.parts[index + 1 :]
                 return [replace(word, parts=(*before, Text(text), *after)) for text in texts]
     return [word]
+
+
+def _brace_count(text: str) -> int:
+    """At least as many words as the braces of a text make: what stands beside each other multiplies, commas add."""
+    numbers = 1
+    for inside in re.findall(r"\{([^{}]*)\}", text):
+        numbers *= len(_brace_range(inside)) or inside.count(",") + 1
+    return numbers
 
 
 def _brace_texts(text: str) -> list[str]:

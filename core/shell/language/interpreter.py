@@ -259,7 +259,7 @@ class Shell(ShellState):
 
     async def _prepare(self, command: syntax.Simple, streams: Streams) -> _Prepared | None:
         """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""
-        from day6_tui.core.shell.commands import find_command
+        from day6_tui.core.shell.commands import find_command, list_too_long, too_long
 
         self._substitution_status = 0
         argv = await expand(command.words, self, streams)
@@ -281,6 +281,8 @@ class Shell(ShellState):
             self.variables.update(values)
             self.status = self._substitution_status
         main = find_command(argv[0], self) if argv else _nothing
+        if argv and argv[0] not in self.functions and too_long(argv, env):
+            main = list_too_long(argv[0], self)
         return _Prepared(argv, main, redirected, env, opened)
 
     async def _assigned(self, name: str, word: Word, streams: Streams) -> tuple[str, str]:

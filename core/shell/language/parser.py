@@ -41,11 +41,14 @@ def parse(source: str, aliases: Mapping[str, str] | None = None) -> Sequence:
 
 def lines(source: str, aliases: Mapping[str, str] | None = None) -> Iterator[Sequence]:
     """Parse as much as makes whole lines, one after the other, so that each can be run before the next is looked at."""
-    parser = Parser(source, aliases or {})
-    parser.skip_newlines()
-    while parser.token.kind != "end":
-        yield parser.line()
+    try:
+        parser = Parser(source, aliases or {})
         parser.skip_newlines()
+        while parser.token.kind != "end":
+            yield parser.line()
+            parser.skip_newlines()
+    except RecursionError:
+        raise SyntaxProblem("memory exhausted") from None  # bison's words, whose stack has an end too
 
 
 class Parser:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge
+from day6_tui.core.user_pattern import user_pattern
 
 QUIET_NAMES = (
     "/diag_agg",
@@ -243,7 +244,7 @@ def _matches_any(name: str, patterns: list[str]) -> bool:
             return True
         if not re.fullmatch(r"[a-zA-Z0-9_/]+", pattern):
             try:
-                if re.match(pattern, name):
+                if user_pattern(pattern).match(name):
                     return True
             except re.error:
                 continue

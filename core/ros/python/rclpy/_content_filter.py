@@ -204,12 +204,14 @@ def _check_kinds(left: _Operand, right: _Operand) -> None:
 def _matching(sign: str, left: _Operand, right: _Operand) -> Test:
     if not isinstance(right.sample, str) or right.is_field:
         raise FilterError(f"{sign} needs a text")
+    from day6_tui.core.user_pattern import user_pattern
+
     pattern = right.sample
     if sign == "LIKE":
         wild = {"%": ".*", "*": ".*", "_": ".", "?": "."}
         pattern = "".join(wild.get(letter, re.escape(letter)) for letter in pattern)
     try:
-        compiled = re.compile(pattern, re.DOTALL)
+        compiled = user_pattern(pattern, re.DOTALL)
     except re.error as error:
         raise FilterError(f"bad pattern: {error}") from None
     value = left.value

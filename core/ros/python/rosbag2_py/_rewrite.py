@@ -83,20 +83,20 @@ class _Output:
 
 
 def _wanted(topic: TopicMetadata, options: RecordOptions) -> bool:
-    import re
+    from day6_tui.core.user_pattern import user_pattern
 
     name = topic.name
-    if options.exclude_regex and re.search(options.exclude_regex, name):
+    if options.exclude_regex and user_pattern(options.exclude_regex).search(name):
         return False
     if is_service_event(name, topic.type):
         asked = options.all_services or name in options.services
-        return (asked or bool(options.regex and re.search(options.regex, name))) and (
+        return (asked or bool(options.regex and user_pattern(options.regex).search(name))) and (
             name not in options.exclude_service_events
         )
     if name in options.exclude_topics or topic.type in options.exclude_topic_types:
         return False
     asked = options.all_topics or name in options.topics or topic.type in options.topic_types
-    return asked or bool(options.regex and re.search(options.regex, name))
+    return asked or bool(options.regex and user_pattern(options.regex).search(name))
 
 
 def _outputs(path: str) -> list[tuple[StorageOptions, RecordOptions]]:

@@ -167,17 +167,17 @@ class StorageFilter:
 
     def allows(self, topic: str) -> bool:
         """Say whether messages of `topic` pass."""
-        import re
+        from day6_tui.core.user_pattern import user_pattern
 
         event = topic.endswith(EVENT_SUFFIX)
         if topic in (self.exclude_service_events if event else self.exclude_topics):
             return False
-        if self.regex_to_exclude and re.fullmatch(self.regex_to_exclude, topic):
+        if self.regex_to_exclude and user_pattern(self.regex_to_exclude).fullmatch(topic):
             return False
         wanted = self.services_events if event else self.topics
         if not wanted and not self.regex:
             return True
-        return topic in wanted or bool(self.regex and re.fullmatch(self.regex, topic))
+        return topic in wanted or bool(self.regex and user_pattern(self.regex).fullmatch(topic))
 
 
 class ReadOrderSortBy(IntEnum):

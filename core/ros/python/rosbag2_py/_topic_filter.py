@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.interfaces import get_interface
+from day6_tui.core.user_pattern import user_pattern
 from rosbag2_py._options import RecordOptions
 from rosbag2_py._storage import EVENT_SUFFIX
 
@@ -93,4 +93,4 @@ class TopicFilter:
 
 
 def _found(pattern: str, name: str) -> bool:
-    return bool(pattern) and re.search(pattern, name) is not None
+    return bool(pattern) and user_pattern(pattern).search(name) is not None

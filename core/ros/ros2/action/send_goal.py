@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from day6_tui.core.ros.ros2.cli.completion import action_names, action_types_of_action, goal_prototype
 from day6_tui.core.ros.ros2.cli.node import PREFIX, plain_node
 from day6_tui.core.ros.ros2.cli.options import completed
+from day6_tui.core.ros.ros2.cli.yaml_text import safe_load
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -35,7 +36,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
-    import yaml
     from rosidl_runtime_py.convert import message_to_yaml
     from rosidl_runtime_py.set_message import set_message_fields
     from rosidl_runtime_py.utilities import get_action
@@ -47,7 +47,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         kind = get_action(args.action_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError("The passed action type is invalid") from None
-    values = yaml.safe_load(text)
+    values = await safe_load(text)
     node = await plain_node(session, f"{PREFIX}_send_goal_{args.action_type.replace('/', '_')}")
     client: ActionClient[Any, Any, Any] = ActionClient(node, kind, args.action_name)
     session.defer(client.destroy)

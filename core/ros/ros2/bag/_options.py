@@ -66,8 +66,10 @@ def regular_expression(text: str) -> str:
     """The argparse type of a regular expression."""
     import re
 
+    from day6_tui.core.user_pattern import user_pattern
+
     try:
-        re.compile(text)
+        user_pattern(text)
     except re.error as problem:
         raise ArgumentTypeError(f"'{text}' is no regular expression: {problem}") from None
     return text

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from day6_tui.core.ros.ros2.cli.options import add_hidden_option
 from day6_tui.core.ros.ros2.param._services import ParameterServices, add_node_argument
 from day6_tui.core.ros.ros2.param._values import type_name
 from day6_tui.core.session.harmless import in_a_list
+from day6_tui.core.user_pattern import user_pattern
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -41,7 +41,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         if wanted not in names:
             return "Node not found"
         names = [wanted]
-    pattern = re.compile(args.filter[0]) if args.filter is not None else None
+    pattern = user_pattern(args.filter[0]) if args.filter is not None else None
     services = await ParameterServices.of(session, args, "")
     for name in names:
         of_node = services.for_node(name)

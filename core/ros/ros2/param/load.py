@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import io
+import stat
+import threading
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.cli.node import absolute, split_name
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option
+from day6_tui.core.ros.ros2.cli.yaml_text import in_turns_with_others, load
 from day6_tui.core.ros.ros2.param._services import (
     ParameterServices,
     add_node_argument,
@@ -16,6 +19,7 @@ from day6_tui.core.ros.ros2.param._services import (
     print_result,
 )
 from day6_tui.core.ros.ros2.param._values import value_of
+from day6_tui.core.session.patient_files import refuse
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -44,7 +48,11 @@ async def main(session: Session, args: Namespace) -> str | None:
     services = await ParameterServices.of(session, args, name)
     if not await services.ready():
         return f"Wait for service timed out waiting for parameter services for node {name}"
-    values = parameters_of_file(session, args.parameter_file, name, wildcard=not args.no_use_wildcard)
+    values = await in_turns_with_others(
+        lambda abandoned: parameters_of_file(
+            session, args.parameter_file, name, abandoned, wildcard=not args.no_use_wildcard
+        )
+    )
     parameters = [Parameter(name=each, value=value_of(value)) for each, value in values.items()]
     response = await services.call("SetParameters", parameters=parameters)
     for parameter, result in zip(parameters, response.results, strict=False):
@@ -53,20 +61,27 @@ async def main(session: Session, args: Namespace) -> str | None:
     return None
 
 
-def parameters_of_file(session: Session, file_name: str, node_name: str, *, wildcard: bool) -> dict[str, Any]:
+MOST_PARAMETERS = 100_000
+"""Aliases of YAML make any number of them out of a few lines."""
+
+
+def parameters_of_file(
+    session: Session, file_name: str, node_name: str, abandoned: threading.Event, *, wildcard: bool
+) -> dict[str, Any]:
     """Return `{name: value}` of what a parameter file has for a node; what is for the node itself overrides `/**`.
 
     Raises OSError, yaml.YAMLError, KeyError for a section without `ros__parameters`, and RuntimeError if there is nothing.
     """
-    import yaml
-
     try:
-        stream = io.StringIO((session.cwd / file_name).read_text(encoding="utf-8"))
+        path = session.cwd / file_name
+        if not stat.S_ISREG(path.stat().st_mode):  # a pipe waits for its writer, a device has no end
+            refuse(str(path), path.stat().st_mode, writing=False)
+        stream = io.StringIO(path.read_text(encoding="utf-8"))
     except OSError as error:
         error.filename = file_name
         raise
     stream.name = file_name  # errors of YAML name the file as the user did
-    content = yaml.safe_load(stream)
+    content = load(stream, abandoned)
     name, namespace = split_name(node_name)
     found: dict[str, Any] = {}
     for section in _sections(content, node_name, name, namespace.rstrip("/"), wildcard):
@@ -92,5 +107,7 @@ def _flat(prefix: str, tree: dict[str, Any]) -> dict[str, Any]:
     flat: dict[str, Any] = {}
     for key, value in tree.items():
         name = f"{prefix}.{key}" if prefix else str(key)
+        if len(flat) > MOST_PARAMETERS:
+            raise RuntimeError("Param file contains too many parameters")
         flat.update(_flat(name, value) if isinstance(value, dict) else {name: value})
     return flat

@@ -10,6 +10,7 @@ from day6_tui.core.ros.ros2.cli.completion import request_prototype, service_nam
 from day6_tui.core.ros.ros2.cli.node import PREFIX, plain_node
 from day6_tui.core.ros.ros2.cli.options import completed
 from day6_tui.core.ros.ros2.cli.pace import Pace
+from day6_tui.core.ros.ros2.cli.yaml_text import safe_load
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -43,14 +44,13 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
-    import yaml
     from rosidl_runtime_py.set_message import set_message_fields
 
     if args.rate is not None and args.rate <= 0:
         raise RuntimeError("rate must be greater than zero")
     text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     package, kind = _service_class(args.service_type)
-    values = yaml.safe_load(text)
+    values = await safe_load(text)
     node = await plain_node(session, f"{PREFIX}_requester_{package}_{kind.__name__}")
     client = node.create_client(kind, args.service_name)
     request = kind.Request()

@@ -15,6 +15,7 @@ from day6_tui.core.ros.ros2.cli.options import (
     positive_float,
 )
 from day6_tui.core.ros.ros2.cli.pace import Pace
+from day6_tui.core.ros.ros2.cli.yaml_text import safe_load
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -84,8 +85,6 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> str | None:
-    import yaml
-
     from day6_tui.core.ros.ros2.topic._qos import profile_from_options
     from day6_tui.core.ros.ros2.topic._types import message_class
 
@@ -93,7 +92,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     node = await direct_node(session, args, args.node_name)
     kind = message_class(args.message_type)
-    values = yaml.safe_load(text)
+    values = await safe_load(text)
     if not isinstance(values, dict):
         return "The passed value needs to be a dictionary in YAML format"
     publisher = node.create_publisher(kind, args.topic_name, profile)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import os
-import re
 import shlex
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
@@ -118,7 +117,9 @@ class Executable:
         if self.__prefix_given:
             return True
         pattern = LaunchConfiguration("launch-prefix-filter", default="").perform(context)
-        return re.match(pattern, os.path.basename(executable)) is not None
+        from day6_tui.core.user_pattern import user_pattern
+
+        return user_pattern(pattern).match(os.path.basename(executable)) is not None
 
 
 def _pairs(mapping: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None) -> _Pairs | None:

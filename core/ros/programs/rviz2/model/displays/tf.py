@@ -17,6 +17,7 @@ from day6_tui.core.ros.programs.rviz2.model.properties import (
 )
 from day6_tui.core.ros.programs.rviz2.model.scene import Label, Scene, pointing
 from day6_tui.core.ros.programs.rviz2.model.status import OK, WARN
+from day6_tui.core.user_pattern import user_pattern
 from day6_tui.urdf.kinematics import IDENTITY, Transform
 
 AXIS_LENGTH, AXIS_RADIUS = 0.2, 0.02
@@ -204,7 +205,7 @@ def _matches(pattern: str, name: str, without: bool) -> bool:
     if not pattern:
         return without
     try:
-        return re.search(pattern, name) is not None
+        return user_pattern(pattern).search(name) is not None
     except re.error:
         return without
 
