@@ -299,18 +299,22 @@ class _PythonBuild:
     def _undo_develop(self) -> None:
         """Take away what a build with --symlink-install left: links in the build folder and in the prefix."""
         linked = list(links_in(self.folder))
-        if not linked:
-            return
-        self._was_developed = True
         installed = [path for path in links_in(self.prefix) if self._is_own_link(path)]
         told = [path for path in self.library.glob("*.egg-link") if self._is_own_egg_link(path)]
+        self._was_developed = bool(linked or installed)
         for path in (*linked, *installed, *told):
             self.output.remove(path)
 
     def _is_own_link(self, path: Path) -> bool:
-        """Say whether a link of the prefix leads into this package: a merged prefix has those of others too."""
+        """Say whether a link of the prefix leads into this package: a merged prefix has those of others too.
+
+        One that leads to nothing counts as well: the workspace was moved, or came from another computer with what was built
+        there, or `build` was removed. setuptools cannot write over it.
+        """
         if not path.is_symlink():
             return False
+        if not path.exists():
+            return True
         if self.folder in Path(os.path.normpath(path.parent / path.readlink())).parents:
             return True  # a file that is gone from the sources has left a link to nothing
         return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.package.path))

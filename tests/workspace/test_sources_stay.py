@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from shapes import CMAKE, PYTHON, STEPS, Shape, changes, lay_out, snapshot
-from workshop import Workshop
+from workshop import Workshop, edit
 
 from day6_tui.core.workspace import build as build_task
 
@@ -195,6 +195,22 @@ def test_one_module_alone_removes_and_writes() -> None:
                 name, owner = node.func.attr, ast.unparse(node.func.value)
                 if name in _REMOVING | _WRITING and not owner.endswith(("output", "_output", "_processes", "work")):
                     assert name in _ITS_OWN.get(module.name, ()), f"{module.name}:{node.lineno}: {ast.unparse(node)}"
+
+
+@pytest.mark.parametrize("step", ["mv src build install elsewhere && cd elsewhere", "rm -r build"])
+def test_links_to_nothing_in_a_prefix_are_no_hindrance(workshop: Workshop, step: str) -> None:
+    """As in a public repository that has its `build` and `install` in it: its links lead to a folder of another computer."""
+    package = workshop.create("day6_moved")
+    edit(
+        package / "setup.py",
+        "('share/' + package_name, ['package.xml']),",
+        "('share/' + package_name, ['package.xml', 'a.yaml']),",
+    )
+    (package / "a.yaml").write_text("a: 1\n", encoding="utf-8")
+    done = workshop.run(f"colcon build --symlink-install && mkdir elsewhere && {step} && colcon build")
+    assert done.status == 0 and "failed" not in done.out, done
+    there = next(path for path in workshop.workspace.rglob("install/day6_moved/share/day6_moved/a.yaml"))
+    assert there.read_text(encoding="utf-8") == "a: 1\n" and not there.is_symlink()
 
 
 def test_links_of_others_in_a_merged_prefix_stay_when_a_package_is_built_without_links(workshop: Workshop) -> None:
