@@ -12,7 +12,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "perf"))
 
 from shell_against_bash import differences
 
-pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux") or shutil.which("bash") is None, reason="needs GNU")
+pytestmark = pytest.mark.skipif(
+    not sys.platform.startswith("linux") or shutil.which("bash") is None, reason="needs GNU"
+)
 
 
 @pytest.mark.parametrize("seed", [2, 1024, 1023, 3001])
