@@ -82,8 +82,7 @@ async def main(session: Session, args: Namespace) -> str | None:
         args.library_name,
     )
     if not session.cwd.is_dir():
-        session.print_error(f"ros2 pkg create: {LOST}")
-        return 1
+        return f"ros2 pkg create: {LOST}"
     _announce(session, plan, os.path.normpath(session.cwd / destination))
     create(plan, destination, args.destination_directory, session.print)
     return None
