@@ -92,10 +92,20 @@ def attend_stops(app: Any, soon: Callable[[Callable[[], object]], object]) -> No
         driver._sigcont_application()
 
     def stop(number: int, frame: object) -> None:
-        if app._exit:
-            os.kill(here, signal.SIGSTOP)
-        else:
+        if not app._exit:
             soon(suspend)
+        elif _has_job_control():
+            os.kill(here, signal.SIGSTOP)
 
     signal.signal(signal.SIGTSTP, stop)
     signal.signal(signal.SIGCONT, lambda number, frame: soon(resume))
+
+
+def _has_job_control() -> bool:
+    """Whether a shell of this session started us, who will let us go on; the kernel does not stop a program without one."""
+    if sys.platform == "win32":
+        return False
+    try:
+        return os.getsid(os.getppid()) == os.getsid(0)
+    except OSError:
+        return False

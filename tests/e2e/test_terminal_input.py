@@ -120,3 +120,18 @@ def test_a_program_whose_windows_terminal_hangs_up_ends(place: Place) -> None:
         window.hang_up()
         until(lambda: window._reap() or window.status is not None)
         until(lambda: not place.processes())
+
+
+def test_ctrl_z_on_the_way_out_does_not_keep_a_desktop_that_no_shell_would_continue(place: Place) -> None:
+    place.home_file(
+        "stay.py", "import signal, time\nsignal.signal(2, signal.SIG_IGN)\nprint('here')\ntime.sleep(600)\n"
+    )
+    with place.desktop("--scene", "empty") as desk:
+        desk.wait("$")
+        desk.line("python3 stay.py")
+        desk.wait_lines("here")
+        desk.press("Ctrl-Q")
+        until(lambda: desk.look(0.05) and b"\x1b[?1049l" in desk.output)
+        desk.send("\x1a\x1a")
+        assert desk.wait_end() == 0
+        assert not place.processes()

@@ -37,6 +37,7 @@ for name in "termios tty pty fcntl resource pwd grp syslog readline curses posix
     sys.modules[name] = None
 for name in "SIGKILL SIGSTOP SIGCONT SIGTSTP SIGHUP SIGQUIT SIGUSR1 SIGWINCH SIGCHLD SIGALRM SIGPIPE pthread_sigmask".split():
     delattr(signal, name)
+waitpid = os.waitpid
 for name in ("fork forkpty killpg getpgid setsid getuid geteuid getgid getppid uname nice wait waitpid mkfifo openpty fchmod "
              "register_at_fork sched_getaffinity sched_yield ttyname statvfs getloadavg").split():
     if name != "getppid":
@@ -102,6 +103,7 @@ def test_a_terminal_and_students_programs_do_without_unix(tmp_path: Path) -> Non
     )
     script = f"echo one | python3 talker.py | grep -c 'ONE$'; {turtlesim}"
     code = f"""
+os.waitpid = waitpid  # the system below is still this one, and `subprocess` waits by it
 subprocess.CREATE_NEW_PROCESS_GROUP = subprocess.BELOW_NORMAL_PRIORITY_CLASS = 0
 signal.CTRL_BREAK_EVENT = signal.SIGINT
 here, sys.platform = sys.platform, "win32"
@@ -149,19 +151,19 @@ def _is_text(call: ast.Call) -> bool:
 def test_a_students_program_looks_for_the_link_where_the_desktop_is(
     given: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from day6_tui.core.link.paths import _base_folder
+    from day6_tui.core.link.paths import _base_folders
 
     for name in ("XDG_RUNTIME_DIR", "DAY6_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
     for name, value in given.items():
         monkeypatch.setenv(name, value.format(tmp_path))
-    ours = _base_folder()
+    ours = _base_folders()
     environment = Desk(tmp_path / "home", join_link=False).environment()
     for name in list(os.environ):
         monkeypatch.delenv(name)
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    assert _base_folder() == ours
+    assert _base_folders() == ours
 
 
 def test_the_main_thread_never_waits_so_long_that_windows_would_miss_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
