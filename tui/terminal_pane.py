@@ -210,6 +210,8 @@ class TerminalPane(Pane):
             spans = view.changes()
             if spans:
                 self.touch_spans(spans)
+            if view.passed > 2 * view.lines:
+                self._behind_until = now + FLOOD_SECONDS
             more = view.has_more
         hint = self._hint()
         if hint != self._shown_hint:

@@ -118,6 +118,8 @@ class TerminalView:
         self._cursor: tuple[int, int] | None = None
         self._stale = True
         self._scrolled = 0
+        self.passed = 0
+        """Lines that left the screen between the last two looks."""
 
     # -- reading the terminal ------------------------------------------------------------------------------------------
 
@@ -192,6 +194,7 @@ class TerminalView:
             # Looking back, the view stays with its lines however many more scroll away.
             self.scroll = min(self.history, max(0, self.scroll + screen.scrolled - self._scrolled))
             dirty = range(lines)
+        self.passed = screen.scrolled - self._scrolled
         self._scrolled = screen.scrolled
         cursor = self.cursor
         if self._stale or len(self._rows) != lines or (self._rows and len(self._rows[0]) != columns):
