@@ -6,7 +6,9 @@
 
 `base` is DAY6_RUNTIME_DIR, or else the first of these that nobody else can have prepared: `day6` in XDG_RUNTIME_DIR,
 /tmp/day6-<uid>, ~/.cache/day6-tui/run. Without Unix sockets (Windows, or DAY6_LINK=tcp) everything is on 127.0.0.1, and a
-user and password from a file of mode 0600 keep others out.
+user and password from a file of mode 0600 keep others out, and keep our processes from whoever takes the port of a keeper that
+died: Zenoh joins nobody that does not ask for the password (the word itself is never sent). Only a program that speaks
+a Zenoh of its own making, asks and accepts any answer, could get in there; Unix sockets do not have this gap.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import stat
 import sys
@@ -73,6 +74,35 @@ def test_where_sockets_are_tcp_a_password_is_asked(
             assert stat.S_IMODE((place.folder / name).stat().st_mode) == 0o600
 
 
+@pytest.mark.parametrize("asks", [False, True])
+def test_who_takes_the_port_of_a_keeper_that_died_is_not_joined_without_the_password(
+    world: World, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, asks: bool
+) -> None:
+    import zenoh
+
+    from day6_tui.core.link.config import process_config
+    from day6_tui.core.link.paths import meeting_place
+
+    monkeypatch.setenv("DAY6_LINK", "tcp")
+    place = meeting_place(0)
+    settings = {
+        "mode": '"router"',
+        "scouting/multicast/enabled": "false",
+        "listen/endpoints": json.dumps([place.meeting_endpoint]),
+    }
+    if asks:
+        (tmp_path / "users").write_text("day6:guessed-word\n", encoding="utf-8")
+        settings["transport/auth/usrpwd/user"] = '"day6"'
+        settings["transport/auth/usrpwd/password"] = '"guessed-word"'
+        settings["transport/auth/usrpwd/dictionary_file"] = json.dumps(str(tmp_path / "users"))
+    thief = zenoh.Config()
+    for name, value in settings.items():
+        thief.insert_json5(name, value)
+    with zenoh.open(thief) as theirs, zenoh.open(process_config(place, "abcd1234abcd1234")) as ours:
+        # Our processes call four times a second.
+        assert not until(lambda: ours.info.links() or theirs.info.links(), 1.5)
+
+
 def test_a_folder_that_cannot_be_used_leaves_the_program_alone(
     world: World, short_folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -115,7 +145,6 @@ def test_a_folder_with_a_long_name_still_makes_a_meeting_place(
 @pytest.mark.parametrize("links", [("unix", "unix"), ("tcp", "unix"), ("unix", "tcp"), ("tcp", "tcp")])
 def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links: tuple[str, str]) -> None:
     """With `tcp` a machine is one without Unix sockets, as under Windows."""
-    import json
     import socket
 
     with socket.socket() as probe:
@@ -153,7 +182,6 @@ def test_two_machines_meet_only_by_name(world: World, short_folder: Path, links:
 def test_what_is_kept_and_who_has_died_is_known_across_two_machines_without_unix_sockets(
     world: World, short_folder: Path
 ) -> None:
-    import json
     import socket
 
     with socket.socket() as probe:

@@ -227,6 +227,7 @@ TEXTS = {
     "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
+    "inspector.refused_sessions": "{count} things from other machines were refused: they claim to come from this one",
     "inspector.title": "Inspector",
     "inspector.well": "nothing is wrong",
     "inspector.count": "{errors} errors, {all} in all",

@@ -223,6 +223,7 @@ TEXTS = {
     "inspector.refused_many": "拒绝了其他进程的 {count} 个声明：太多了",
     "inspector.refused_names": "拒绝了其他进程的 {count} 个声明：ROS 不允许这样的名字",
     "inspector.refused_messages": "其他进程的 {count} 条消息无法读取，已丢弃",
+    "inspector.refused_sessions": "拒绝了其他机器的 {count} 项内容：它们冒充本机的进程",
     "inspector.title": "检查",
     "inspector.well": "一切正常",
     "inspector.count": "{errors} 个错误，共 {all} 条",

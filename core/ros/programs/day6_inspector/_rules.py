@@ -48,6 +48,7 @@ TEXTS = {
     "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
+    "inspector.refused_sessions": "{count} things from other machines were refused: they claim to come from this one",
     "inspector.well": "nothing is wrong",
 }
 """English texts by id; names stand in the parameters as they are."""
@@ -212,8 +213,8 @@ def link_findings(link: LinkState) -> Iterator[Finding]:
         yield _finding("info", "elsewhere", reason=reason)
     yield from map(_door, link.doors)
     refused = Counter(link.refused)
-    names, messages = refused.pop("names", 0), refused.pop("messages", 0)
-    for key, count in (("many", refused.total()), ("names", names), ("messages", messages)):
+    others = {key: refused.pop(key, 0) for key in ("names", "messages", "sessions")}
+    for key, count in {"many": refused.total(), **others}.items():
         if count:
             yield _finding("warning", f"refused_{key}", count=count)
 
