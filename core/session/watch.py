@@ -101,7 +101,7 @@ def _audit(event: str, arguments: tuple[Any, ...]) -> None:
         return
     if event in _AUDITED:
         _tell(event, sys._getframe(1))
-    elif event == "open" and isinstance(arguments[0], (str, bytes)):
+    elif event == "open" and isinstance(arguments[0], (str, bytes)) and not arguments[2] & getattr(os, "O_NONBLOCK", 0):
         try:
             mode = os.stat(arguments[0]).st_mode
         except (OSError, ValueError):
