@@ -244,7 +244,7 @@ def test_an_export_that_fails_half_way_leaves_no_zip(tmp_path: Path, monkeypatch
     def full(*arguments: object, **more: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(zipfile.ZipFile, "write", full)
+    monkeypatch.setattr(zipfile.ZipFile, "open", full)
     with pytest.raises(OSError, match="No space left"):
         export(folder)
     assert not list(folder.iterdir())
