@@ -106,8 +106,6 @@ def test_with_as_many_programs_as_there_may_be_no_terminal_opens_and_the_desktop
         desk.wait("bash: fork: Resource temporarily unavailable")
         desk.press("F2")
         desk.wait("too many programs run")
-        desk.line("clear; echo $((6*9))")  # the shells that are open go on
-        desk.wait_lines("54")
         desk.press("Ctrl-Q")
         assert desk.wait_end() == 0
         given_back(desk)
