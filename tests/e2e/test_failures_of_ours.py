@@ -96,23 +96,16 @@ def test_what_cannot_go_on_ends_with_one_line_and_status_1_and_the_text_is_kept(
         desk.wait("# unsaved print(1)")
 
 
-FORKS = "for i in $(seq 1010); do sleep 100 & done 2> /dev/null"
+FORKS = "for i in $(seq 1010); do sleep 100 & done"
 
 
 def test_with_as_many_programs_as_there_may_be_no_terminal_opens_and_the_desktop_says_so(place: Place) -> None:
     with place.desktop("--scene", "empty", columns=120) as desk:
         desk.wait("$")
-        desk.line("clear; " + FORKS)
+        desk.line(FORKS)
         desk.wait("bash: fork: Resource temporarily unavailable")
         desk.press("F2")
         desk.wait("too many programs run")
-        desk.line("gnome-terminal")
-        desk.wait("gnome-terminal: fork: Resource temporarily unavailable")
-        desk.line("kill $(jobs -p)")
-        desk.line("clear; echo $((6*9))")
-        desk.wait_lines("54")
-        desk.press("F2")
-        desk.wait("2 ~")
         desk.press("Ctrl-Q")
         assert desk.wait_end() == 0
         given_back(desk)
