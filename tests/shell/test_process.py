@@ -181,8 +181,8 @@ def test_a_changed_window_reaches_it(seat: Any) -> None:
     write(
         seat.desk.home,
         "a.py",
-        "import os, signal\nsignal.signal(signal.SIGWINCH, lambda *a: print(os.get_terminal_size()))\n"
-        "print('ready')\nwhile True: signal.pause()\n",
+        "import os, signal, time\nsignal.signal(signal.SIGWINCH, lambda *a: print(os.get_terminal_size()))\n"
+        "print('ready')\nwhile True: time.sleep(0.01)\n",
     )
     seat.line("python3 a.py")
     seat.wait(lambda text: "ready" in text)
