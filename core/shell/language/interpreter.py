@@ -204,7 +204,14 @@ class Shell(ShellState):
             last = index == len(node.commands) - 1
             pipe = None if last else Pipe()
             stage = Streams(stdin, streams.stdout if pipe is None else pipe.writer, streams.stderr)
-            program = self._start([node.source], self._stage_main(command, stage), stage)
+            try:
+                program = self._start([node.source], self._stage_main(command, stage), stage)
+            except (
+                SyntaxProblem
+            ):  # no room for another one: those before it would be in no job, and no Ctrl-C reach them
+                for started in programs:
+                    started.kill()
+                raise
             if index:
                 program.session.defer(stdin.close)
             if pipe is not None:
