@@ -198,7 +198,7 @@ class Shell(ShellState):
 
     def _start_stages(self, node: syntax.Pipeline, streams: Streams) -> list[Program]:
         """Start every command of a pipeline in a copy of the shell, each writing into the next."""
-        programs = []
+        programs: list[Program] = []
         stdin = streams.stdin
         for index, command in enumerate(node.commands):
             last = index == len(node.commands) - 1
