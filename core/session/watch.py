@@ -101,7 +101,9 @@ def _audit(event: str, arguments: tuple[Any, ...]) -> None:
         return
     if event in _AUDITED:
         _tell(event, sys._getframe(1))
-    elif event == "open" and isinstance(arguments[0], (str, bytes)) and not arguments[2] & getattr(os, "O_NONBLOCK", 0):
+    elif event == "open" and isinstance(arguments[0], (str, bytes)):
+        if arguments[2] & getattr(os, "O_NONBLOCK", 0):
+            return
         try:
             mode = os.stat(arguments[0]).st_mode
         except (OSError, ValueError):

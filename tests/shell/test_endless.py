@@ -21,6 +21,7 @@ ENDLESS = {
     "a wait": "sleep infinity",
     "a device": "cat /dev/zero > /dev/null",
     "a device that is counted": "wc /dev/zero",
+    "a tree of functions": "f() { f | f; } 2> /dev/null; f 2> /dev/null",
     "a device on standard input": "tr a b < /dev/zero > /dev/null",
 }
 BOUNDED = {

@@ -198,13 +198,20 @@ class Shell(ShellState):
 
     def _start_stages(self, node: syntax.Pipeline, streams: Streams) -> list[Program]:
         """Start every command of a pipeline in a copy of the shell, each writing into the next."""
-        programs = []
+        programs: list[Program] = []
         stdin = streams.stdin
         for index, command in enumerate(node.commands):
             last = index == len(node.commands) - 1
             pipe = None if last else Pipe()
             stage = Streams(stdin, streams.stdout if pipe is None else pipe.writer, streams.stderr)
-            program = self._start([node.source], self._stage_main(command, stage), stage)
+            try:
+                program = self._start([node.source], self._stage_main(command, stage), stage)
+            except (
+                SyntaxProblem
+            ):  # no room for another one: those before it would be in no job, and no Ctrl-C reach them
+                for started in programs:
+                    started.kill()
+                raise
             if index:
                 program.session.defer(stdin.close)
             if pipe is not None:
