@@ -17,7 +17,7 @@ def door_words(door: Door, ellipsis: str) -> tuple[str, bool, dict[str, object]]
     """The text of a door to other machines in the top line: its id, whether all is well, its parameters."""
     address = door.endpoint.partition("/")[2]
     host, _, port = address.rpartition(":")
-    name = door.state.value
+    name = door.state.value.replace(" ", "_")
     if not door.listening:
         name = {"open": "joined", "opening": "calling"}.get(name, name)
     words = {"host": clip(host, _LONGEST_HOST, ellipsis), "port": port, "joined": door.joined}

@@ -11,8 +11,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from day6_tui.core.graph.discovery import wants_to_be_alone
-
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
     from day6_tui.core.link.link import Link
@@ -48,6 +46,7 @@ def join(
     screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
     otherwise wait up to five seconds.
     """
+    from day6_tui.core.graph.discovery import wants_to_be_alone
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.paths import LinkError
 

@@ -237,7 +237,7 @@ graph = Graph()
 link = join(graph)
 graph.create_node("parent")
 link.wait_settled(5.0)
-os.write(1, f"{os.fork()}\n".encode())  # two processes, each line in one piece
+os.write(1, f"{os.fork()}\\n".encode())  # two processes, each line in one piece
 time.sleep(60)
 """
     settings = {"DAY6_RUNTIME_DIR": str(world.runtime), "DAY6_LINK": "on", "PYTHONPATH": os.pathsep.join(sys.path)}
