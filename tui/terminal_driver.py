@@ -12,7 +12,11 @@ import os
 import select
 
 from textual import events
-from textual.drivers.linux_driver import LinuxDriver
+
+try:
+    from textual.drivers.linux_driver import LinuxDriver
+except ImportError:  # Windows: Textual has another driver there, and this one is not used
+    from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
 from day6_tui.tui.keyboard import BadInput, InputDecoder, KeyboardParser, is_possible
 

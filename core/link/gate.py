@@ -159,8 +159,8 @@ class Gate:
         users = self._place.folder / f"guests-{os.getpid()}"
         try:
             if self._secret is not None:
-                with os.fdopen(os.open(users, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w") as file:
-                    file.write(f"{USER}:{self._secret}\n")
+                with os.fdopen(os.open(users, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
+                    file.write(f"{USER}:{self._secret}\n".encode())
             outer = zenoh.open(outer_config(listen, connect, self._secret, users))
         finally:
             users.unlink(missing_ok=True)  # Zenoh has read it

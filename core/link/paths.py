@@ -62,8 +62,8 @@ class Place(NamedTuple):
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
         new = self.folder / f"port-{os.getpid()}"
-        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w") as file:
-            file.write(str(port))
+        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
+            file.write(str(port).encode())
         os.replace(new, self.folder / "port")
 
     @property

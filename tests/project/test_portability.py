@@ -138,7 +138,7 @@ def _is_text(call: ast.Call) -> bool:
     owner = ast.unparse(function.value) if isinstance(function, ast.Attribute) else ""
     name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
     if name in ("read_text", "write_text"):
-        return bool(owner)  # those of Path; core/workspace has a function of that name, which is about bytes
+        return bool(owner) and owner.rpartition(".")[2] != "output"  # those of Path; `files.Output` always writes UTF-8
     if owner == "subprocess":
         return any(each.arg in ("text", "universal_newlines") for each in call.keywords)
     if name == "fdopen" or (name == "open" and not owner):

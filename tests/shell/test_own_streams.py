@@ -16,7 +16,7 @@ from day6_tui.core.whole_file import replace_file
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="Windows has no /dev")
 
 OUT = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "//dev/../dev/stdout"]
-ERR = ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2", f"/proc/{os.getpid()}/fd/2"]
+ERR = ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2", pytest.param(f"/proc/{os.getpid()}/fd/2", id="by its number")]
 
 
 @pytest.mark.parametrize("name", OUT)

@@ -27,7 +27,11 @@ def load(text: str | bytes | TextIO, abandoned: threading.Event) -> Any:
                 raise KeyboardInterrupt
             return super().fetch_more_tokens()
 
-    return yaml.load(text, Loader)
+    loader = Loader(text)
+    try:
+        return loader.get_single_data()
+    finally:
+        loader.dispose()
 
 
 async def in_turns_with_others(read: Callable[[threading.Event], _Result]) -> _Result:

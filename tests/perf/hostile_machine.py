@@ -1,6 +1,6 @@
 """A stranger declares thousands of nodes behind the desktop's open door: what it costs, and that it is forgotten. Linux, by hand.
 
-    python tests/perf/hostile_peer.py [--nodes 20000] [--ways close,kill,stop,end]
+    python tests/perf/hostile_machine.py [--nodes 20000] [--ways close,kill,stop,end]
 
 For each way of parting a desktop with `--listen` on this machine's loopback, a pupil's process beside it and a stranger that
 speaks plain Zenoh. Printed are the seconds of CPU that the desktop and the pupil spend while the stranger declares, how many
