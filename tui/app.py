@@ -34,6 +34,7 @@ from textual.driver import Driver
 from textual.screen import Screen
 
 from day6_tui.core.session.harmless import one_line
+from day6_tui.core.shell.heap import keep_heap_small
 from day6_tui.core.whole_file import append_private
 from day6_tui.tui import actions, chops, departure, output
 from day6_tui.tui.app_actions import AppActions
@@ -503,6 +504,7 @@ def keep_log_off_the_screen(environ: Any = None) -> None:
 
 def run(options: Any) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    keep_heap_small()
     keep_log_off_the_screen()
     try:
         app = Day6App(options)

@@ -259,10 +259,6 @@ class Desk:
         if not self._join_link or self._link_opened:
             return
         self._link_opened = True
-        if self.display is not None:
-            from day6_tui.core.shell.heap import keep_heap_small
-
-            keep_heap_small()
         for graph in list(self.graphs.values()):
             self._join_in_background(graph)
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import sys
 import threading
 import time
-from functools import cache
 
 EVERY = 30.0
 """Seconds between two returns of memory that nobody uses, each of which takes a few milliseconds."""
@@ -19,11 +18,10 @@ _M_ARENA_MAX = -8
 """From glibc's malloc.h."""
 
 
-@cache
 def keep_heap_small() -> None:
-    """Let threads that are started from now on share one heap, and give back what is free in it, now and then.
+    """Let all threads share one heap, and give back what is free in it, now and then. To be called before there are threads.
 
-    Once for a process, however often it is called; without effect where the C library has no such choice.
+    Without effect where the C library has no such choice.
     """
     if not sys.platform.startswith("linux"):
         return
