@@ -114,7 +114,7 @@ class Scheduler:
             self._tasks.add(task)
             self._ready.append((task, task._ticket, True))
 
-        self._call(enter)
+        self.call(enter)
         return task
 
     # -- running -------------------------------------------------------------------------------------------------------
@@ -359,7 +359,8 @@ class Scheduler:
             if ticket == task._ticket:
                 self._ready.append((task, ticket, False))
 
-    def _call(self, function: Callable[[], None]) -> None:
+    def call(self, function: Callable[[], None]) -> None:
+        """Run `function` on the scheduler's thread: now if this is it, else soon."""
         if threading.get_ident() == self._thread_id:
             function()
         else:

@@ -86,7 +86,7 @@ class Task:
 
     def throw(self, error: BaseException) -> None:
         """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
-        self.scheduler._call(lambda: self.scheduler._throw(self, error))
+        self.scheduler.call(lambda: self.scheduler._throw(self, error))
 
     @property
     def undelivered(self) -> BaseException | None:
@@ -99,10 +99,10 @@ class Task:
 
     def hold(self) -> None:
         """Stop stepping the task (as SIGSTOP does) until `release`."""
-        self.scheduler._call(lambda: self.scheduler._hold(self))
+        self.scheduler.call(lambda: self.scheduler._hold(self))
 
     def release(self) -> None:
-        self.scheduler._call(lambda: self.scheduler._release(self))
+        self.scheduler.call(lambda: self.scheduler._release(self))
 
     async def join(self) -> None:
         """Wait until the task has ended, however it ended."""

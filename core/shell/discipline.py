@@ -250,7 +250,7 @@ class TtyInput(InputStream):
             scheduler.call_soon_threadsafe(lambda: self.discipline.add_receiver(receiver))
 
     def give_back(self, text: str) -> None:
-        self.terminal.send(text)
+        self.terminal.type_again(text)
 
     async def read_key(self) -> str:
         await self._take_turns()

@@ -221,23 +221,13 @@ class Process:
         release(pid)
         _end_group(pid)
         end_marked(self._mark)
-        self._close_master()
-        if typed_ahead:
-            self.session.stdin.give_back(typed_ahead)
-        if self._keys is not None:
-            # There, because it is there that keys are still on their way here.
-            self.session.scheduler.call_soon_threadsafe(self._give_back_late_keys)
+        self._close_master(typed_ahead)
 
     def _deliver_early_signals(self) -> None:
         with self._early_lock:
             early, self._early = self._early, None
         for number in early or ():
             self.send(number)
-
-    def _give_back_late_keys(self) -> None:
-        """What was typed between the program's end and the end of its output."""
-        if self._keys is not None and (late := self._keys.close()):
-            self.session.stdin.give_back(late.decode("utf-8", "replace"))
 
     def _launch(self) -> None:
         session = self.session
@@ -348,12 +338,20 @@ class Process:
         # Ctrl-D is in there as a NUL: it was meant for the program that is gone.
         return data.replace(b"\0", b"").decode("utf-8", "surrogateescape").replace("\n", "\r")
 
-    def _close_master(self) -> None:
-        self.session.stdin.pass_keys_to(None)
+    def _close_master(self, typed_ahead: str = "") -> None:
         with self._master_lock:
             master, self._master = self._master, None
         if master is not None:
             os.close(master)
+        # There, because it is there that keys are still on their way here.
+        self.session.scheduler.call_soon_threadsafe(lambda: self._hand_on(typed_ahead))
+
+    def _hand_on(self, typed_ahead: str) -> None:
+        """Give what was typed, also between the program's end and that of its output, to whoever reads next, in its order."""
+        late = self._keys.close() if self._keys is not None else b""
+        self.session.stdin.pass_keys_to(None)
+        if text := typed_ahead + late.decode("utf-8", "surrogateescape"):
+            self.session.stdin.give_back(text)
 
 
 def _launcher(mode: str) -> list[str]:

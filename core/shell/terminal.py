@@ -231,6 +231,19 @@ class Terminal:
         if "\x03" in text:
             self.desk.scheduler.insist()
 
+    def type_again(self, text: str) -> None:
+        """Type what a program was given and has not read: before what is still on its way here (on the scheduler's thread)."""
+        self._unhandled += 1
+
+        def type_first() -> None:
+            if self._typed:
+                self._typed.appendleft(text)
+                self._unhandled -= 1
+            else:
+                self._type(text)
+
+        self.desk.scheduler.call(type_first)
+
     def _type(self, text: str) -> None:
         if self._typed or len(text) > TYPED_AT_ONCE:
             parts = [text[at : at + TYPED_AT_ONCE] for at in range(0, len(text), TYPED_AT_ONCE)]

@@ -28,6 +28,7 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, TextInput
+from day6_tui.core.session.threads import in_thread
 
 DOMAIN = 30
 PREFIXES = [str(environment.SHARE_PATH.parent)]
@@ -209,7 +210,9 @@ class _Shell:
     """The shell that commands see; `ros2 run --prefix` has it run a line."""
 
     async def run_line(self, line: str, session: Session) -> int:
-        done = subprocess.run(line, shell=True, capture_output=True, text=True, timeout=LONGEST)
+        done = await in_thread(
+            lambda: subprocess.run(line, shell=True, capture_output=True, text=True, timeout=LONGEST)
+        )
         session.stdout.write(done.stdout)
         session.stderr.write(done.stderr)
         return done.returncode

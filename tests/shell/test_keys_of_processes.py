@@ -129,3 +129,18 @@ def test_a_program_behind_a_pipe_gets_everything_and_one_that_stops_early_breaks
     assert (home / "copy.txt").read_text() == text
     seat.line("cat big.txt | python3 first.py")
     assert "first: line 0" in seat.wait_prompt()
+
+
+def test_what_is_typed_around_a_programs_end_arrives_in_its_order(seat: Any) -> None:
+    """Some keys reach the program, some nobody, some the shell: together they are the lines that were typed."""
+    (seat.desk.home / "short.py").write_text("import time\nprint('ready', flush=True)\ntime.sleep(0.2)\n")
+    seat.line("python3 short.py")
+    seat.wait(lambda text: "ready" in text)
+    numbers = [str(number) for number in range(400)]
+    for number in numbers:
+        seat.terminal.send(f"echo {number} >> numbers\r")
+        seat.desk.scheduler.advance()
+        time.sleep(0.001)  # so that the program ends in the midst of it
+    seat.terminal.send("echo all of ''them\r")
+    seat.wait(lambda text: "all of them" in text)
+    assert (seat.desk.home / "numbers").read_text().split() == numbers
