@@ -14,6 +14,7 @@ import threading
 import time
 import types
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,6 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, TextInput
-from day6_tui.core.session.threads import in_thread
 
 DOMAIN = 30
 PREFIXES = [str(environment.SHARE_PATH.parent)]
@@ -210,9 +210,11 @@ class _Shell:
     """The shell that commands see; `ros2 run --prefix` has it run a line."""
 
     async def run_line(self, line: str, session: Session) -> int:
-        done = await in_thread(
-            lambda: subprocess.run(line, shell=True, capture_output=True, text=True, timeout=LONGEST)
-        )
+        # In a thread: on the one that runs the programs nothing may wait (`core/session/watch.py`).
+        with ThreadPoolExecutor(1) as pool:
+            done = pool.submit(
+                subprocess.run, line, shell=True, capture_output=True, text=True, timeout=LONGEST
+            ).result()
         session.stdout.write(done.stdout)
         session.stderr.write(done.stderr)
         return done.returncode
