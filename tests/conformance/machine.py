@@ -14,7 +14,6 @@ import threading
 import time
 import types
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +23,7 @@ from day6_tui.core.graph import Graph
 from day6_tui.core.ros import environment, ros2
 from day6_tui.core.ros.programs import load
 from day6_tui.core.ros.ros2.cli import daemon
+from day6_tui.core.session import watch
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
@@ -210,11 +210,11 @@ class _Shell:
     """The shell that commands see; `ros2 run --prefix` has it run a line."""
 
     async def run_line(self, line: str, session: Session) -> int:
-        # In a thread: on the one that runs the programs nothing may wait (`core/session/watch.py`).
-        with ThreadPoolExecutor(1) as pool:
-            done = pool.submit(
-                subprocess.run, line, shell=True, capture_output=True, text=True, timeout=LONGEST
-            ).result()
+        watch.end()  # it is the real shell, and there is nobody else to keep waiting
+        try:
+            done = subprocess.run(line, shell=True, capture_output=True, text=True, timeout=LONGEST)
+        finally:
+            watch.begin()
         session.stdout.write(done.stdout)
         session.stderr.write(done.stderr)
         return done.returncode
