@@ -18,6 +18,8 @@ MOST_WAITING_FOR_ROOM = 20_000
 """Announcements that were refused and are taken when there is room again; beyond, they are only counted."""
 MOST_STRANGERS = 1000
 """Senders of messages that no token announced."""
+STRANGER_SECONDS = 10.0
+"""After which such a sender, if silent, is forgotten."""
 MOST_SIGNS = 5000
 """Processes that say where they are."""
 MOST_WAITING = 50_000

@@ -5,7 +5,6 @@ Only the link's thread changes it. Tokens may come in any order: an endpoint's b
 
 from __future__ import annotations
 
-import threading
 from collections import Counter
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -20,11 +19,11 @@ from day6_tui.core.link.limits import (
     MOST_ENDPOINTS_OF_ONE,
     MOST_NODES,
     MOST_NODES_OF_ONE,
-    MOST_STRANGERS,
     MOST_WAITING_FOR_ROOM,
     Refusals,
 )
 from day6_tui.core.link.paths import LinkError, meeting_place, neighbours
+from day6_tui.core.link.strangers import Strangers
 
 
 class Origin(NamedTuple):
@@ -68,10 +67,9 @@ class RemoteGraph:
         """Tokens that were refused for want of room, the oldest first."""
         self._room = False
         """Whether something has gone since they were looked at."""
-        self._strangers_lock = threading.Lock()
         self._nodes: dict[tuple[str, str], _RemoteNode] = {}
         self._publishers: dict[bytes, Publisher] = {}
-        self._strangers: dict[tuple[bytes, str], Publisher] = {}
+        self._strangers = Strangers()
 
     def appear(self, token: str) -> None:
         """Add what a token announces; a token seen before changes nothing."""
@@ -108,6 +106,7 @@ class RemoteGraph:
 
     def vanish(self, token: str) -> None:
         """Remove what a token announced; with a node go its endpoints."""
+        self._strangers.forget_old()
         if token in self._waiting:
             del self._waiting[token]
             return
@@ -137,8 +136,7 @@ class RemoteGraph:
         self._waiting.clear()
         for key in list(self._nodes):
             self._remove_node(key)
-        with self._strangers_lock:
-            self._strangers.clear()
+        self._strangers.clear()
 
     @property
     def has_room(self) -> bool:
@@ -167,14 +165,7 @@ class RemoteGraph:
         publisher = self._publishers.get(gid)
         if publisher is not None:
             return publisher if subscription in publisher.matched else None
-        key = (gid, subscription.topic)
-        with self._strangers_lock:
-            stranger = self._strangers.get(key)
-            if stranger is None:
-                if len(self._strangers) >= MOST_STRANGERS:
-                    del self._strangers[next(iter(self._strangers))]
-                stranger = self._strangers[key] = self._stand_in(gid, subscription)
-        return stranger
+        return self._strangers.get((gid, subscription.topic), lambda: self._stand_in(gid, subscription))
 
     def _stand_in(self, gid: bytes, it: Subscription) -> Publisher:
         node = Node(self._graph, "", "/", "/", Origin(""))

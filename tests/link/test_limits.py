@@ -27,10 +27,12 @@ from day6_tui.core.link.limits import (
     MOST_NODES,
     MOST_NODES_OF_ONE,
     MOST_STRANGERS,
+    STRANGER_SECONDS,
     Refusals,
 )
 from day6_tui.core.link.remote import Origin, RemoteGraph, lives_here
 from day6_tui.core.link.state import DoorState
+from day6_tui.core.link.strangers import Strangers
 
 PATIENCE = 60.0
 MANY = 3000
@@ -315,3 +317,25 @@ def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: W
     assert door.state == DoorState.FAILED and "another program of yours" in door.reason
     open_desk.leave()
     assert until(lambda: doors_of(second.graph)[0].state == DoorState.OPEN, PATIENCE)
+
+
+def test_who_was_never_announced_is_forgotten_after_a_while() -> None:
+    """Last words come after their sender's token is gone: without this every program that ends would leave something."""
+    now = [0.0]
+    strangers = Strangers(lambda: now[0])
+    made: list[object] = []
+
+    def make() -> Any:
+        made.append(object())
+        return made[-1]
+
+    first = strangers.get((b"a", "/t"), make)
+    now[0] = STRANGER_SECONDS - 1
+    assert strangers.get((b"a", "/t"), make) is first
+    strangers.get((b"b", "/t"), make)
+    now[0] += STRANGER_SECONDS + 1
+    strangers.get((b"c", "/t"), make)
+    assert len(strangers) == 1
+    now[0] += STRANGER_SECONDS + 1
+    strangers.forget_old()
+    assert len(strangers) == 0
