@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import secrets
 import stat
 import sys
 from collections.abc import Iterator
@@ -35,7 +34,7 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
     """
     if follow:
         target = Path(os.path.realpath(target))
-    temporary = target.parent / f".day6-{secrets.token_hex(6)}"
+    temporary = target.parent / f".day6-{os.urandom(6).hex()}"
     with _named(target, temporary):
         before = _before(target)
         if before is not None and not stat.S_ISREG(before.st_mode):

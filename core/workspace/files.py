@@ -90,10 +90,6 @@ class Output:
         real = Path(os.path.realpath(path))
         return any(real.is_relative_to(source) for source in self._sources)
 
-    def leads_into_sources(self, path: Path) -> bool:
-        """Say whether a path is a link to a source, at once or over several links: one that --symlink-install made."""
-        return path.is_symlink() and self._is_source(path)
-
     # -- writing -------------------------------------------------------------------------------------------------------
 
     def make_folder(self, path: Path) -> None:
