@@ -1,9 +1,9 @@
-"""Matches a regular expression in time that grows with the text alone: all ways through the expression are followed side by side.
+"""Matches a regular expression in time linear in the text: all paths through the expression are followed in parallel.
 
-Python's `re` follows one way after the other, so `(a+)+$` takes twice as long for each further letter, and it holds everything
-else in the process meanwhile. Here a set of states moves along the text (Thompson 1968), each with the places where its groups
-began and ended (Pike). States are kept in the order in which `re` would try them, and a loop that went round without a letter
-ends where `re` ends it (_sre: MAX_UNTIL, `last_ptr`), so what is found is the same. One letter is compared by `re` itself.
+Python's `re` backtracks, so `(a+)+$` takes twice as long for each further character, and it blocks the whole process meanwhile.
+Here a set of states moves along the text (Thompson 1968), each with the positions of its groups (Pike). States are kept in the
+order in which `re` would try them, and a loop that consumed no character ends where `re` ends it (_sre: MAX_UNTIL, `last_ptr`),
+so the result is the same. Single characters are compared by `re` itself.
 """
 
 from __future__ import annotations
@@ -20,31 +20,31 @@ else:
     import sre_parse as _parser
 
 MOST_STATES = 4000
-"""Above this an expression (`(a{1,99}){1,99}`) is refused."""
+"""An expression with more states, like `(a{1,99}){1,99}`, is refused."""
 
-LETTERS_A_TURN = 200
-"""Letters of the text after which others may have their turn."""
+LETTERS_PER_TURN = 200
+"""Characters of the text after which `find` yields."""
 
 Spans = tuple[int, ...]
-"""Beginning and end of each group, the whole first; -1 where a group took no part."""
+"""Start and end of each group, the whole match first; -1 for a group that did not participate."""
 
 _LETTER, _WIDTHLESS, _SPLIT, _SAVE, _ENTER, _ROUND, _LEAVE, _JUMP, _MATCH = range(9)
 _REPEATS = (_parser.MAX_REPEAT, _parser.MIN_REPEAT)
 _LETTERS = (_parser.LITERAL, _parser.NOT_LITERAL, _parser.ANY, _parser.IN)
-_LOOKS = (_parser.AT, _parser.ASSERT, _parser.ASSERT_NOT)
+_ASSERTIONS = (_parser.AT, _parser.ASSERT, _parser.ASSERT_NOT)
 
 
 class NotRegular(Exception):
-    """The expression refers back to what it found, or is too large: it cannot be matched here."""
+    """The expression has a backreference or is too large: it cannot be matched here."""
 
 
 def parsed(pattern: str, flags: int) -> Any:
-    """The tree of an expression as `re` makes it. Raises re.error."""
+    """Return `re`'s parse tree of an expression. Raises re.error."""
     return _parser.parse(pattern, flags)
 
 
 class LinearMatcher:
-    """One expression, ready to be matched. Raises NotRegular."""
+    """One compiled expression. Raises NotRegular."""
 
     def __init__(self, tree: Any, flags: int) -> None:
         self._state = tree.state
@@ -59,15 +59,15 @@ class LinearMatcher:
     def find(
         self, text: str, start: int, *, whole: bool = False, anchored: bool = False, advance: bool = False
     ) -> Generator[None, None, Spans | None]:
-        """Look from `start` on; returns the spans of the first match. Yields now and then, so that others have their turn.
+        """Search from `start` on; returns the spans of the first match. Yields regularly, so that other programs can run.
 
-        `whole`: up to the end of the text; `anchored`: at `start` only; `advance`: not the empty text at `start`.
+        `whole`: match up to the end of the text; `anchored`: only at `start`; `advance`: no empty match at `start`.
         """
         found: Spans | None = None
         states: list[tuple[int, Spans]] = []
         nothing = (-1,) * (2 * self.groups)
         for at in range(start, len(text) + 1):
-            if (at - start) % LETTERS_A_TURN == LETTERS_A_TURN - 1:
+            if (at - start) % LETTERS_PER_TURN == LETTERS_PER_TURN - 1:
                 yield
             reached: list[tuple[int, Spans]] = []
             seen: set[tuple[int, int]] = set()
@@ -97,7 +97,7 @@ class LinearMatcher:
         whole: bool,
         advance: bool,
     ) -> Spans | None:
-        """Follow everything that takes no letter, in order; add the letters that may come next; stop at a match and return it."""
+        """Follow all steps that consume no character, in order; collect the possible next characters; return at a match."""
         stack = [(first, 0, spans)]
         while stack:
             state, rounds, spans = stack.pop()
@@ -118,10 +118,10 @@ class LinearMatcher:
                 stack.append((state + 1, rounds & ~rest[0], spans))
             elif kind == _ROUND:
                 bit, body, after, lazy = rest
-                ways = [(after, rounds & ~bit, spans)]
-                if not rounds & bit:  # the last time round took a letter, or there was none
-                    ways.insert(1 if lazy else 0, (body, rounds | bit, spans))
-                stack.extend(reversed(ways))
+                branches = [(after, rounds & ~bit, spans)]
+                if not rounds & bit:  # the last iteration consumed a character, or there was none
+                    branches.insert(1 if lazy else 0, (body, rounds | bit, spans))
+                stack.extend(reversed(branches))
             elif kind == _WIDTHLESS:
                 if rest[0].match(text, at) is not None:
                     stack.append((state + 1, rounds, spans))
@@ -135,7 +135,7 @@ class LinearMatcher:
             known[letter] = self._steps[state][1].match(text, at) is not None
         return known[letter]
 
-    # -- making the states ---------------------------------------------------------------------------------------------
+    # -- compiling -----------------------------------------------------------------------------------------------------
 
     def _emit(self, *step: Any) -> int:
         if len(self._steps) >= MOST_STATES:
@@ -151,7 +151,7 @@ class LinearMatcher:
         kind, value = item
         if kind in _LETTERS:
             self._emit(_LETTER, self._test(item, flags))
-        elif kind in _LOOKS:
+        elif kind in _ASSERTIONS:
             self._emit(_WIDTHLESS, self._test(item, flags))
         elif kind is _parser.SUBPATTERN:
             group, more, less, inner = value
@@ -198,7 +198,7 @@ class LinearMatcher:
             self._steps[state] = (_ROUND, bit, state + 1, after, lazy)
 
     def _test(self, item: tuple[Any, Any], flags: int) -> Any:
-        """`re`'s own comparison for one letter or one place."""
+        """Return `re`'s own pattern for one character or one assertion."""
         if item[0] in (_parser.ASSERT, _parser.ASSERT_NOT) and not _is_simple(item[1][1]):
             raise NotRegular
         inner = _parser.SubPattern(self._state, [item])
@@ -207,16 +207,16 @@ class LinearMatcher:
 
 
 _LOCAL = int(re.IGNORECASE | re.MULTILINE | re.DOTALL)
-"""Flags that a part of an expression can take off: `(?-i:a)`."""
+"""Flags that a part of an expression can remove: `(?-i:a)`."""
 
 
 def _changed(flags: int, more: int, less: int) -> int:
-    """Flags inside `(?i-s:…)`, as sre_compile puts them together."""
+    """Return the flags inside `(?i-s:…)`, combined as in sre_compile."""
     if more & _parser.TYPE_FLAGS:
         flags &= ~_parser.TYPE_FLAGS
     return (flags | more) & ~less
 
 
 def _is_simple(tree: Any) -> bool:
-    """Whether a look ahead or behind has neither groups nor loops."""
+    """Return whether a lookahead or lookbehind has neither groups nor loops."""
     return all(kind in _LETTERS or kind is _parser.AT for kind, _ in tree)

@@ -1,7 +1,7 @@
-"""Searches with a regular expression that a user wrote: what it finds is what `re` finds, and no expression stops the program.
+"""Searches with a user's regular expression: the results are those of `re`, but no expression can block the program.
 
-`re` tries one way after the other and lets nobody else go on meanwhile. An expression by which it may go astray on a text of
-this length is matched by `core.linear_match` instead; one that cannot be (it refers back to a group) is refused.
+`re` backtracks and blocks the whole process meanwhile. An expression for which it might take too long on a text of this length
+is matched by `core.linear_match` instead; one that cannot be (with a backreference) is refused.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ if TYPE_CHECKING:
     from day6_tui.core.linear_match import LinearMatcher
 
 LONGEST_SEARCH = 4 * 10**8
-"""Steps that `re` may take at most, well below a second."""
+"""The most steps `re` may take, well below a second."""
 
 _Result = TypeVar("_Result")
 _REPEATS = ("MAX_REPEAT", "MIN_REPEAT", "POSSESSIVE_REPEAT")
 
 
 class TooComplex(re.error):
-    """An expression that nobody can match in a bearable time."""
+    """An expression that cannot be matched in a reasonable time."""
 
     def __init__(self) -> None:
         super().__init__("regular expression would take too long")
 
 
 @dataclass(frozen=True)
-class Found:
-    """What a search found, as `re.Match`."""
+class Match:
+    """A match, with the interface of `re.Match`."""
 
     text: str
     spans: tuple[int, ...]
@@ -43,14 +43,20 @@ class Found:
 
     @property
     def whole(self) -> str:
+        """The matched text."""
         return self.text[self.spans[0] : self.spans[1]]
 
     def span(self, group: int = 0) -> tuple[int, int]:
+        """Return start and end of a group, (-1, -1) if it did not participate."""
         return self.spans[2 * group], self.spans[2 * group + 1]
 
 
 class UserPattern:
-    """A compiled expression. Raises re.error, also for one that is too deep or too large; so do the searches (TooComplex)."""
+    """A compiled expression.
+
+    Raises:
+        re.error: the expression is invalid, too deep or too large; TooComplex, a subclass, may also be raised by searches.
+    """
 
     def __init__(self, pattern: str, flags: int = 0) -> None:
         from day6_tui.core.linear_match import parsed
@@ -62,28 +68,28 @@ class UserPattern:
             raise re.error("regular expression too big") from None
         self._flags = flags
         self._quick: dict[int, bool] = {}
-        """By the number of binary digits of a text's length: whether `re` may search it."""
+        """bit length of a text's length -> whether `re` may search it"""
         self.groups = self._compiled.groups
 
-    def search(self, text: str) -> Found | None:
-        """The first match anywhere."""
-        return _at_once(self.searching(text))
+    def search(self, text: str) -> Match | None:
+        """Return the first match anywhere, None if there is none."""
+        return _run_to_end(self.searching(text))
 
-    def match(self, text: str) -> Found | None:
-        """The match at the beginning."""
-        return _at_once(self.searching(text, anchored=True))
+    def match(self, text: str) -> Match | None:
+        """Return the match at the beginning, None if there is none."""
+        return _run_to_end(self.searching(text, anchored=True))
 
-    def fullmatch(self, text: str) -> Found | None:
-        """The match that is the whole text."""
-        return _at_once(self.searching(text, anchored=True, whole=True))
+    def fullmatch(self, text: str) -> Match | None:
+        """Return the match of the whole text, None if there is none."""
+        return _run_to_end(self.searching(text, anchored=True, whole=True))
 
-    def finditer(self, text: str) -> Iterator[Found]:
-        """Each match, in order."""
-        return iter(_at_once(self.finding(text)))
+    def finditer(self, text: str) -> Iterator[Match]:
+        """Yield all matches in order."""
+        return iter(_run_to_end(self.finding(text)))
 
-    def finding(self, text: str, count: int = 0) -> Generator[None, None, list[Found]]:
-        """All matches, or the first `count`; yields now and then (see `core.session.task.in_turns`)."""
-        found: list[Found] = []
+    def finding(self, text: str, count: int = 0) -> Generator[None, None, list[Match]]:
+        """Return all matches, or the first `count`; yields regularly (see `core.session.task.in_turns`)."""
+        found: list[Match] = []
         if self._is_quick(text):
             for match in self._compiled.finditer(text):
                 found.append(_as_found(match))
@@ -102,8 +108,8 @@ class UserPattern:
             yield
         return found
 
-    def replacing(self, text: str, by: Callable[[Found], str], count: int = 0) -> Generator[None, None, str]:
-        """The text with each match, or the first `count`, replaced by what `by` says; yields as `finding`."""
+    def replacing(self, text: str, by: Callable[[Match], str], count: int = 0) -> Generator[None, None, str]:
+        """Return the text with each match, or the first `count`, replaced by `by(match)`; yields like `finding`."""
         pieces, done = [], 0
         for match in (yield from self.finding(text, count)):
             pieces += [text[done : match.spans[0]], by(match)]
@@ -112,21 +118,21 @@ class UserPattern:
 
     def searching(
         self, text: str, start: int = 0, *, anchored: bool = False, whole: bool = False, advance: bool = False
-    ) -> Generator[None, None, Found | None]:
-        """The first match from `start` on; `advance`: not the empty text there. Yields now and then, as `finding`."""
+    ) -> Generator[None, None, Match | None]:
+        """Return the first match from `start` on; `advance`: no empty match there. Yields like `finding`."""
         if not advance and self._is_quick(text):
             search = self._compiled.fullmatch if whole else self._compiled.match if anchored else self._compiled.search
             match = search(text, start)
             return None if match is None else _as_found(match)
         spans = yield from self._linear.find(text, start, anchored=anchored, whole=whole, advance=advance)
-        return None if spans is None else Found(text, spans)
+        return None if spans is None else Match(text, spans)
 
     def _is_quick(self, text: str) -> bool:
-        """Whether `re` cannot take longer than it may."""
+        """Return whether `re` needs at most LONGEST_SEARCH steps."""
         digits = len(text).bit_length()
         if digits not in self._quick:
-            length = 2.0 ** max(digits, 1)  # a search begins at any letter: once more
-            self._quick[digits] = math.log(length) + _effort(self._tree, length) <= math.log(LONGEST_SEARCH)
+            length = 2.0 ** max(digits, 1)  # a search starts at every character, hence log(length) once more
+            self._quick[digits] = math.log(length) + _path_count(self._tree, length) <= math.log(LONGEST_SEARCH)
         return self._quick[digits]
 
     @functools.cached_property
@@ -141,15 +147,15 @@ class UserPattern:
 
 @functools.lru_cache(maxsize=64)
 def user_pattern(pattern: str, flags: int = 0) -> UserPattern:
-    """The compiled expression, kept for the next time. Raises re.error."""
+    """Return the compiled expression, cached. Raises re.error."""
     return UserPattern(pattern, flags)
 
 
-def _as_found(match: re.Match[str]) -> Found:
-    return Found(match.string, tuple(place for span in match.regs for place in span))
+def _as_found(match: re.Match[str]) -> Match:
+    return Match(match.string, tuple(place for span in match.regs for place in span))
 
 
-def _at_once(work: Generator[None, None, _Result]) -> _Result:
+def _run_to_end(work: Generator[None, None, _Result]) -> _Result:
     while True:
         try:
             next(work)
@@ -158,38 +164,38 @@ def _at_once(work: Generator[None, None, _Result]) -> _Result:
             return result
 
 
-def _effort(tree: Any, length: float) -> float:
-    """The logarithm of how many ways `re` may go through a part on a text of this length; infinite where loops are nested.
+def _path_count(tree: Any, length: float) -> float:
+    """Return the logarithm of the number of paths `re` may take through a part on a text of this length; inf for nested loops.
 
-    A loop may end after any letter, each alternative is one way more, and what follows is tried after each of them. A loop
-    around a part that matches in several ways has as many with every letter.
+    A loop may end after any character, each alternative adds a path, and the rest is tried after each of them. A loop around a
+    part with several paths multiplies them with every character.
     """
-    return sum(_effort_of(str(kind), value, length) for kind, value in tree)
+    return sum(_path_count_of(str(kind), value, length) for kind, value in tree)
 
 
-def _effort_of(kind: str, value: Any, length: float) -> float:
+def _path_count_of(kind: str, value: Any, length: float) -> float:
     if kind in _REPEATS:
         least, most, body = value
         if most == 1:
-            return math.log(2) + _effort(body, length)
-        if _effort(body, length) > 0:
+            return math.log(2) + _path_count(body, length)
+        if _path_count(body, length) > 0:
             return math.inf
         return math.log(min(max(int(most) - least, 1), length))
     if kind == "SUBPATTERN":
-        return _effort(value[3], length)
+        return _path_count(value[3], length)
     if kind == "BRANCH":
         ways = 1 if _differ_at_once(value[1]) else len(value[1])
-        return math.log(ways) + max(_effort(branch, length) for branch in value[1])
+        return math.log(ways) + max(_path_count(branch, length) for branch in value[1])
     if kind in ("ASSERT", "ASSERT_NOT"):
-        return _effort(value[1], length)
+        return _path_count(value[1], length)
     if kind == "ATOMIC_GROUP":
-        return _effort(value, length)
+        return _path_count(value, length)
     if kind == "GROUPREF_EXISTS":
-        return max(_effort(branch, length) for branch in value[1:] if branch is not None)
+        return max(_path_count(branch, length) for branch in value[1:] if branch is not None)
     return math.log(length) if kind == "GROUPREF" else 0
 
 
 def _differ_at_once(branches: Any) -> bool:
-    """Whether the first letter tells which of the alternatives it is."""
+    """Return whether the first character decides between the alternatives."""
     letters = {chr(branch[0][1]).lower() for branch in branches if len(branch) and str(branch[0][0]) == "LITERAL"}
     return len(letters) == len(branches)

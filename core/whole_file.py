@@ -1,7 +1,7 @@
 """Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
 
-What was there before stays as it is until the new text is on the disk, whatever happens: a full disk, a folder that vanishes,
-`kill -9`. The system itself takes the umask off the mode of a new file, so nobody has to read it (which a process with threads
+The old file stays unchanged until the new contents are on the disk, whatever happens: a full disk, a folder that disappears,
+`kill -9`. The system itself applies the umask to the mode of a new file, so it need not be read (which a process with threads
 cannot do safely).
 """
 
@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import IO, Any, BinaryIO
 
 PRIVATE = 0o600
-"""The mode of a file that is nobody else's business: what was typed, unsaved texts, passwords."""
+"""The mode of private files: typed commands, unsaved texts, passwords."""
 
 _PRIVATE_FOLDER = 0o700
 
@@ -27,10 +27,13 @@ _CONTROLLING = 5 << 8
 
 @contextlib.contextmanager
 def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> Iterator[BinaryIO]:
-    """A file to write, which takes the name `target` when the block has ended; after an error `target` is as it was.
+    """Open a file for writing that gets the name `target` at the end of the block; after an error `target` is unchanged.
 
     `mode` is that of the new file, less the umask; None keeps that of the old file. Without `sync` a power cut may still leave
-    an empty file. A link is followed, or without `follow` replaced; a device is written to. Raises OSError, which names the file.
+    an empty file. A link is followed, or replaced without `follow`; a device is written to.
+
+    Raises:
+        OSError: the file cannot be written; the error names it.
     """
     if follow:
         target = Path(os.path.realpath(target))
@@ -38,7 +41,7 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
     with _named(target, temporary):
         before = _before(target)
         if before is not None and not stat.S_ISREG(before.st_mode):
-            with open(target, "wb") as device:  # and it stays one
+            with open(target, "wb") as device:  # a device must not be replaced by a file
                 refuse_own_terminal(device.fileno(), device)
                 yield device
             return
@@ -60,15 +63,22 @@ def replacing(target: Path, *, mode: int | None = None, sync: bool = True, follo
 
 
 def replace_file(target: Path, data: bytes, *, mode: int | None = None, sync: bool = True, follow: bool = True) -> None:
-    """Make `data` the content of `target`; see `replacing`. Raises OSError, and then the old file is untouched."""
+    """Make `data` the contents of `target`; see `replacing`.
+
+    Raises:
+        OSError: it cannot be written; the old file is unchanged.
+    """
     with replacing(target, mode=mode, sync=sync, follow=follow) as file:
         file.write(data)
 
 
 def refuse_own_terminal(number: int, opened: IO[Any]) -> None:
-    """Close a file that turns out to be the terminal in which we run, and raise OSError: only the screen is drawn there.
+    """Close a file that turns out to be the terminal we run in, where only the screen may be drawn.
 
-    The names by which a command means its own terminal never get here (`core/shell/own_streams.py`).
+    Names that mean a command's own terminal do not get here (`core/shell/own_streams.py`).
+
+    Raises:
+        OSError: the file is that terminal.
     """
     if sys.platform == "win32" or not os.isatty(number):
         return
@@ -79,10 +89,10 @@ def refuse_own_terminal(number: int, opened: IO[Any]) -> None:
 
 
 def must_stay(target: Path) -> bool:
-    """Say whether the file at `target` (links are followed) is more than its name and its text.
+    """Return whether the file at `target` (links are followed) must be overwritten rather than replaced.
 
-    Another name of it (a hard link), an owner or group that a new file could not get, an access list or other attributes would be
-    lost by `replace_file`, and a folder that nobody may write takes no new file. `overwrite_file` is for those.
+    `replace_file` would lose its other names (hard links), an owner or group that a new file cannot get, an access list or other
+    attributes, and cannot create a file in a read-only folder. `overwrite_file` is for those.
     """
     if sys.platform == "win32":
         return False
@@ -98,10 +108,13 @@ def must_stay(target: Path) -> bool:
 
 
 def overwrite_file(target: Path, data: bytes) -> None:
-    """Make `data` the content of the file that is there, which stays the same file. Raises OSError.
+    """Make `data` the contents of an existing file, which stays the same file.
 
-    What is longer than before is written first: when that does not fit, the file is as it was. Only a crash in the middle leaves
-    it half, so whoever calls this has a copy of `data` on the disk.
+    The part beyond the old size is written first: if it does not fit, the file is unchanged. A crash in the middle leaves it
+    half written, so the caller must have a copy of `data` on the disk.
+
+    Raises:
+        OSError: the file cannot be written.
     """
     with _named(target):
         number = os.open(target, os.O_WRONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0))
@@ -128,7 +141,7 @@ def _write_at(number: int, data: bytes, place: int) -> None:
 
 
 def _has_attributes(real: str) -> bool:
-    """Whether a file has extended attributes; an access list is one of them. (The system gives each file its own label.)"""
+    """Return whether a file has extended attributes, such as an access list. (SELinux labels do not count.)"""
     if sys.platform != "linux":
         return False
     try:
@@ -138,26 +151,26 @@ def _has_attributes(real: str) -> bool:
 
 
 def write_private(target: Path, data: bytes) -> None:
-    """Replace a file that only this user may read, in a folder that only this user may enter. Raises OSError."""
+    """Replace a file that only this user can read, in a folder that only this user can enter. Raises OSError."""
     make_private_folder(target.parent)
     replace_file(target, data, mode=PRIVATE)
 
 
 def append_private(target: Path, data: bytes) -> None:
-    """Add to the end of a file that only this user may read; one that others could read becomes so. Raises OSError."""
+    """Append to a file and make it readable for this user only. Raises OSError."""
     with _named(target):
         number = os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_BINARY", 0), PRIVATE)
         with open(number, "wb", buffering=0) as file:
             found = os.fstat(number)
             if sys.platform != "win32" and stat.S_ISREG(found.st_mode) and found.st_mode & 0o077:
-                with contextlib.suppress(PermissionError):  # another user's: theirs to decide
+                with contextlib.suppress(PermissionError):  # another user's file: theirs to decide
                     os.fchmod(number, stat.S_IMODE(found.st_mode) & ~0o077)
             while data:
                 data = data[file.write(data) or 0 :]
 
 
 def make_private_folder(folder: Path) -> None:
-    """Make a folder of ours that only this user can enter, also one that is there already. Raises OSError."""
+    """Create a folder that only this user can enter, or make an existing one so. Raises OSError."""
     folder.mkdir(mode=_PRIVATE_FOLDER, parents=True, exist_ok=True)
     if sys.platform != "win32" and folder.stat().st_mode & 0o077:
         with contextlib.suppress(PermissionError):
@@ -165,12 +178,12 @@ def make_private_folder(folder: Path) -> None:
 
 
 def _before(target: Path) -> os.stat_result | None:
-    """What is at `target` now, None for nothing or a link to nothing. Raises IsADirectoryError."""
+    """Return the status of the file at `target`, None if there is none or a broken link. Raises IsADirectoryError."""
     try:
         link = stat.S_ISLNK(target.lstat().st_mode)
         found = target.stat()
     except (FileNotFoundError, NotADirectoryError):
-        return None  # where there is no folder either, making the file says so
+        return None  # if the folder is missing too, creating the file reports it
     if link:
         return found if stat.S_ISREG(found.st_mode) else None
     if stat.S_ISDIR(found.st_mode):
@@ -185,13 +198,13 @@ def _keep_rights(number: int, before: os.stat_result) -> None:
     if (before.st_uid, before.st_gid) != (own.st_uid, own.st_gid):
         with contextlib.suppress(OSError):  # only root gives files away
             os.fchown(number, before.st_uid, before.st_gid)
-    with contextlib.suppress(OSError):  # a file system that knows no modes
+    with contextlib.suppress(OSError):  # a file system without modes
         os.fchmod(number, stat.S_IMODE(before.st_mode))
 
 
 @contextlib.contextmanager
 def _named(target: Path, temporary: Path | None = None) -> Iterator[None]:
-    """Inside, an OSError that names no file, or one that nobody knows, names `target`."""
+    """Make an OSError inside the block that names no file, or the temporary one, name `target`."""
     try:
         yield
     except OSError as error:

@@ -1,44 +1,150 @@
-"""Makes a bare checkout importable and keeps every test away from this user's real session."""
+"""Makes a bare checkout importable and gives every test its whole environment.
+
+Of the caller's variables only those of KEPT reach a test: they say where this machine keeps its programs. Locale, terminal,
+time zone, home folder, umask and current folder are the same on every machine; a test that wants others sets them itself.
+"""
 
 from __future__ import annotations
 
 import importlib.util
 import os
 import shutil
+import signal
+import string
 import sys
 import tempfile
+import time
 import types
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
+TESTS = Path(__file__).resolve().parent
+ROOT = TESTS.parent
+# Tests are imported by path (--import-mode=importlib), what they share by name.
+sys.path.insert(0, str(TESTS / "stepped"))
+
+from short_folder import make_short_folder  # noqa: E402
 
 if importlib.util.find_spec("day6_tui") is None:
     namespace = types.ModuleType("day6_tui")
     namespace.__path__ = [str(ROOT)]
     sys.modules["day6_tui"] = namespace
 
-# Nothing a test starts may meet the desktop this developer has open: its own link folder, and no link unless asked.
-OWN_FOLDERS = [tempfile.mkdtemp(prefix=f"day6-{what}-") for what in ("tests", "logs", "data")]
-os.environ["DAY6_RUNTIME_DIR"] = OWN_FOLDERS[0]
-os.environ["DAY6_LINK"] = "off"
-os.environ.pop("ROS_DOMAIN_ID", None)
+KEPT = frozenset(
+    [
+        *("PATH", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH"),
+        *("SYSTEMROOT", "SYSTEMDRIVE", "COMSPEC", "PATHEXT", "WINDIR", "TEMP", "TMP", "PROGRAMDATA"),
+        *(
+            "DAY6_PYRIGHT",
+            "DAY6_REAL_COLCON",
+            "DAY6_REAL_PYTHON",
+            "DAY6_ROBOTS",
+            "DAY6_TESTS_ODD",
+            "DAY6_UPDATE_GOLDEN",
+        ),
+    ]
+)
+"""Where the system's programs are, and which optional ones a developer names for a test."""
+
+ODD = bool(os.environ.get("DAY6_TESTS_ODD"))
+"""Whether every test gets other values where none may depend on them (.ci/hostile)."""
+
+SPREAD = (
+    "tests/conformance/test_programs.py",
+    *(f"tests/e2e/test_{first}" for first in string.ascii_lowercase if first != "s"),  # those of test_signals share one
+    *(f"tests/shell/test_{name}.py" for name in ("endless", "execute", "process")),
+    *(f"tests/workspace/test_{name}.py" for name in ("interface_packages", "sources_stay", "tests")),
+)
+"""Files of long tests that share nothing, not even a fixture of their module."""
+
+# Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
+OWN = make_short_folder("d6t-")
 # Where programs are told that one of them makes all the others wait (core/session/watch.py); it is a failure of the test.
-WAITS = Path(OWN_FOLDERS[0]) / "waits.txt"
-os.environ["DAY6_WATCH"] = str(WAITS)
-# What a test logs does not belong below this developer's ~/.ros.
-os.environ["ROS_LOG_DIR"] = OWN_FOLDERS[1]
-os.environ["XDG_DATA_HOME"] = OWN_FOLDERS[2]
+WAITS = OWN / "waits.txt"
+
+
+def environment() -> dict[str, str]:
+    """Return the variables that every test starts with; the folders among them are made."""
+    folders = {name: OWN / name for name in ("link", "log", "data", "config", "cache", "state")}
+    folders["home"] = OWN / ("the home 家 of nobody" if ODD else "home")
+    for folder in folders.values():
+        folder.mkdir(mode=0o700, exist_ok=True)
+    kept = {name: value for name, value in os.environ.items() if name.upper() in KEPT or name.startswith("PYTEST_")}
+    return {
+        **kept,
+        "TMPDIR": tempfile.gettempdir(),
+        "HOME": str(folders["home"]),
+        "USERPROFILE": str(folders["home"]),
+        "XDG_DATA_HOME": str(folders["data"]),
+        "XDG_CONFIG_HOME": str(folders["config"]),
+        "XDG_CACHE_HOME": str(folders["cache"]),
+        "XDG_STATE_HOME": str(folders["state"]),
+        "LANG": "de_DE.UTF-8" if ODD else "C.UTF-8",
+        "TERM": "xterm-256color",
+        "TZ": "Pacific/Kiritimati" if ODD else "UTC",
+        # Nothing a test starts may meet the desktop this developer has open, or log below ~/.ros.
+        "DAY6_RUNTIME_DIR": str(folders["link"]),
+        "DAY6_LINK": "off",
+        "DAY6_WATCH": str(WAITS),
+        "ROS_LOG_DIR": str(folders["log"]),
+    }
+
+
+def set_environment(variables: dict[str, str]) -> None:
+    """Make these the process's variables, whatever it had."""
+    os.environ.clear()
+    os.environ.update(variables)
+    if hasattr(time, "tzset"):
+        time.tzset()
+
+
+# Already here: modules read variables while they are imported, and the processes of pytest-xdist inherit them.
+set_environment(environment())
+os.umask(0o022)
+# A shell without job control starts what is put behind an `&` deaf to these, and so does nohup; programs would inherit it.
+for number in {
+    signal.SIGINT,
+    signal.SIGTERM,
+    *(getattr(signal, f"SIG{name}", signal.SIGINT) for name in ("HUP", "QUIT")),
+}:
+    if signal.getsignal(number) is signal.SIG_IGN:
+        signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
 
 from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Give each process of pytest-xdist whole files, the largest first; the tests of SPREAD one by one, in the end."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class ByFile(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            file = nodeid.partition("::")[0]
+            return nodeid if file.startswith(SPREAD) else file
+
+    return ByFile(config, log)
+
+
 @pytest.fixture(autouse=True)
-def nothing_waits_on_the_schedulers_thread() -> Iterator[None]:
+def own_environment() -> Iterator[None]:
+    """Start in an empty folder; what a test does to variables, current folder and umask ends with it."""
+    before, folder = dict(os.environ), os.getcwd()
+    os.chdir(os.environ["HOME"])
+    yield
+    os.umask(0o022)
+    os.chdir(folder)
+    if dict(os.environ) != before:
+        set_environment(before)
+
+
+@pytest.fixture(autouse=True)
+def nothing_waits_on_the_schedulers_thread(own_environment: None) -> Iterator[None]:
     """Fail where a call that may block was made on the thread that runs all programs, here or in a desktop of the test."""
     WAITS.unlink(missing_ok=True)
     yield
@@ -46,7 +152,39 @@ def nothing_waits_on_the_schedulers_thread() -> Iterator[None]:
         pytest.fail(WAITS.read_text(encoding="utf-8"), pytrace=False)
 
 
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """End the run with what it did not prove here, and why."""
+    skipped = [(_skip_reason(each), each.nodeid) for each in terminalreporter.stats.get("skipped", ())]
+    differs = [(each.wasxfail, each.nodeid) for each in terminalreporter.stats.get("xfailed", ())]
+    for title, tests in (("skipped here", skipped), ("known differences", differs)):
+        if tests:
+            terminalreporter.section(f"{title}: {len(tests)}")
+            for line in _grouped(tests):
+                terminalreporter.write_line(line)
+
+
+def _skip_reason(report: pytest.TestReport) -> str:
+    where = report.longrepr
+    return (where[2] if isinstance(where, tuple) else str(where)).removeprefix("Skipped: ")
+
+
+def _grouped(tests: list[tuple[str, str]]) -> list[str]:
+    """Return a line for every reason, the most frequent first: how often, why, in which files."""
+    files: dict[str, list[str]] = {}
+    for reason, test in tests:
+        files.setdefault(reason, []).append(test.partition("::")[0].removeprefix("tests/"))
+    ordered = sorted(files.items(), key=lambda item: (-len(item[1]), item[0]))
+    return [f"{len(each):4}  {reason}  ({', '.join(sorted(set(each)))})" for reason, each in ordered]
+
+
+@pytest.fixture
+def short_folder() -> Iterator[Path]:
+    """A folder whose name leaves room for a socket's (pytest's own are too long)."""
+    folder = make_short_folder()
+    yield folder
+    shutil.rmtree(folder, ignore_errors=True)
+
+
 def pytest_unconfigure() -> None:
     """Take the folders of this run away."""
-    for folder in OWN_FOLDERS:
-        shutil.rmtree(folder, ignore_errors=True)
+    shutil.rmtree(OWN, ignore_errors=True)

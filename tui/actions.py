@@ -1,11 +1,12 @@
-"""Everything the desktop can do: one table from which key bindings, key bar, command palette and help are made.
+"""Everything the desktop can do: the one table behind the key bindings, the key bar, the command palette and the help.
 
-The name of an action is the text `action.<id>`, its help `help.action.<id>`. The handler is the method `do_<id>` of the
-application (dots become underscores), so a missing one is found by a test.
+The name of an action is the text `action.<id>`, its help `help.action.<id>`. The object that owns what an action
+changes offers its handler in `actions()`; the application collects the handlers in one `Actions`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 
@@ -14,16 +15,12 @@ class Action(NamedTuple):
 
     id: str
     key: str = ""
-    """Textual's name of the key, '' if it is only in the palette."""
+    """Textual's name for the key; '' if the action is only in the palette."""
     label: str = ""
     """The key as the user knows it."""
     weight: int = 0
-    """How long it stays on the key bar when there is little room; 0: never there."""
+    """Its priority on the key bar when there is little room; 0: never shown there."""
     palette: bool = True
-
-    @property
-    def handler(self) -> str:
-        return "do_" + self.id.replace(".", "_")
 
 
 ACTIONS: tuple[Action, ...] = (
@@ -67,3 +64,28 @@ def bar_actions() -> list[Action]:
 def bindings() -> list[tuple[str, str]]:
     """Pairs of key and action id, for every action that has a key."""
     return [(action.key, action.id) for action in ACTIONS if action.key]
+
+
+Handlers = Mapping[str, Callable[[], object]]
+"""Handlers by action id."""
+
+
+class Actions:
+    """The handlers of all actions, collected from the objects that each own a part of the desktop."""
+
+    def __init__(self) -> None:
+        self._handlers: dict[str, Callable[[], object]] = {}
+
+    def offer(self, handlers: Handlers) -> None:
+        """Add handlers. Raises ValueError for an id that is not an action, or is offered twice."""
+        for id_, handler in handlers.items():
+            if id_ not in BY_ID or id_ in self._handlers:
+                raise ValueError(id_)
+            self._handlers[id_] = handler
+
+    def missing(self) -> set[str]:
+        """The actions without a handler."""
+        return BY_ID.keys() - self._handlers.keys()
+
+    def __getitem__(self, id_: str) -> Callable[[], object]:
+        return self._handlers[id_]

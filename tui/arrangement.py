@@ -1,4 +1,4 @@
-"""Where the panes are: a pure function of the size of the desktop and what is open."""
+"""The layout of the panes: a pure function of the desktop's size and of what is open."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 WIDE = 100
-"""Columns from which terminals and windows stand side by side."""
+"""From this many columns on, terminals and windows are side by side."""
 
 SINGLE_ROWS = 14
-"""With fewer rows than this one pane is shown at a time."""
+"""With fewer rows than this, one pane is shown at a time."""
 
 WINDOW_ROWS = 15
-"""A window that gets fewer rows than this waits behind another one."""
+"""A window that would get fewer rows than this is hidden behind another."""
 
 
 class Place(NamedTuple):
@@ -25,7 +25,7 @@ class Place(NamedTuple):
 
 
 class Arrangement(NamedTuple):
-    """Places of the terminals' pane and of the windows that are shown, by their number; the others are behind them."""
+    """The places of the terminal pane and of the visible windows (by number); the other windows are behind them."""
 
     terminal: Place | None
     windows: dict[int, Place]
@@ -73,6 +73,6 @@ def arrange(
 
 
 def _most_recent(windows: Sequence[int], active: int, room: int) -> list[int]:
-    """The newest windows and the active one, as many as there is room for, oldest on top."""
+    """The newest windows and the active one, as many as fit, oldest on top."""
     shown = [number for number in windows if number != active][::-1][: room - 1]
     return sorted([*shown, active], key=list(windows).index)

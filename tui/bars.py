@@ -12,14 +12,17 @@ from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
 
+Source = Callable[[int], tuple[Sequence[Piece], Sequence[Piece]]]
+"""Returns the pieces at the left and at the right end, for a width in cells."""
+
 
 class Bar(Pane, can_focus=False):
-    """One line of pieces, some from the left and some from the right; where it is narrow the last of the left go first."""
+    """One line with pieces at the left and at the right end; if it is narrow, the last left ones are dropped first."""
 
     DEFAULT_CSS = "Bar { height: 1; }"
     framed = False
 
-    def __init__(self, look: Look, source: Callable[[], tuple[Sequence[Piece], Sequence[Piece]]], *, name: str) -> None:
+    def __init__(self, look: Look, source: Source, *, name: str) -> None:
         super().__init__(look, id=name)
         self._source = source
         self._shown: tuple[Sequence[Piece], Sequence[Piece]] | None = None
@@ -29,7 +32,7 @@ class Bar(Pane, can_focus=False):
         return self.look.colours.bar
 
     def pull(self, now: float) -> bool:
-        pieces = self._source()
+        pieces = self._source(self.extent.width)
         if pieces != self._shown:
             self._shown = pieces
             self.touch_lines([0])
@@ -37,7 +40,7 @@ class Bar(Pane, can_focus=False):
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         self._hits.clear()
-        left, right = self._shown or self._source()
+        left, right = self._shown or self._source(self.extent.width)
         right_width = sum(cell_len(piece.text) for piece in right)
         if right_width > width // 2:
             right, right_width = right[-1:], sum(cell_len(piece.text) for piece in right[-1:])
@@ -68,7 +71,7 @@ class Bar(Pane, can_focus=False):
 
 
 class KeyHint(NamedTuple):
-    """A key for the key bar. The lightest go first when there is too little room."""
+    """A key for the key bar. Those with the lowest weight are dropped first when there is too little room."""
 
     key: str
     name: str

@@ -1,7 +1,7 @@
 """A picture made of pixels, drawn with whatever characters the terminal has.
 
-A canvas has two layers: `base` (colours 0xRRGGBB that stay) and `sprites` (what moves over it), and texts that lie over cells.
-It knows which cells differ from what was shown last, so that a window refreshes those and no others. Plain lists on purpose:
+A canvas has two layers, `base` (colours 0xRRGGBB that stay) and `sprites` (what moves over it), and characters over cells.
+It knows which cells differ from what was shown last, so that a window refreshes only those. Plain lists on purpose:
 a frame changes a handful of pixels, and numpy would cost the first frame 120 ms and 12 MB.
 """
 
@@ -19,7 +19,7 @@ PIXELS_PER_CELL = {"half": (1, 2), "braille": (2, 4), "cell": (1, 1), "ascii": (
 """Pixels across and down in one cell."""
 
 JOIN_GAP = 3
-"""Changed cells of a line that are no farther apart than this are sent as one span: a cursor move costs as much."""
+"""Changed cells of a line that are no further apart than this are sent as one span: moving the cursor costs as much."""
 
 _BRAILLE_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
@@ -109,7 +109,7 @@ class Canvas:
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def pixel(self, x: int, y: int) -> int:
-        """The colour that is seen at a pixel."""
+        """The visible colour of a pixel."""
         index = y * self.width + x
         return self.sprites.get(index, self.base[index])
 
@@ -191,7 +191,7 @@ _CELLS = {
 
 
 def _runs(cells: Iterable[tuple[str, int, int]]) -> list[Segment]:
-    """Cells of equal colours become one segment with a shared style."""
+    """Join cells of equal colours into one segment with a shared style."""
     segments: list[Segment] = []
     text: list[str] = []
     colours: tuple[int, int] | None = None

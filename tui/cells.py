@@ -1,4 +1,4 @@
-"""Text measured in terminal cells: a Chinese character is two of them, a combining accent none, a control what `^[` takes."""
+"""Text measured in terminal cells: a Chinese character takes two, a combining accent none, a control as many as `^[`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["cell_len", "clip", "fit", "harmless", "wrap"]
 
 
 def harmless(segments: Iterable[Segment]) -> Iterator[Segment]:
-    """The same with every control character written out: here, where texts become cells, and nowhere else."""
+    """Write out every control character: done here, where text becomes cells, and nowhere else."""
     for segment in segments:
         yield segment if segment.text.isprintable() else Segment(one_line(segment.text), segment.style)
 

@@ -39,9 +39,9 @@ def render_segments(self: Any, console: Any) -> str:
 
 
 def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
-    """Widen a span of cells so that it cuts no character of two cells: half of one erases it.
+    """Widen a span of cells so that it cuts no character of two cells: drawing half of one erases it.
 
-    What lies over a pane is cut where the pane changes, and the two know nothing of each other's characters.
+    An overlay is redrawn wherever the pane below it changes, and neither knows the other's characters.
     """
     column = 0
     for text, _, _ in strip:
@@ -59,7 +59,7 @@ def whole_characters(strip: Strip, first: int, last: int) -> tuple[int, int]:
 
 
 def textual_version() -> str:
-    """The version of Textual that is imported, '' if its installation does not say."""
+    """The version of the imported Textual, '' if its installation does not state one."""
     import textual
 
     # The name of the metadata folder: importlib.metadata would cost the first frame 20 ms for the same answer.
@@ -68,7 +68,7 @@ def textual_version() -> str:
 
 
 def install() -> bool:
-    """Replace the method if this Textual is one of those checked; says whether it did."""
+    """Replace the method if this version of Textual was checked; return whether it did."""
     if not textual_version().startswith(CHECKED_VERSION):
         return False
     from textual._compositor import ChopsUpdate

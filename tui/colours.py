@@ -1,6 +1,6 @@
 """The few colours of the desktop and what each means; dark, light, sixteen-colour and colourless.
 
-Hues come from the palette of Okabe and Ito, which stays distinct for colour-blind eyes; nothing is told by hue alone (the
+Hues come from the palette of Okabe and Ito, which stays distinct for colour-blind eyes; hue alone never carries a meaning (the
 focused frame is also heavy, a warning also has its mark). A `Colours` holds finished, shared `Style` objects: Textual's
 strips are only cheap when equal styles are the same object.
 """

@@ -1,7 +1,7 @@
-"""How an application on the terminal ends and is stopped: at any moment, in bounded time, with the terminal given back.
+"""How an application on the terminal is ended or suspended: at any moment, in bounded time, restoring the terminal.
 
-`core.session.ending` knows when; here is what that means for Textual. The order at the end is: the application leaves and gives
-the terminal back, then the programs end (`Desk.close`). What takes too long is hurried, and at last ended by force.
+`core.session.ending` knows when; this module does it for Textual. The order is: the application exits and restores the
+terminal, then the programs end (`Desk.close`). Whatever takes too long is hurried, and finally ended by force.
 """
 
 from __future__ import annotations
@@ -11,18 +11,20 @@ import os
 import signal
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from day6_tui.core.session.ending import Ending, Step
 from day6_tui.tui import output
 
 if TYPE_CHECKING:
+    from textual.app import App
+
     from day6_tui.tui.app import Day6App
 
 LEAVE_SECONDS = 6.0
-"""For the screen's own way out, the programs' (`Desk.close`) and the link's; on a machine that has other work too."""
+"""Seconds for the screen, the programs (`Desk.close`) and the link to end, on a machine that is busy with other work too."""
 HURRY_SECONDS = 1.5
-"""For the same once the user has said it twice."""
+"""The same once the user has asked a second time."""
 
 GIVE_BACK = "".join(
     (
@@ -33,13 +35,13 @@ GIVE_BACK = "".join(
         "\x1b[?1049l\x1b[?25h\x1b[0m",  # the shell's screen, the cursor, plain text
     )
 )
-"""Takes back all that Textual turns on."""
+"""Undoes every terminal mode that Textual turns on."""
 
 
 def ending_of(app: Day6App) -> Ending:
-    """Return the end of the desktop; it listens to nothing yet."""
+    """Return the object that ends the desktop; it handles no signal yet."""
     ending = Ending(Step(lambda: _leave(app), LEAVE_SECONDS), Step(app.machine.hurry, HURRY_SECONDS))
-    ending.give_back = lambda: give_back(app)
+    ending.restore_terminal = lambda: give_back(app)
     return ending
 
 
@@ -49,34 +51,40 @@ def _leave(app: Day6App) -> None:
         app.leave_soon()
 
 
-def give_back(app: Any) -> None:
-    """Give the terminal back although the application cannot: its settings, its screen, its modes. May block.
+def give_back(app: App[None]) -> None:
+    """Restore the terminal when the application cannot: its settings, its screen, its modes. May block.
 
-    It may have done so already, all or in part (a slow terminal has not taken it yet); twice does no harm.
+    The application may have done so already, fully or in part (a slow terminal); doing it twice is harmless.
     """
     driver = app._driver
-    before = getattr(driver, "attrs_before", None)
-    if sys.platform != "win32" and before is not None:
+    if sys.platform != "win32":
         import termios
 
-        with contextlib.suppress(termios.error):
-            termios.tcsetattr(driver.fileno, termios.TCSANOW, before)
-            termios.tcflush(driver.fileno, termios.TCOFLUSH)
+        from textual.drivers.linux_driver import LinuxDriver
+
+        if isinstance(driver, LinuxDriver) and driver.attrs_before is not None:
+            with contextlib.suppress(termios.error):
+                termios.tcsetattr(driver.fileno, termios.TCSANOW, driver.attrs_before)
+                termios.tcflush(driver.fileno, termios.TCOFLUSH)
     if driver is not None:
         with contextlib.suppress(OSError):
             os.write(2, GIVE_BACK.encode())
 
 
-def attend_stops(app: Any, soon: Callable[[Callable[[], object]], object]) -> None:
-    """Have the terminal taken again after any stop, and after none of our own (SIGSTOP, a stray SIGCONT) too; POSIX only.
+def attend_stops(app: App[None], soon: Callable[[Callable[[], object]], object]) -> None:
+    """Take over the terminal again after any suspension, even one we did not start (SIGSTOP, a stray SIGCONT). POSIX only.
 
     Textual starts a second time where it was not told to suspend: it then forgets what the terminal's settings were, and the
     first of its two input threads never ends. `soon` runs a function in the application: there, one signal cannot come in the
     middle of what another one asked for. While the application leaves, nothing is taken again.
     """
+    if sys.platform == "win32":
+        return
+    from textual.drivers.linux_driver import LinuxDriver
+
     driver = app._driver
-    if sys.platform == "win32" or not hasattr(driver, "_sigcont_application"):
-        return  # headless, or Windows
+    if not isinstance(driver, LinuxDriver):
+        return  # headless
     here = os.getpid()
 
     def suspend() -> None:
@@ -102,7 +110,7 @@ def attend_stops(app: Any, soon: Callable[[Callable[[], object]], object]) -> No
 
 
 def _has_job_control() -> bool:
-    """Whether a shell of this session started us, who will let us go on; the kernel does not stop a program without one."""
+    """Whether a shell of this session started us and can resume us; the kernel does not stop a program without one."""
     if sys.platform == "win32":
         return False
     try:

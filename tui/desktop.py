@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 
 from textual import events
-from textual.containers import Container
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.widget import Widget
@@ -13,17 +12,15 @@ from textual.widget import Widget
 from day6_tui.core.session.display import Window
 from day6_tui.tui.arrangement import WIDE, Arrangement, Place, arrange
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import Overlay
+from day6_tui.tui.overlay import Overlay, PaneHost
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.terminal_pane import TerminalPane
+from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
-
-WELCOME = 0
-"""The number of the pane that is shown while no window is open; windows of programs count from 1."""
 
 
 class _DesktopLayout(Layout):
-    """Puts every pane where the desktop's arrangement says; a pane that is behind another gets no place."""
+    """Places every pane as the desktop's arrangement says; a pane that is behind another gets no place."""
 
     name = "desktop"
 
@@ -36,19 +33,24 @@ class _DesktopLayout(Layout):
                 over = child.place(_column_for_overlays(found, size))
                 placements.append(WidgetPlacement(Region(*over), NULL_OFFSET, NULL_SPACING, child))
                 continue
-            place = found.terminal if child is parent.terminals else found.windows.get(getattr(child, "number", -1))
+            place = found.terminal if child is parent.terminals else found.windows.get(_number_of(child))
             if place is not None:
                 placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
         return placements
 
 
+def _number_of(widget: Widget) -> int:
+    """The window number of a window's pane, or of the pane that replaces it; -1 for others."""
+    return widget.number if isinstance(widget, (WindowPane, WelcomePane)) else -1
+
+
 def _pane_of(widget: Widget) -> Pane | None:
-    """The pane that a focused widget is, or is in (the text of an editor)."""
+    """The pane that a focused widget is or belongs to (such as the text of an editor)."""
     return next((found for found in widget.ancestors_with_self if isinstance(found, Pane)), None)
 
 
 def _column_for_overlays(found: Arrangement, size: Size) -> Place:
-    """The part of the desktop over which something may lie: one column of panes.
+    """The part of the desktop that an overlay may cover: one column of panes.
 
     Textual cuts every line at the edges of all widgets on it, also of those below, and a Chinese character that is cut is lost.
     """
@@ -58,31 +60,29 @@ def _column_for_overlays(found: Arrangement, size: Size) -> Place:
     return Place(places[0].x, 0, places[0].width, size.height)
 
 
-class Desktop(Container):
-    """Owns the panes. It knows which window was used last and what is enlarged; the windows themselves belong to the display."""
+class Desktop(PaneHost):
+    """Owns the panes, the last used window and what is enlarged; the windows themselves belong to the display."""
 
     DEFAULT_CSS = "Desktop { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
 
     BLANK = True  # the panes cover it
 
-    def __init__(self, look: Look, terminals: TerminalPane, welcome: Pane) -> None:
+    def __init__(self, look: Look, terminals: TerminalPane, welcome: WelcomePane) -> None:
         super().__init__(terminals, welcome, id="desktop")
         self._layout_of_panes = _DesktopLayout()
         self.look = look
         self.terminals = terminals
         self.welcome = welcome
-        welcome.number = WELCOME  # type: ignore[attr-defined]
-        self.panes: dict[int, WindowPane] = {}
+        self.panes: dict[int, WindowPane[object]] = {}
         """The panes of the open windows, by window number, oldest first."""
         self.active: int | None = None
         """The window used last."""
         self.enlarged: str | None = None
         self.share = 0.5
         self.guided = True
-        """Whether the place of the windows shows the welcome pane while there are none."""
+        """Whether the welcome pane is shown while there are no windows."""
         self.guide_yields = False
-        """On a small screen the guide gives its place to terminals whose text no longer fits, while they have the keyboard."""
-        self.overlay: Overlay | None = None
+        """On a small screen the guide makes room for terminals whose text no longer fits, while they have the focus."""
 
     @property
     def layout(self) -> Layout:
@@ -93,7 +93,7 @@ class Desktop(Container):
     @property
     def numbers(self) -> list[int]:
         """The numbers of the windows, the welcome pane's if there is none."""
-        return list(self.panes) or ([WELCOME] if self.guided else [])
+        return list(self.panes) or ([WelcomePane.number] if self.guided else [])
 
     def plan(self, width: int, height: int) -> Arrangement:
         terminal_focused = self.terminals.has_focus or self._lately_terminal
@@ -116,7 +116,7 @@ class Desktop(Container):
     _last_focus: Pane | None = None
 
     def shown(self) -> list[Pane]:
-        """The panes that have a place at present."""
+        """The visible panes."""
         found = self.plan(*self.size)
         panes: list[Pane] = [self.terminals] if found.terminal is not None else []
         for number in found.windows:
@@ -127,23 +127,23 @@ class Desktop(Container):
 
     def pane(self, number: int) -> Pane | None:
         """The pane of a window, or the welcome pane for its number."""
-        return self.welcome if number == WELCOME and not self.panes else self.panes.get(number)
+        return self.welcome if number == WelcomePane.number and not self.panes else self.panes.get(number)
 
-    def hidden_windows(self) -> list[WindowPane]:
-        """Windows that have no place: their names stand on the frames of others."""
+    def hidden_windows(self) -> list[WindowPane[object]]:
+        """The hidden windows: their names are shown on the frames of other panes."""
         places = self.plan(*self.size).windows
         return [pane for number, pane in self.panes.items() if number not in places]
 
     # -- windows come and go -------------------------------------------------------------------------------------------
 
-    def show_windows(self, windows: list[Window]) -> list[WindowPane]:
-        """Make the panes agree with the display's list. Returns the new ones for which there is no place beside the terminal."""
-        unseen: list[WindowPane] = []
+    def show_windows(self, windows: list[Window[object]]) -> list[WindowPane[object]]:
+        """Make the panes agree with the display's list; return the new ones that do not fit beside the terminal."""
+        unseen: list[WindowPane[object]] = []
         open_numbers = {window.number for window in windows}
         focused_gone = False
         for number in [number for number in self.panes if number not in open_numbers]:
             pane = self.panes.pop(number)
-            focused_gone = focused_gone or self.focused_pane() is pane
+            focused_gone = focused_gone or self.focused_pane is pane
             pane.remove()
         for window in windows:
             if window.number not in self.panes:
@@ -156,7 +156,7 @@ class Desktop(Container):
                 elif pane.number not in self.plan(*self.size).windows:
                     unseen.append(pane)
         if self.active not in self.panes:
-            self.active = next(reversed(self.panes), WELCOME)
+            self.active = next(reversed(self.panes), WelcomePane.number)
             if self.enlarged == "window":
                 self.enlarged = None
         self.welcome.display = not self.panes and self.guided
@@ -172,63 +172,40 @@ class Desktop(Container):
             self.rearrange()
 
     def _covers_the_focus(self) -> bool:
-        """Whether the window that was opened last lies over the one that has the keyboard, which then nobody would see."""
-        focused = self.focused_pane()
+        """Whether the window opened last covers the focused one, which would then be invisible."""
+        focused = self.focused_pane
         return isinstance(focused, WindowPane) and focused.number not in self.plan(*self.size).windows
 
-    def break_window(self, pane: Pane, error: Exception) -> None:
-        """Show the reason in the place of a window that failed while it was drawn."""
-        assert isinstance(pane, WindowPane)
+    def break_window(self, pane: WindowPane[object], error: Exception) -> None:
+        """Show the reason in place of a window that failed while being drawn."""
         broken = BrokenPane(pane.window, self.look, error)
         self.panes[pane.number] = broken
         pane.remove()
         self.mount(broken)
         self.rearrange()
 
-    # -- overlays ------------------------------------------------------------------------------------------------------
-
-    def open_overlay(self, overlay: Overlay) -> None:
-        """Lay something over the panes (instead of what lies there) and give it the keyboard."""
-        self.close_overlay()
-        self.overlay = overlay
-        self.mount(overlay)
-        self._give_keyboard(overlay)
-
-    def close_overlay(self) -> None:
-        """Take it away; the pane that had the keyboard gets it back."""
-        if self._drop_overlay():
-            self._give_keyboard(self.focused_pane())
-
-    def _drop_overlay(self) -> bool:
-        """Take it away and leave the keyboard to the caller; False if there is none."""
-        overlay, self.overlay = self.overlay, None
-        if overlay is not None:
-            overlay.remove()
-        return overlay is not None
-
     # -- focus and size ------------------------------------------------------------------------------------------------
 
     def rearrange(self) -> None:
-        """Place the panes anew."""
+        """Lay out the panes again."""
         # Asked of a child: a widget's own arrangement is only forgotten when a child's layout changes.
         self.terminals.refresh(layout=True)
         for pane in (self.terminals, self.welcome, *self.panes.values()):
             pane.touch()
 
     def focus_pane(self, pane: Pane) -> None:
-        """Give a pane the keyboard and bring it to the front. What lay over another one is gone then."""
-        self._drop_overlay()
+        """Focus a pane and bring it to the front; an overlay over another pane is closed."""
+        self.drop_overlay()
         self._last_focus = pane
-        number = getattr(pane, "number", None)
-        if number is not None:
-            self.active = number
+        if isinstance(pane, (WindowPane, WelcomePane)):
+            self.active = pane.number
         if self.enlarged is not None:
             self.enlarged = "terminal" if pane is self.terminals else "window"
         self.rearrange()
-        self._give_keyboard(pane)
+        self.give_keyboard(pane)
 
-    def _give_keyboard(self, pane: Pane) -> None:
-        """At once: `Widget.focus` would wait until quick keys that are meant for `pane` have gone to another one."""
+    def give_keyboard(self, pane: Pane) -> None:
+        """Focus a pane at once: with `Widget.focus`, quick keys meant for `pane` would still go to another one."""
         target = pane.focus_target
         if target.is_attached:
             self.screen.set_focus(target, scroll_visible=False)
@@ -236,7 +213,7 @@ class Desktop(Container):
             target.focus(scroll_visible=False)
 
     def keep_keyboard(self) -> None:
-        """Before a key: where the keyboard is with nobody, or with what has gone, the pane that should have it gets it.
+        """Called before a key: if nothing, or something removed, has the focus, focus the pane that should have it.
 
         Textual gives it back to an overlay that was closed in the meantime when the terminal has lost and won the focus.
         """
@@ -244,10 +221,11 @@ class Desktop(Container):
             return
         focused = self.screen.focused
         if focused is None or not focused.is_attached or (isinstance(focused, Overlay) and focused is not self.overlay):
-            self._give_keyboard(self.focused_pane() if self.overlay is None else self.overlay)
+            self.give_keyboard(self.focused_pane if self.overlay is None else self.overlay)
 
+    @property
     def focused_pane(self) -> Pane:
-        """The pane that has the keyboard, or had it before an overlay."""
+        """The pane that has the focus, or had it before an overlay."""
         last = self._last_focus
         return last if last is not None and last.is_attached else self.terminals
 
@@ -258,8 +236,8 @@ class Desktop(Container):
         if event.widget is not self.screen.focused:
             return  # quick keys: the news of one pane may come when the next already has the focus
         self._last_focus = pane
-        if (number := getattr(pane, "number", None)) is not None:
-            self.active = number
+        if isinstance(pane, (WindowPane, WelcomePane)):
+            self.active = pane.number
         self.rearrange()
 
     def toggle_enlarged(self) -> None:
@@ -267,11 +245,13 @@ class Desktop(Container):
         if self.enlarged is not None:
             self.enlarged = None
         else:
-            self.enlarged = "terminal" if self.focused_pane() is self.terminals else "window"
+            self.enlarged = "terminal" if self.focused_pane is self.terminals else "window"
         self.rearrange()
 
-    def other_tabs(self, pane: Pane) -> list[Piece]:
-        """The names of the windows that cannot be seen, for the upper edge of `pane`."""
+    def tabs_beside(self, pane: Pane) -> list[Piece]:
+        """The names of the hidden windows: shown on the upper edge of the terminals and of the last used window."""
+        if isinstance(pane, WindowPane) and pane.number != self.active:
+            return []
         colours = self.look.colours
         return [
             Piece(f" {hidden.label} ", colours.title, partial(self.focus_pane, hidden))

@@ -1,4 +1,4 @@
-"""How it stands with the doors to other machines (`--listen`, `--connect`), in the few words the top line has room for."""
+"""The state of the connections to other machines (`--listen`, `--connect`), in the few words that fit in the top line."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _FINE = ("open", "joined", "opening", "calling")
 
 
 def door_words(door: Door, ellipsis: str) -> tuple[str, bool, dict[str, object]]:
-    """The text of a door to other machines in the top line: its id, whether all is well, its parameters."""
+    """Return the text for a connection in the top line: its id, whether all is well, its parameters."""
     address = door.endpoint.partition("/")[2]
     host, _, port = address.rpartition(":")
     name = door.state.value.replace(" ", "_")

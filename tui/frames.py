@@ -1,9 +1,9 @@
 """The one frame timer: it runs while something changes, and not at all while nothing does.
 
-`wake` may be called from any thread, as often as one likes: it sets a flag, and only the first call after a rest costs a
+`wake` may be called from any thread, as often as needed: it sets a flag, and only the first call after a pause costs a
 trip into the event loop. Each frame clears the flag, lets the panes pull what is new, and plans the next frame; a frame that
-finds the flag unset ends the series. Keys never wait for frames: the loop handles them in between, and a frame is put off
-while the terminal has not yet taken what was sent before.
+finds the flag unset ends the series. Keys never wait for frames: the loop handles them in between, and a frame is postponed
+while the terminal has not yet accepted what was sent before.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ SLOWEST = 4.0
 class Frames:
     """Calls `draw` at most `fps` times a second, when woken. With `fps` 0 only `step` draws (tests).
 
-    `work` is what must not wait for a frame, such as reading a flood of output: a slice of a few milliseconds, called between
-    the frames as long as it says in how many seconds it wants to be called again (None: not before the next frame).
+    `work` does what must not wait for a frame, such as reading a flood of output: it takes a few milliseconds and is called
+    between frames. It returns the seconds until its next call (None: not before the next frame).
     """
 
     def __init__(
@@ -81,7 +81,7 @@ class Frames:
             try:
                 loop.call_soon_threadsafe(self._begin, context=self._context)
             except RuntimeError:
-                # The loop closed between the look and the call: the desktop is going away.
+                # The loop closed between the check and the call: the desktop is being closed.
                 self._running = False
 
     def step(self) -> None:
@@ -126,7 +126,7 @@ class Frames:
             return
         self._running = False
         if self._woken:
-            # A thread woke us between the look at the flag and the line above.
+            # A thread woke us between the check of the flag and the line above.
             self._running = True
             self._plan(now + self._period)
 

@@ -43,7 +43,7 @@ class GlyphSet:
     canvas: str
     border: Border
     strong_border: Border
-    """Of the pane that has the keyboard; it differs in shape too, for eyes and terminals without colour."""
+    """For the focused pane; it differs in shape too, for eyes and terminals without colour."""
     news: str
     chevron: str
     running: str
@@ -59,7 +59,7 @@ class GlyphSet:
 
     @property
     def chinese(self) -> bool:
-        """Whether such terminals have Chinese characters: the console's fonts have none, ever."""
+        """Whether such terminals have Chinese characters: the Linux console's fonts never do."""
         return self.canvas in ("half", "braille")
 
 
@@ -92,7 +92,7 @@ GLYPH_SETS: dict[str, GlyphSet] = {
 def terminal_environ() -> Mapping[str, str]:
     """The environment as the terminal gave it.
 
-    Python itself sets LC_CTYPE=C.UTF-8 when it finds the C locale (PEP 538), and Textual takes NO_COLOR away.
+    Python itself sets LC_CTYPE=C.UTF-8 when it finds the C locale (PEP 538), and Textual removes NO_COLOR.
     """
     try:
         raw = Path("/proc/self/environ").read_bytes()
@@ -113,7 +113,7 @@ def speaks_utf8(environ: Mapping[str, str], platform: str = sys.platform) -> boo
 
 
 def detect(environ: Mapping[str, str] | None = None, platform: str = sys.platform) -> str:
-    """The name of the glyph set for this terminal, by what it says about itself."""
+    """The name of the glyph set for this terminal, judged by its environment."""
     environ = terminal_environ() if environ is None else environ
     if not speaks_utf8(environ, platform):
         return "ascii"

@@ -19,11 +19,14 @@ class HelpOverlay(TextOverlay):
         self._hints = [*pane.key_hints(), *pane.more_key_hints()]
 
     def paragraphs(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
-        found = [*page_of(texts(f"help.{self._page}")), ("overlay", "")]
+        found = [*page_of(self.look.texts(f"help.{self._page}")), ("overlay", "")]
         found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
-        if self._hints:
-            found.append(("overlay", ""))
+        return found + self.everywhere()
+
+    def everywhere(self) -> list[tuple[str, str]]:
+        """The keys that do not belong to the pane."""
+        texts = self.look.texts
+        found = [("overlay", "")] if self._hints else []
         found.append(("overlay_strong", texts("help.everywhere")))
         for action in ACTIONS:
             if action.label:

@@ -1,7 +1,7 @@
-"""What a real terminal sends, made into events: whatever the bytes are, none of them ends the desktop.
+"""Turns what a real terminal sends into events; no byte sequence can end the desktop.
 
-Textual's own reading dies of a byte that is not UTF-8, of a key report with a number that is no character, of a mouse report
-for a window of no size; and it goes through a paste character by character.
+Textual's own reader fails on a byte that is not UTF-8, on a key report whose number isn't a character and on a mouse report
+for a window without a size; and it processes a paste character by character.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ from textual.driver import Driver
 from textual.message import Message
 
 LARGEST_WINDOW = 4096
-"""Columns or rows beyond which a report of the terminal is nonsense."""
+"""More columns or rows than this in a report of the terminal are nonsense."""
 
 SILENCE = 1.0
-"""Seconds without a byte after which a paste whose end never came is given on, and a single key is a key again."""
+"""Seconds without a byte after which a paste without an end mark is delivered, and a single key is a key again."""
 
 _log = logging.getLogger(__name__)
 _ENDLESS = re.compile(r"\x1b\[[0-?]{32,}")
-"""A control sequence longer than any; Textual would type it."""
+"""Longer than any control sequence; Textual would type it as text."""
 
 _REST_OF_IT = re.compile(r"[0-?]*[ -/]*[@-~]?")
 _HIGH = re.compile(rb"[\x80-\xff]+")
 
 
 class BadInput(Message):
-    """The terminal sent what is not UTF-8."""
+    """The terminal sent bytes that are not UTF-8."""
 
     def __init__(self, gbk: bool) -> None:
         super().__init__()
@@ -45,12 +45,12 @@ class BadInput(Message):
 
     @property
     def key(self) -> str:
-        """The key of the text that tells what to do about it."""
+        """The catalogue key of the text that says what to do about it."""
         return "input.gbk" if self.gbk else "input.not_utf8"
 
 
 def sturdy(driver: type[Driver]) -> type[Driver]:
-    """The driver that survives everything, in the place of Textual's own for Linux and macOS."""
+    """Return the driver that survives bad input, in place of Textual's own on Linux and macOS."""
     if driver.__name__ != "LinuxDriver":
         return driver
     from day6_tui.tui.terminal_driver import TerminalDriver
@@ -59,7 +59,7 @@ def sturdy(driver: type[Driver]) -> type[Driver]:
 
 
 def leave(app: App[Any], error: Exception) -> None:
-    """End the application as Textual does after an error of its own, with a line in place of a traceback."""
+    """End the application as Textual does after an error, with one line instead of a traceback."""
     _log.error("the application failed", exc_info=error)
     app._return_code = 1
     app._exit_renderables.append(Text(f"day6-tui: {type(error).__name__}: {error}"))
@@ -67,15 +67,15 @@ def leave(app: App[Any], error: Exception) -> None:
 
 
 class InputDecoder:
-    """Bytes of a terminal as text, over the borders of reads; what is not UTF-8 becomes U+FFFD."""
+    """Decodes a terminal's bytes across reads; what is not UTF-8 becomes U+FFFD."""
 
     def __init__(self) -> None:
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
         self.fault = ""
-        """What the last text had that was not UTF-8: 'gbk', if it looks like Chinese in that code, 'other' or ''."""
+        """What was not UTF-8 in the last text: 'gbk' if it looks like Chinese in that encoding, 'other', or ''."""
 
     def decode(self, data: bytes) -> str:
-        """Return what is complete by now."""
+        """Return the text that is complete so far."""
         pending = self._decoder.getstate()[0]
         text = self._decoder.decode(data)
         self.fault = _fault(pending + data) if "\ufffd" in text else ""
@@ -83,7 +83,7 @@ class InputDecoder:
 
 
 def _fault(data: bytes) -> str:
-    """Judge the runs of bytes outside ASCII: pairs that are common Chinese characters are hardly anything else."""
+    """Classify the runs of non-ASCII bytes: pairs that are common Chinese characters are hardly anything else."""
     fault = ""
     for run in _HIGH.findall(data):
         try:
@@ -103,18 +103,18 @@ def _is(data: bytes, encoding: str) -> bool:
 
 
 class KeyboardParser(XTermParser):
-    """Textual's parser that survives nonsense and takes a paste in one piece."""
+    """Textual's parser, made to survive nonsense and to take a paste in one piece."""
 
     def __init__(self, debug: bool = False) -> None:
         super().__init__(debug)
         self._paste: list[str] | None = None
         """The parts of the paste that has begun."""
         self._held = ""
-        """The end of what came, while it may be the beginning of a mark."""
+        """The end of the input so far, while it may be the beginning of a mark."""
         self._fed = 0.0
-        """When something came last."""
+        """When the last input arrived."""
         self._in_endless = False
-        """What comes is the rest of a control sequence longer than any."""
+        """Whether the input continues an overlong control sequence."""
 
     def feed(self, data: str) -> Iterable[Message]:
         """Yield the events in `data`. '' is the end of the input."""
@@ -163,7 +163,7 @@ class KeyboardParser(XTermParser):
         return "".join(kept)
 
     def tick(self) -> Iterable[Message]:
-        """Yield what is decided by nothing having come for a while."""
+        """Yield the events that a pause in the input decides."""
         waited = get_time() - self._fed
         if self._paste is not None:
             if self._paste and waited > SILENCE:
@@ -213,5 +213,5 @@ def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:
 
 
 def is_possible(event: events.Resize) -> bool:
-    """Whether a window can have the size that the terminal reports."""
+    """Whether the size that the terminal reports is possible."""
     return 1 <= event.size.width <= LARGEST_WINDOW and 1 <= event.size.height <= LARGEST_WINDOW

@@ -1,6 +1,6 @@
-"""Imports asyncio without ssl: the desktop opens no connections by it, and OpenSSL costs the first frame 4.4 MB and 10 ms.
+"""Imports asyncio without ssl: the desktop opens no connections with it, and OpenSSL costs the first frame 4.4 MB and 10 ms.
 
-asyncio itself is written for Pythons that have no ssl. Whoever imports ssl later gets it.
+asyncio supports Pythons without ssl. Code that imports ssl later still gets it.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import sys
 
 
 def import_asyncio() -> None:
-    """Import asyncio, without ssl unless somebody has it already. Afterwards `import ssl` works as ever."""
+    """Import asyncio, without ssl unless it is imported already. Afterwards `import ssl` works as usual."""
     if "asyncio" in sys.modules or "ssl" in sys.modules:
         return
     sys.modules["ssl"] = None  # type: ignore[assignment]

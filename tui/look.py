@@ -1,4 +1,4 @@
-"""How the desktop looks at present: glyphs, colours, language. One object, shared by all panes and changed in place."""
+"""The desktop's current appearance: glyphs, colours, language. One object, shared by all panes and changed in place."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from day6_tui.tui.locale import Texts
 
 @dataclass
 class Look:
-    """Panes read it whenever they draw; who changes it tells them to draw everything again."""
+    """Panes read it whenever they draw; the code that changes it makes them redraw everything."""
 
     glyphs: GlyphSet
     colours: Colours
     texts: Texts
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
-    """Asks for a frame: for panes whose size or state changed by the user's doing."""
+    """Requests a frame: for panes whose size or state the user changed."""

@@ -1,21 +1,26 @@
-"""The desktop's connection to the simulated machine: starts and ends it, wakes the frames when it did something, counts."""
+"""The desktop's connection to the simulated machine: starts and ends it, wakes the frames when it changes, counts nodes."""
 
 from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from day6_tui.tui.options import Options
 
 if TYPE_CHECKING:
     from day6_tui.core.link.state import Door
+    from day6_tui.core.session.display import Window
+    from day6_tui.core.shell.desk import Desk
+    from day6_tui.core.shell.terminal import Terminal
 
 
 class Machine:
-    """Holds the desk (None before it has started) and what the frame of the desktop shows of it."""
+    """Holds the desk (None before it has started) and what the desktop's bars show of it."""
 
-    def __init__(self, desk: Any, *, wake: Callable[[], None]) -> None:
-        self.desk: Any = None
+    def __init__(self, desk: Desk | None, *, wake: Callable[[], None]) -> None:
+        self.desk: Desk | None = None
         self._given = desk
         self._wake = wake
         self._version = -1
@@ -25,19 +30,13 @@ class Machine:
         """After how many changes of the graph `_counts` was counted; they come on other threads, also while one counts."""
         self._forget: Callable[[], None] | None = None
 
-    def open(self, options: Any) -> None:
+    def open(self, options: Options) -> None:
         """Start it. Raises OSError if the home folder cannot be used."""
         desk = self._given
         if desk is None:
             from day6_tui.core.shell.desk import Desk
 
-            home = getattr(options, "home", None)
-            desk = Desk(
-                Path(home) if home else None,
-                listen=getattr(options, "listen", None),
-                connect=getattr(options, "connect", None),
-                secret=getattr(options, "secret", None),
-            )
+            desk = Desk(options.home, listen=options.listen, connect=options.connect, secret=options.secret)
         desk.scheduler.on_activity = self._wake
         self._forget = desk.graph.add_listener(self._graph_changed)
         self.desk = desk
@@ -49,22 +48,21 @@ class Machine:
         if self._given is None and self.desk is not None:
             self.desk.open_link()
 
-    def robot_words(self, options: Any) -> dict[str, str]:
+    def robot_words(self, given: str | None) -> dict[str, str]:
         """What the car scene types: `robot`, the URDF file, and `fetch`, which first copies the shipped one ('' if not needed).
 
         The copy in the home folder is the student's own: it can be edited, and is never overwritten.
         """
-        given = getattr(options, "robot", None)
         if given:
             return {"robot": shlex.quote(str(Path(given).expanduser().resolve())), "fetch": ""}
         from day6_tui.urdf.shipped import shipped_model
 
         model = shipped_model()
-        there = (Path(self.desk.home) / model.name).exists()
+        there = self.desk is not None and (self.desk.home / model.name).exists()
         return {"robot": f"~/{model.name}", "fetch": "" if there else f"cp {shlex.quote(str(model))} ~"}
 
     def hurry(self) -> None:
-        """Let `close` wait for no program any more. Any thread; before it as well as while it runs."""
+        """Make `close` stop waiting for programs. Any thread; before `close` or while it runs."""
         if self.desk is not None and self._given is None:
             self.desk.hurry()
 
@@ -77,13 +75,21 @@ class Machine:
             if self._given is None:
                 self.desk.close()
 
-    def changed_windows(self) -> list[Any] | None:
-        """The open windows if there are others than at the last call."""
-        display = self.desk.display
-        if display.version == self._version:
+    def windows(self) -> list[Window[object]]:
+        """The open windows, oldest first."""
+        return self.desk.display.windows if self.desk is not None and self.desk.display is not None else []
+
+    def changed_windows(self) -> list[Window[object]] | None:
+        """The same if there are others than at the last call."""
+        display = self.desk.display if self.desk is not None else None
+        if display is None or display.version == self._version:
             return None
         self._version = display.version
-        return list(display.windows)
+        return display.windows
+
+    def terminals(self) -> list[Terminal]:
+        """The open terminals, oldest first."""
+        return list(self.desk.terminals) if self.desk is not None else []
 
     def _graph_changed(self, event: object) -> None:
         self._changes += 1
@@ -92,21 +98,28 @@ class Machine:
     def counts(self) -> tuple[int, int]:
         """How many nodes and topics there are, without the hidden ones."""
         changes = self._changes
-        if changes != self._counted:
-            from day6_tui.core.graph.endpoints import EndpointKind
-
-            graph = self.desk.graph
-            nodes = {node.full_name for node in graph.nodes if not node.name.startswith("_")}
-            topics = graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
-            self._counts = (len(nodes), sum("/_" not in name for name, _ in topics))
+        if changes != self._counted and self.desk is not None:
+            nodes = {node.full_name for node in self.desk.graph.nodes if not node.name.startswith("_")}
+            self._counts = (len(nodes), sum("/_" not in name for name in self._topics()))
             self._counted = changes
         return self._counts
 
+    def has_topic(self, name: str) -> bool:
+        """Whether somebody publishes or subscribes to it."""
+        return name in self._topics()
+
+    def _topics(self) -> list[str]:
+        from day6_tui.core.graph.endpoints import EndpointKind
+
+        if self.desk is None:
+            return []
+        return [name for name, _ in self.desk.graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)]
+
     def doors(self) -> Sequence[Door]:
-        """How it stands with `--listen` and `--connect`; empty without them, or before the link is there."""
+        """The state of `--listen` and `--connect`; empty without them, or before the link is up."""
         from day6_tui.core.link import doors_of
 
-        return doors_of(self.desk.graph)
+        return doors_of(self.desk.graph) if self.desk is not None else ()
 
     def run_tool(self, package: str, executable: str) -> None:
         """Start a program of ours that belongs to the desktop, not to a terminal; it ends when its window is closed."""
@@ -115,6 +128,8 @@ class Machine:
         from day6_tui.core.shell.language.redirection import Streams
 
         desk = self.desk
+        if desk is None:
+            return
         streams = Streams(InputStream(), OutputStream(), OutputStream())
 
         def start() -> None:
@@ -133,7 +148,7 @@ class Machine:
         return float(self.desk.clock.speed) if self.desk is not None else 1.0
 
     def toggle_pause(self) -> None:
-        """Let the world stand still or run on."""
+        """Pause or resume the world."""
         if self.desk is not None:
             (self.desk.resume if self.paused else self.desk.pause)()
 

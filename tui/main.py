@@ -1,4 +1,4 @@
-"""The `day6-tui` command: finds out which part was asked for, and imports only that."""
+"""The `day6-tui` command: determines which part was requested, and imports only that."""
 
 from __future__ import annotations
 
@@ -146,15 +146,17 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     from day6_tui.core.session.ending import leave
     from day6_tui.tui.app import run
+    from day6_tui.tui.options import Options
 
-    status = run(options)
+    del options.version
+    status = run(Options(**vars(options)))
     if arguments is None:
         leave(status)
     return status
 
 
 def _thread_failed(failure: threading.ExceptHookArgs) -> None:
-    """A thread of ours has failed of a mistake in it: one line, or the log's where there is one; Python prints a traceback."""
+    """Report an error in a thread of ours in one line, or in the log if there is one; Python would print a traceback."""
     error = failure.exc_value
     if error is None or isinstance(error, SystemExit):
         return
@@ -168,7 +170,7 @@ def _thread_failed(failure: threading.ExceptHookArgs) -> None:
 
 
 def _end_silently_on_ctrl_c() -> None:
-    """Until somebody listens, Ctrl-C ends this process as it ends a program in C: without Python's traceback."""
+    """Until a handler is installed, let Ctrl-C end this process like a C program: without Python's traceback."""
     if (
         signal.getsignal(signal.SIGINT) is signal.default_int_handler
     ):  # not where it is ignored (`nohup`, a script's `&`)
@@ -210,21 +212,22 @@ def _ros2(words: list[str]) -> int:
 
 
 def _show_window(foreground: Foreground) -> None:
-    """Draw the program's window; a program without one never gets here, and Textual is not imported for it."""
+    """Draw the program's window. A program without one never calls this, and Textual is not imported for it."""
     from day6_tui.tui.window_app import show
 
     show(foreground)
 
 
 def _named_program(name: str) -> Callable[[list[str]], int] | None:
-    """rqt_graph, rviz2, check_urdf …: what is a command of its own in ROS too."""
-    from day6_tui.core.ros.programs import COMMANDS
+    """Run rqt_graph, rviz2, check_urdf …, which are commands of their own in ROS too."""
+    from day6_tui.core.ros.program_index import COMMANDS
 
     return partial(_program, name) if name in COMMANDS else None
 
 
 def _program(name: str, words: list[str]) -> int:
-    from day6_tui.core.ros.programs import COMMANDS, load
+    from day6_tui.core.ros.program_index import COMMANDS
+    from day6_tui.core.ros.programs import load
     from day6_tui.core.session.local import has_terminal, run_local
 
     return run_local(load(*COMMANDS[name]), [name, *words], show=_show_window if has_terminal() else None)
@@ -256,8 +259,8 @@ def _complete(words: list[str]) -> int:
 
 
 def _own_words(words: list[str]) -> list[str]:
-    """What can be the last of the words behind `day6-tui`: a command or an option; nothing where a file is wanted."""
-    from day6_tui.core.ros.programs import COMMANDS
+    """Completions for the last word after `day6-tui`: commands and options; nothing where a file is expected."""
+    from day6_tui.core.ros.program_index import COMMANDS
 
     options = build_parser()._option_string_actions
     option = options.get(words[-2]) if len(words) > 1 else None

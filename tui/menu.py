@@ -15,14 +15,14 @@ from day6_tui.tui.pane import Piece
 
 
 class Entry(NamedTuple):
-    """One line: what it is called, what stands to the right of it, what choosing and deleting it do."""
+    """One line: its name, the note to the right of it, what choosing and deleting it do."""
 
     name: str
     note: str
     choose: Callable[[], object]
     delete: Callable[[], object] | None = None
     words: str = ""
-    """Further words by which it is found (its name in the other language, its explanation)."""
+    """More text to search in (its name in the other language, its explanation)."""
 
 
 class Menu(Overlay):

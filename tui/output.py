@@ -1,8 +1,8 @@
-"""Lets the desktop end when its terminal is gone: Textual's output thread survives that the terminal takes no more.
+"""Lets the desktop end when its terminal is gone: keeps Textual's output thread alive when writing fails.
 
-The thread dies of the first write that fails, and nobody takes from its queue any more; when the queue is full the application
-waits for room in it for ever, also on its way out. So a terminal window that was closed in the wrong moment left a desktop
-behind, with all its programs. The same happens while the thread lives, but nobody reads what it writes (a connection that hangs).
+Textual's thread dies at the first failed write, and its queue is no longer emptied; once the queue is full the application
+waits for ever, even while exiting. So closing a terminal window at the wrong moment would leave a desktop behind, with all
+its programs. The same would happen if the thread lives but nothing reads what it writes (a hanging connection).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ HELD = 8192
 
 
 class Leaky:
-    """A file that takes what nobody can read any more."""
+    """A file that discards writes once the terminal is gone."""
 
     def __init__(self, file: IO[str]) -> None:
         self._file = file
@@ -32,7 +32,7 @@ class Leaky:
         self._encoding: str = getattr(file, "encoding", None) or "utf-8"
         self._held = bytearray()
         self.gone = False
-        """Whether the terminal takes nothing any more."""
+        """Whether the terminal no longer accepts output."""
 
     def write(self, text: str) -> int:
         try:
@@ -70,7 +70,7 @@ def _descriptor(file: IO[str]) -> int | None:
 
 
 def _write_all(fd: int, data: bytes) -> None:
-    """Write, also to a terminal that another program has told not to wait (Python's own files lose text then)."""
+    """Write, even to a terminal that another program made non-blocking (Python's own files lose text then)."""
     rest = memoryview(data)
     while rest:
         try:
@@ -81,13 +81,13 @@ def _write_all(fd: int, data: bytes) -> None:
 
 _leaving = threading.Event()
 FULL_SECONDS = 0.2
-"""How long a writer waits for room before it looks whether the desktop is leaving."""
+"""Seconds a writer waits for room before it checks whether the desktop is exiting."""
 LAST_SECONDS = 1.0
-"""How long the desktop waits, on its way out, for a terminal to take what it still has to say."""
+"""Seconds the exiting desktop waits for the terminal to accept its last output."""
 
 
 def install() -> None:
-    """Use it for every writer thread that is started from now on."""
+    """Use this for every writer thread started from now on."""
     if WriterThread.run is not _run:
         WriterThread.run = _run  # type: ignore[method-assign]
         WriterThread.write = _write  # type: ignore[method-assign]
@@ -95,7 +95,7 @@ def install() -> None:
 
 
 def let_go() -> None:
-    """The desktop is leaving: from now on no picture is worth waiting for."""
+    """Stop waiting for the terminal: the desktop is exiting, and no picture matters any more."""
     _leaving.set()
 
 

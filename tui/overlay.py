@@ -1,12 +1,14 @@
-"""What lies over the desktop for a moment: it takes the keyboard, and gives it back when it goes."""
+"""Overlays over the desktop: an overlay takes the focus, and returns it when it closes."""
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterable
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.containers import Container
 
 from day6_tui.tui.arrangement import Place
 from day6_tui.tui.cells import fit, wrap
@@ -15,7 +17,7 @@ from day6_tui.tui.pane import Pane, Piece
 
 
 class Overlay(Pane):
-    """Base of menu, help and messages. `place` says where it lies; Esc and a click outside dismiss it."""
+    """Base of menu, help and messages. `place` returns where it is; Esc and a click outside dismiss it."""
 
     DEFAULT_CSS = "Overlay { layer: above; }"
     wanted_width = 64
@@ -39,9 +41,8 @@ class Overlay(Pane):
 
     def dismiss(self) -> None:
         """Go away."""
-        close = getattr(self.parent, "close_overlay", None)
-        if close is not None:
-            close()
+        if isinstance(self.parent, PaneHost):
+            self.parent.close_overlay()
 
     def on_key(self, event: events.Key) -> None:
         event.stop()
@@ -55,8 +56,46 @@ class Overlay(Pane):
         """Keys but Esc."""
 
 
+class PaneHost(Container):
+    """The container of the windows' panes: the desktop, or the screen of a single program. It has at most one overlay."""
+
+    overlay: Overlay | None = None
+
+    @property
+    @abstractmethod
+    def focused_pane(self) -> Pane | None:
+        """The pane that has the focus, or had it before an overlay."""
+
+    @abstractmethod
+    def give_keyboard(self, pane: Pane) -> None:
+        """Focus a pane or overlay."""
+
+    def tabs_beside(self, pane: Pane) -> list[Piece]:
+        """What else can be reached from the upper edge of `pane`."""
+        return []
+
+    def open_overlay(self, overlay: Overlay) -> None:
+        """Open an overlay over the panes, replacing any other, and focus it."""
+        self.close_overlay()
+        self.overlay = overlay
+        self.mount(overlay)
+        self.give_keyboard(overlay)
+
+    def close_overlay(self) -> None:
+        """Close the overlay; the pane that had the focus gets it back."""
+        if self.drop_overlay() and (pane := self.focused_pane) is not None:
+            self.give_keyboard(pane)
+
+    def drop_overlay(self) -> bool:
+        """Close the overlay and leave the focus to the caller; return False if there is none."""
+        overlay, self.overlay = self.overlay, None
+        if overlay is not None:
+            overlay.remove()
+        return overlay is not None
+
+
 class TextOverlay(Overlay):
-    """A text to read, wrapped and scrolled. What stands before a tab is a key, set apart from its explanation."""
+    """A text to read, wrapped and scrolled. Text before a tab is a key, set apart from its explanation."""
 
     def __init__(self, look: Look, title: str, keys: str) -> None:
         super().__init__(look)
@@ -138,7 +177,7 @@ def _lines_of(text: str, width: int) -> list[str]:
 
 
 class MessageOverlay(TextOverlay):
-    """Something went wrong: in plain words, and in the catalogue's or the real tool's own."""
+    """Shows an error: in plain words, and in the catalogue's or the real tool's own."""
 
     def __init__(self, look: Look, text: str) -> None:
         super().__init__(look, "error.title", "error.continue")

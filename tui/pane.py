@@ -1,8 +1,8 @@
 """A framed rectangle of the desktop that draws itself line by line.
 
-The frame belongs to the pane's own lines, because it carries things: the tabs and the title above, the status below. The lines
-are kept as strips until they are touched, and only the touched cells are refreshed, so a frame in which nothing changed costs
-nothing and a moving turtle costs its own cells.
+The pane draws its own frame, which carries the tabs and the title above and the status below. Lines are kept as strips
+until they are touched, and only the touched cells are refreshed: a frame in which nothing changed costs nothing, and a
+moving turtle costs its own cells.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Piece(NamedTuple):
 
 
 class Pane(Widget, can_focus=True):
-    """Base of everything framed. A subclass gives `content_line`, and what it likes of title, status, keys and `pull`."""
+    """Base of everything framed. A subclass defines `content_line` and, as needed, title, status, keys and `pull`."""
 
     DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
 
@@ -80,7 +80,7 @@ class Pane(Widget, can_focus=True):
         return self
 
     def pull(self, now: float) -> bool:
-        """Look at the model and touch what changed; `now` is the monotonic time. True asks for another frame."""
+        """Read the model and touch what changed; `now` is the monotonic time. Return True to request another frame."""
         return False
 
     def key_hints(self) -> list[tuple[str, str]]:
@@ -113,7 +113,7 @@ class Pane(Widget, can_focus=True):
     # -- touching ------------------------------------------------------------------------------------------------------
 
     def measure(self) -> bool:
-        """Learn the present size; True if it is another one, for which everything has to be drawn again."""
+        """Read the current size; return True if it changed and everything has to be drawn again."""
         size = self.size
         if size == self.extent:
             return False
@@ -123,10 +123,10 @@ class Pane(Widget, can_focus=True):
         return True
 
     def touch(self) -> None:
-        """Everything has to be drawn again.
+        """Draw everything again.
 
-        What can be clicked stays as it is seen until then: pressing the button may give the focus, and with it the touch, before
-        it is let go.
+        What is clickable stays as shown until then: pressing a mouse button may focus the pane, and so touch it, before the
+        button is released.
         """
         self._strips.clear()
         self.refresh()
@@ -136,7 +136,7 @@ class Pane(Widget, can_focus=True):
         self.touch()
 
     def touch_lines(self, lines: Iterable[int]) -> None:
-        """These lines of the inside may look different now: the cells that really do are refreshed."""
+        """Compare these inner lines with what is shown and refresh the cells that differ."""
         offset, height = self.inner_offset, self.inner_height
         self._compare(line + offset for line in lines if 0 <= line < height)
 
@@ -247,7 +247,7 @@ class Pane(Widget, can_focus=True):
     # -- events --------------------------------------------------------------------------------------------------------
 
     def hit(self, x: int, y: int) -> Action | None:
-        """What a click at this cell of the pane does, if it is on a piece with an action."""
+        """Return the action of the piece at this cell of the pane, if there is one."""
         for first, end, action in self._hits.get(y, ()):
             if first <= x < end:
                 return action
@@ -278,7 +278,7 @@ class Pane(Widget, can_focus=True):
 
 
 JOIN_GAP = 8
-"""Equal cells between two differences up to which one span is sent: moving the cursor and setting colours costs more."""
+"""Up to this many equal cells between two differences are sent as one span: moving the cursor and setting colours costs more."""
 
 
 def differences(old: Strip, new: Strip) -> list[tuple[int, int]]:
@@ -313,7 +313,7 @@ def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
 
 
 def _in_ascii(strip: Strip) -> Strip:
-    """What a terminal without UTF-8 can show: signs that have a plain likeness in it, else a question mark, wide ones two."""
+    """Replace what a terminal without UTF-8 cannot show: by a similar ASCII character, else by `?` (`??` for a wide one)."""
     if all(segment.text.isascii() for segment in strip):
         return strip
     return Strip(

@@ -14,11 +14,11 @@ from day6_tui.tui.overlay import Overlay
 from day6_tui.tui.pane import Piece
 
 Taken = Callable[[str], str | None]
-"""Gets what was typed; returns what is wrong with it (then the line stays open), or None."""
+"""Receives the typed text; returns what is wrong with it (then the prompt stays open), or None."""
 
 
 def before_replacing(look: Look, path_of: Callable[[str], Path], taken: Taken) -> Taken:
-    """Return `taken` for a name to save under: where a file of that name is, Enter has to be pressed once more."""
+    """Wrap `taken` for a file name to save under: if the file exists, Enter has to be pressed again."""
     asked = ""
 
     def checked(text: str) -> str | None:
@@ -33,7 +33,7 @@ def before_replacing(look: Look, path_of: Callable[[str], Path], taken: Taken) -
 
 
 class Prompt(Overlay):
-    """Asks for `title`; `note` stands below the line until `taken` has something to complain about."""
+    """Asks for `title`; `note` is shown below the line until `taken` returns a complaint."""
 
     def __init__(self, look: Look, title: str, value: str, taken: Taken, *, note: str = "") -> None:
         super().__init__(look)
@@ -67,7 +67,7 @@ class Prompt(Overlay):
         return [Segment(" " + lines[y - 1], style)] if y <= len(lines) else []
 
     def _window(self, width: int) -> tuple[str, str, str]:
-        """What of the line is shown, around the cursor: before, at and after it."""
+        """The visible part of the line: before, at and after the cursor."""
         before, at, after = self.value[: self._cursor], self.value[self._cursor :][:1], self.value[self._cursor + 1 :]
         while before and cell_len(before) > width - 1:
             before = before[1:]
@@ -116,7 +116,7 @@ class Prompt(Overlay):
 
 
 class Question(Overlay):
-    """Asks for one of a few keys: `answers` says what each does, `keys` tells them to the user."""
+    """Asks for one of a few keys: `answers` holds their actions, `keys` describes them to the user."""
 
     def __init__(self, look: Look, title: str, keys: str, answers: Mapping[str, Callable[[], object]]) -> None:
         super().__init__(look)

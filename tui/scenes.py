@@ -76,7 +76,7 @@ SCENES: dict[str, Scene] = {
 }
 
 KEYS_PER_SECOND = 40.0
-"""How fast a teacher types who wants to be read."""
+"""Characters per second: slow enough to read along."""
 
 LONGEST_WAIT = 6.0
 """Seconds a step waits for a window or program."""
@@ -128,7 +128,7 @@ class Player:
                 self.done = True
 
     def hurry(self) -> None:
-        """Type the rest at once (somebody pressed a key)."""
+        """Type the rest at once (the user pressed a key)."""
         self._visibly = False
         self._next = 0.0
 
@@ -167,7 +167,7 @@ class Player:
         yield 0.0
 
     def _until(self, condition: Callable[[], bool]) -> Iterator[float]:
-        """Wait for `condition`, not for ever, and not after the program one waits for has ended."""
+        """Wait for `condition`, with a time limit, and only until the program it depends on has ended."""
         began = self._now
         while not condition():
             waited = self._now - began

@@ -1,6 +1,6 @@
-"""A key, a click or a paste that something fails of is lost, and told; terminals, programs and unsaved texts go on.
+"""If handling a key, a click or a paste fails, it is lost and the error is shown; programs and unsaved texts survive.
 
-Textual ends the whole application with the first exception of a handler, and with it everything that pupils have open.
+Textual ends the whole application at the first exception in a handler, and with it everything that students have open.
 """
 
 from __future__ import annotations
@@ -11,17 +11,22 @@ from typing import Any
 
 from textual import events
 from textual.app import App
+from textual.message import Message
 
 _log = logging.getLogger(__name__)
 
 TYPED = (events.InputEvent, events.Paste)
-"""What a person does: keys, the mouse, what is pasted."""
+"""Input events: keys, the mouse, pasted text."""
 
 
-async def survive(app: App[Any], event: events.Event, handling: Awaitable[None]) -> None:
-    """Wait for the `handling` of an event. The exception of what a person did goes to the application's `frame_failed`.
+class PersonMessage(Message):
+    """Base of a pane's messages about user input."""
 
-    Every other exception comes out, and so do all without a terminal (tests).
+
+async def survive(app: App[Any], event: Message, handling: Awaitable[None]) -> None:
+    """Await the `handling` of an event; pass an exception caused by user input to the application's `frame_failed`.
+
+    Every other exception propagates, and without a terminal (tests) all of them do.
     """
     try:
         await handling
@@ -30,6 +35,6 @@ async def survive(app: App[Any], event: events.Event, handling: Awaitable[None])
             _log.debug("a key or a click came too late", exc_info=error)  # for a pane that is gone
             return
         failed = getattr(app, "frame_failed", None)
-        if failed is None or app.is_headless or not isinstance(event, TYPED):
+        if failed is None or app.is_headless or not isinstance(event, (*TYPED, PersonMessage)):
             raise
         failed(error)

@@ -1,7 +1,7 @@
-"""Textual's driver for Linux and macOS with a keyboard that survives everything, and an end in order where it cannot.
+"""Textual's driver for Linux and macOS, with keyboard input that survives every error, and an orderly end if it cannot.
 
-Textual starts two threads: one reads the terminal, the other writes to it (`tui.output`). If one of them cannot go on, the
-desktop ends as if it had been left: programs are ended, texts kept, the terminal is given back; only the status tells.
+Textual starts two threads: one reads the terminal, the other writes to it (`tui.output`). If one of them fails, the
+desktop ends as if the user had quit: programs end, texts are kept, the terminal is restored; only the exit status differs.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ from day6_tui.tui.keyboard import BadInput, InputDecoder, KeyboardParser, is_pos
 READ_SIZE = 65536
 FAILED = 1
 HUNG_UP = 129
-"""Exit status when the terminal went away: 128 + SIGHUP, as a shell says it."""
+"""Exit status when the terminal went away: 128 + SIGHUP, as a shell reports it."""
 
 MOST_FAILURES = 100
-"""Reads that may fail one after the other."""
+"""Consecutive reads that may fail."""
 
 _log = logging.getLogger(__name__)
 
 
 class TerminalDriver(LinuxDriver):
-    """Reads the keyboard without ever failing of what it sends."""
+    """Reads the keyboard; no input makes it fail."""
 
-    _told: frozenset[str] = frozenset()
+    _reported: frozenset[str] = frozenset()
 
     def _run_input_thread(self) -> None:
         try:
@@ -66,7 +66,7 @@ class TerminalDriver(LinuxDriver):
                 parser = KeyboardParser(self._debug)  # the old one may stand anywhere
 
     def _read(self) -> bytes | None:
-        """What the terminal has sent, after a moment None if that is nothing; b'' if it is gone."""
+        """Return what the terminal sent, None if there was nothing for a moment, b'' if it is gone."""
         if not select.select([self.fileno], [], [], 0.1)[0]:
             return None
         try:
@@ -79,7 +79,7 @@ class TerminalDriver(LinuxDriver):
     def _take(self, decoder: InputDecoder, parser: KeyboardParser, data: bytes) -> None:
         text = decoder.decode(data)
         if decoder.fault:
-            self._tell(decoder.fault)
+            self._report(decoder.fault)
         for message in parser.feed(text) if text else ():
             if isinstance(message, events.Resize) and not (self._in_band_window_resize and is_possible(message)):
                 parser.mouse_pixels = False
@@ -89,9 +89,9 @@ class TerminalDriver(LinuxDriver):
         for message in parser.tick():
             self.process_message(message)
 
-    def _tell(self, fault: str) -> None:
-        if fault not in self._told:
-            self._told |= {fault}
+    def _report(self, fault: str) -> None:
+        if fault not in self._reported:
+            self._reported |= {fault}
             self.send_message(BadInput(fault == "gbk"))
 
     def _output_is_gone(self) -> bool:

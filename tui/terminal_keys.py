@@ -1,4 +1,4 @@
-"""What a key press sends: the bytes of an xterm, as text."""
+"""The text that a key press sends: the bytes of an xterm."""
 
 from __future__ import annotations
 

@@ -1,34 +1,41 @@
-"""The pane of the terminals: one is shown, the others are tabs on its upper edge that tell what runs and what is new."""
+"""The terminal pane: shows one terminal; the others are tabs on its upper edge that show what runs and what is new."""
 
 from __future__ import annotations
 
 import time
 import weakref
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
 from textual.geometry import Offset
+from textual.message import Message
 
 from day6_tui.tui.cells import cell_len, clip, fit
 from day6_tui.tui.look import Look
+from day6_tui.tui.overlay import PaneHost
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.terminal_keys import encode
 from day6_tui.tui.terminal_view import TerminalView, tab_name
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.terminal import Terminal
 
 TAB_WIDTH = 20
 """Cells the name of a tab may take."""
 
 SHORTEST_NAME = 5
-"""Cells below which the name of a tab says nothing: its number has to do."""
+"""With fewer cells a tab's name says nothing: only its number is shown."""
 
 WHEEL_LINES = 3
 
+ARROWS = ("up", "down", "left", "right")
+
 NEXT_SLICE = 0.001
-"""Seconds between two slices of reading a flood: the threads of programs have their turn."""
+"""Seconds between two slices of reading a flood, so that the threads of programs get their turn."""
 
 NEXT_LOOK = 0.004
 """Seconds after which a flood whose output has all been read is looked at again."""
@@ -37,7 +44,35 @@ FLOOD_SECONDS = 0.1
 """A flood is over when nothing had to be read between two frames for so long."""
 
 NEXT_PICTURE = 0.1
-"""Seconds between two pictures of a flood that cannot be followed: nobody reads more, and drawing costs as much as reading."""
+"""Seconds between two pictures of a flood: nobody can read faster, and drawing costs as much as reading."""
+
+
+class HeldKeys:
+    """Holds back keys for the terminal in which a scene types, until it has finished; Esc stops the scene."""
+
+    def __init__(self) -> None:
+        self.holding = False
+        self.view: TerminalView | None = None
+        """The terminal the scene types in; None before it has chosen one, when every key is held."""
+        self.keys: list[events.Key] = []
+
+    def begin(self) -> None:
+        """A scene begins."""
+        self.holding, self.view, self.keys = True, None, []
+
+    def end(self) -> None:
+        """It has ended; what is held is forgotten."""
+        self.holding, self.view, self.keys = False, None, []
+
+    def take(self, event: events.Key, view: TerminalView | None) -> bool:
+        """Keep a key for `view`; False if it has to go there now."""
+        if not self.holding or (self.view is not None and view is not self.view):
+            return False
+        if event.key == "escape":
+            self.end()
+        else:
+            self.keys.append(event)
+        return True
 
 
 class TerminalPane(Pane):
@@ -45,24 +80,32 @@ class TerminalPane(Pane):
 
     help_key = "terminal"
 
+    class ArrowEchoed(Message):
+        """An arrow key went to a program that does not read single keys: it is only echoed, as ^[[A."""
+
+        def __init__(self, pane: TerminalPane) -> None:
+            super().__init__()
+            self.pane = pane
+
+        @property
+        def control(self) -> TerminalPane:
+            return self.pane
+
     def __init__(self, look: Look) -> None:
         super().__init__(look, id="terminals")
         self.views: list[TerminalView] = []
         self.active = 0
-        self.other_pieces: Callable[[], list[Piece]] = list
-        """Names of hidden windows for the right of the upper edge."""
-        self.key_back: Callable[[], str] = lambda: "F3"
-        """The key that brings the keyboard here."""
-        self.on_key_before: Callable[[events.Key], bool] = lambda event: False
+        self.key_back = "F3"
+        """The key that brings the keyboard here, as of the last frame."""
+        self.held = HeldKeys()
         self._early_keys: list[events.Key] = []
-        """Asked first about every key; True if it was used."""
-        self.known: weakref.WeakSet[Any] = weakref.WeakSet()
+        self.known: weakref.WeakSet[Terminal] = weakref.WeakSet()
         """All terminals that were ever shown here."""
         self._flood_until = 0.0
         self._behind_until = 0.0
         """Until then the terminal that is shown counts as one whose output comes faster than it can be read."""
         self._drawn = 0.0
-        self._size_told: tuple[int, int] | None = None
+        self._reported_size: tuple[int, int] | None = None
         self._shown_title: list[tuple[str, Style]] = []
         self._shown_hint = ""
         self._drag: tuple[int, int] | None = None
@@ -74,7 +117,7 @@ class TerminalPane(Pane):
         """The view of the terminal that is shown."""
         return self.views[self.active] if self.views else None
 
-    def add(self, terminal: Any) -> TerminalView:
+    def add(self, terminal: Terminal) -> TerminalView:
         """Show another terminal and make it the active one."""
         view = TerminalView(terminal)
         self.views.append(view)
@@ -92,7 +135,7 @@ class TerminalPane(Pane):
         self.look.wake()
 
     def forget(self, view: TerminalView) -> None:
-        """Take a terminal that has ended away."""
+        """Remove a terminal that has ended."""
         index = self.views.index(view)
         self.views.remove(view)
         if self.views:
@@ -133,7 +176,7 @@ class TerminalPane(Pane):
         return pieces
 
     def _labels(self) -> list[str]:
-        """What stands on the tabs: as much of the names as fits side by side, at least the numbers."""
+        """The labels of the tabs: as much of the names as fits side by side, at least the numbers."""
         glyphs = self.look.glyphs
         names = [f"{index + 1} {tab_name(view.terminal.title)}".rstrip() for index, view in enumerate(self.views)]
         news = [index != self.active and view.terminal.has_news for index, view in enumerate(self.views)]
@@ -169,7 +212,7 @@ class TerminalPane(Pane):
         self.focus(scroll_visible=False)
 
     def title_right(self) -> list[Piece]:
-        return self.other_pieces()
+        return self.parent.tabs_beside(self) if isinstance(self.parent, PaneHost) else []
 
     def status(self) -> list[Piece]:
         view = self.view
@@ -198,8 +241,8 @@ class TerminalPane(Pane):
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
-        if self.extent.width and self._size_told != self.terminal_size():
-            self._size_told = self.terminal_size()
+        if self.extent.width and self._reported_size != self.terminal_size():
+            self._reported_size = self.terminal_size()
             self._tell_size()
         view = self.view
         more = False
@@ -242,12 +285,12 @@ class TerminalPane(Pane):
         return flood
 
     def _hint(self) -> str:
-        """What its last line says in place of output: how to go on when keys do not do what one expects."""
+        """The hint shown in the last line: what to do when keys do not do what the user expects."""
         view = self.view
         if view is not None and view.terminal.is_stubborn:
             return self.look.texts("terminal.stubborn")
         if view is not None and not self.has_focus and view.reading_keys:
-            return self.look.texts("terminal.hint", key=self.key_back())
+            return self.look.texts("terminal.hint", key=self.key_back)
         return ""
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
@@ -269,16 +312,16 @@ class TerminalPane(Pane):
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def on_key(self, event: events.Key) -> None:
-        if self.on_key_before(event):
-            event.stop()
-            event.prevent_default()
-            return
         event.stop()
         event.prevent_default()
         view = self.view
+        if self.held.take(event, view):
+            return
         if view is None:
             self._early_keys.append(event)
             return
+        if event.key in ARROWS and view.only_echoes:
+            self.post_message(self.ArrowEchoed(self))
         # Shift+PageUp is a terminal's own key, which many keep for themselves; alone it means nothing to a shell or a cooked
         # program, so it looks back there, too.
         if event.key in ("shift+pageup", "shift+pagedown") or (
@@ -292,7 +335,7 @@ class TerminalPane(Pane):
         self.type_key(view, event)
 
     def take_early_keys(self) -> None:
-        """Type what came before there was a terminal."""
+        """Type the text that arrived before there was a terminal."""
         early, self._early_keys = self._early_keys, []
         for event in early:
             self.on_key(event)

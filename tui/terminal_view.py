@@ -1,16 +1,21 @@
-"""The picture of one terminal: its screen and scrollback as segments, and which cells changed since the last frame."""
+"""The view of one terminal: its screen and scrollback as segments, and which cells changed since the last frame."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.tui.colours import Colours, pixel_style
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.light_pyte import Char
+    from day6_tui.core.shell.rows import Row
+    from day6_tui.core.shell.terminal import Terminal
 
 # Ubuntu's terminal palette (the Tango colours), by pyte's names; 'brown' is the VT's word for yellow.
 _PALETTE = {
@@ -52,8 +57,8 @@ _PALETTE_ON_LIGHT = {
 }
 _SIXTEEN_NAMES = {"brown": "yellow", "brightbrown": "bright_yellow"}
 
-Row = Sequence[Any]
-"""One line of pyte characters: data, fg, bg, bold, italics, underscore, strikethrough, reverse, blink."""
+Attributes: TypeAlias = tuple[str, str, bool, bool, bool, bool, bool, bool]
+"""fg, bg, bold, italics, underscore, strikethrough, reverse, blink of a cell."""
 
 
 class Span(NamedTuple):
@@ -65,7 +70,7 @@ class Span(NamedTuple):
 
 
 @lru_cache(maxsize=2048)
-def _style(attributes: tuple[Any, ...], colours: Colours) -> Style:
+def _style(attributes: Attributes, colours: Colours) -> Style:
     """The shared style for a character's attributes (all of pyte's but the character itself)."""
     fg, bg, bold, italics, underscore, strike, reverse, _blink = attributes
     base = colours.terminal
@@ -104,22 +109,22 @@ def _sixteen(colour: str) -> str | None:
 
 
 class TerminalView:
-    """Keeps what is on show of one terminal, compares, and tells the spans that differ.
+    """Keeps what is shown of one terminal, and finds the spans that differ from the last frame.
 
     `scroll` is how many lines the view looks back. `selection` is (line, column) to (line, column), lines counted from the
     beginning of the scrollback, the end excluded.
     """
 
-    def __init__(self, terminal: Any) -> None:
+    def __init__(self, terminal: Terminal) -> None:
         self.terminal = terminal
         self.scroll = 0
         self.selection: tuple[tuple[int, int], tuple[int, int]] | None = None
-        self._rows: list[list[Any]] = []
+        self._rows: list[list[Char]] = []
         self._cursor: tuple[int, int] | None = None
         self._stale = True
         self._scrolled = 0
         self.passed = 0
-        """Lines that left the screen between the last two looks."""
+        """Lines that left the screen between the last two updates."""
 
     # -- reading the terminal ------------------------------------------------------------------------------------------
 
@@ -139,12 +144,12 @@ class TerminalView:
     @property
     def has_more(self) -> bool:
         """Whether the terminal has text that its screen does not show yet."""
-        return bool(self.terminal.has_more)
+        return self.terminal.has_more
 
     @property
     def is_crowded(self) -> bool:
-        """Whether so much waits to be shown that its programs pause."""
-        return bool(self.terminal.is_crowded)
+        """Whether so much output is waiting that its programs pause."""
+        return self.terminal.is_crowded
 
     @property
     def at_prompt(self) -> bool:
@@ -174,10 +179,10 @@ class TerminalView:
         return min(cursor.x, self.columns - 1), line
 
     def stale(self) -> None:
-        """Compare nothing next time: everything is new."""
+        """Make the next `changes` return everything."""
         self._stale = True
 
-    def row(self, line: int) -> Row:
+    def row(self, line: int) -> Sequence[Char]:
         """The characters of a line of the view."""
         return self._rows[line] if line < len(self._rows) else ()
 
@@ -228,10 +233,10 @@ class TerminalView:
             x -= 1
         return Span(line, x, min(self.columns, x + 2))
 
-    def _read(self, line: int, columns: int) -> list[Any]:
+    def _read(self, line: int, columns: int) -> list[Char]:
         return self._absolute_row(self.history - self.scroll + line, columns)
 
-    def _absolute_row(self, index: int, columns: int) -> list[Any]:
+    def _absolute_row(self, index: int, columns: int) -> list[Char]:
         """The characters of a line counted from the beginning of the scrollback."""
         screen = self.terminal.screen
         if index < self.history:
@@ -270,7 +275,7 @@ class TerminalView:
         segments: list[Segment] = []
         text: list[str] = []
         current: Style | None = None
-        attributes: Any = None
+        attributes: Attributes | None = None
         plain: Style | None = None
         for x, char in enumerate(row):
             data = char.data
@@ -322,7 +327,7 @@ class TerminalView:
         return "\n".join(found)
 
 
-def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
+def _unfold(row: Row, columns: int, blank: Char) -> list[Char]:
     """A line of the scrollback (text, or runs of text and style) as characters, a wide one followed by an empty one."""
     # Not at the top: pyte takes tens of milliseconds, and the first frame has no screen yet.
     from day6_tui.core.shell.rows import cells_of
@@ -331,7 +336,7 @@ def _unfold(row: Any, columns: int, blank: Any) -> list[Any]:
     return cells[:columns] + [blank] * (columns - len(cells))
 
 
-def _whole(row: Row, x: int) -> str:
+def _whole(row: Sequence[Char], x: int) -> str:
     """The character at a cell, a blank where only half of a wide one is left (the line must not change its width)."""
     data: str = row[x].data
     if data == "":

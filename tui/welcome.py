@@ -1,8 +1,8 @@
-"""The pane in the place of the windows while there are none: first the welcome choices, later what opens a window."""
+"""The pane shown while there are no windows: first the welcome choices, later commands that open a window."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from rich.segment import Segment
@@ -14,6 +14,7 @@ from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.colours import background_of
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.survival import PersonMessage
 from day6_tui.tui.windows.turtle_shapes import COATS, pixels
 
 LOGO_SIZE = 20
@@ -54,26 +55,50 @@ _LOGO_ASCII = (
 
 
 class WelcomePane(Pane):
-    """The welcome choices, or (`guide`) the commands worth trying.
-
-    `on_choice` gets what the chosen entry does, `on_typed` keys and `on_pasted` text that are no choice: whoever types a command
-    here means a terminal.
-    """
+    """The welcome choices, or (`guide`) the commands worth trying. A command typed here goes to a terminal."""
 
     help_key = "welcome"
+    number = 0
+    """Its window number; those of programs start at 1."""
 
-    on_typed: Callable[[events.Key], None]
-    on_pasted: Callable[[str], None]
+    class Did(PersonMessage):
+        """Base of this pane's messages."""
 
-    def __init__(self, look: Look, on_choice: Callable[[str], None]) -> None:
+        def __init__(self, pane: WelcomePane) -> None:
+            super().__init__()
+            self.pane = pane
+
+        @property
+        def control(self) -> WelcomePane:
+            return self.pane
+
+    class Chosen(Did):
+        """An entry was chosen; `does` is what it does."""
+
+        def __init__(self, pane: WelcomePane, does: str) -> None:
+            super().__init__(pane)
+            self.does = does
+
+    class Typed(Did):
+        """A key that is no choice."""
+
+        def __init__(self, pane: WelcomePane, key: events.Key) -> None:
+            super().__init__(pane)
+            self.key = key
+
+    class Pasted(Did):
+        """Text was pasted."""
+
+        def __init__(self, pane: WelcomePane, text: str) -> None:
+            super().__init__(pane)
+            self.text = text
+
+    def __init__(self, look: Look) -> None:
         super().__init__(look, id="welcome")
         self.guide = False
         self.chosen = 0
-        self._on_choice = on_choice
-        self.on_typed = lambda event: None
-        self.on_pasted = lambda text: None
         self._leaving = False
-        """Whether typing has begun that goes to a terminal: the keyboard follows a moment later than quick fingers."""
+        """Whether the user has begun to type a command for a terminal: the focus moves a moment later than quick fingers."""
         self._built: list[list[Segment]] = []
         self._rows: dict[int, int] = {}
         self._built_for: object = None
@@ -102,7 +127,7 @@ class WelcomePane(Pane):
         if 0 <= index < len(choices):
             self.chosen = index
             self.touch()
-            self._on_choice(choices[index].does)
+            self.post_message(self.Chosen(self, choices[index].does))
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 
@@ -236,7 +261,7 @@ class WelcomePane(Pane):
         count = len(self.choices)
         number = "123456789".find(event.character) if event.character and not self.guide else -1
         if self._leaving:
-            self.on_typed(event)
+            self.post_message(self.Typed(self, event))
         elif event.key in ("down", "tab"):
             self.chosen = (self.chosen + 1) % count
         elif event.key in ("up", "shift+tab"):
@@ -247,7 +272,7 @@ class WelcomePane(Pane):
             self.choose(number)
         elif event.character and event.character.isprintable():
             self._leaving = True
-            self.on_typed(event)
+            self.post_message(self.Typed(self, event))
         else:
             return
         event.stop()
@@ -257,7 +282,7 @@ class WelcomePane(Pane):
     def on_paste(self, event: events.Paste) -> None:
         event.stop()
         self._leaving = True
-        self.on_pasted(event.text)
+        self.post_message(self.Pasted(self, event.text))
 
     def on_blur(self, event: events.Blur) -> None:
         self._leaving = False

@@ -1,8 +1,8 @@
 # ruff: noqa: E402 - two things have to be settled before Textual is imported
 """One program's window on a real terminal: `day6-tui ros2 run turtlesim turtlesim_node` takes the terminal it was started in.
 
-No simulated machine is behind it: the program runs in this process (`core.session.local`), and what it writes while its
-window is shown stands on the line below, in the log (F5), and on the terminal afterwards.
+There is no simulated machine: the program runs in this process (`core.session.local`). What it writes while its
+window is shown appears on the line below, in the log (F5), and on the terminal afterwards.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import os
 import re
 import sys
 import time
-from types import SimpleNamespace
+from collections.abc import Callable
 from typing import Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
@@ -22,28 +22,31 @@ from day6_tui.tui import lean
 
 lean.import_asyncio()
 
-from textual import events
+from textual import events, on
 from textual.app import App, ComposeResult
 from textual.binding import Binding
-from textual.containers import Container
 from textual.driver import Driver
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.screen import Screen
 from textual.widget import Widget
 
+from day6_tui.core.session.display import Window
 from day6_tui.core.session.local import Foreground
 from day6_tui.tui import chops, output
-from day6_tui.tui.app import DEFAULT_FPS, HINT_SECONDS, DeskScreen, keep_log_off_the_screen, make_look
+from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
 from day6_tui.tui.arrangement import Place
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.departure import give_back
 from day6_tui.tui.frames import Frames
-from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS
+from day6_tui.tui.help import HelpOverlay
 from day6_tui.tui.keyboard import BadInput, leave, sturdy
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import MessageOverlay, Overlay, TextOverlay, page_of
+from day6_tui.tui.looks import Looks
+from day6_tui.tui.notices import HINT_SECONDS
+from day6_tui.tui.options import Options
+from day6_tui.tui.overlay import MessageOverlay, Overlay, PaneHost, TextOverlay
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.survival import survive
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
@@ -56,16 +59,16 @@ _STAMP = re.compile(r"(?<=^\[[A-Z]{4}\] )\[[0-9.]+\] |(?<=^\[[A-Z]{5}\] )\[[0-9.
 """The time in a line of the log: the log has it, the lower bar has no room."""
 
 GRACE = 2.0
-"""Seconds a program has to end by itself when its terminal is gone."""
+"""Seconds a program has to end on its own when its terminal is gone."""
 
 KEYS = (("q ^C", "end"), ("F1", "help"), ("F5", "log"))
-"""What the lower bar shows: the key, and the part of `single.<part>` and `do_<part>`."""
+"""The lower bar's keys, each with the `<part>` of the text `single.<part>` that names its action."""
 MORE_KEYS = (("F3", "next"), ("F6", "glyphs"), ("F7", "language"), ("^Z", "suspend"))
-"""What only the help names."""
+"""Keys that only the help lists."""
 
 
 class _Stage(Layout):
-    """Gives the whole place to the window used last; an overlay lies over it."""
+    """Gives all the space to the last used window; an overlay covers it."""
 
     name = "stage"
 
@@ -83,7 +86,7 @@ class _Stage(Layout):
         return placements
 
 
-class Stage(Container):
+class Stage(PaneHost):
     """Holds the panes of the program's windows (nearly always one)."""
 
     DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
@@ -93,16 +96,15 @@ class Stage(Container):
         super().__init__(id="stage")
         self._stage = _Stage()
         self.look = look
-        self.panes: dict[int, WindowPane] = {}
+        self.panes: dict[int, WindowPane[object]] = {}
         """By window number, oldest first."""
-        self.shown: WindowPane | None = None
-        self.overlay: Overlay | None = None
+        self.shown: WindowPane[object] | None = None
 
     @property
     def layout(self) -> Layout:
         return self._stage
 
-    def show_windows(self, windows: list[Any]) -> None:
+    def show_windows(self, windows: list[Window[object]]) -> None:
         """Make the panes agree with what the program has opened."""
         numbers = {window.number for window in windows}
         for number in [number for number in self.panes if number not in numbers]:
@@ -113,58 +115,39 @@ class Stage(Container):
         if self.shown not in self.panes.values():
             self.show(next(reversed(self.panes.values()), None))
 
-    def break_window(self, pane: Any, error: Exception) -> None:
-        """Show the reason in the place of a window that failed while it was drawn."""
+    def break_window(self, pane: WindowPane[object], error: Exception) -> None:
+        """Show the reason in place of a window that failed while being drawn."""
         if pane in self.panes.values():
             pane.remove()
             self._put(pane.number, BrokenPane(pane.window, self.look, error))
 
-    def _put(self, number: int, pane: WindowPane) -> None:
+    def _put(self, number: int, pane: WindowPane[object]) -> None:
         self.panes[number] = pane
         self.mount(pane)
         self.show(pane)
 
-    def show(self, pane: WindowPane | None) -> None:
+    def show(self, pane: WindowPane[object] | None) -> None:
         """Bring a window to the front."""
         self.shown = pane
         if pane is not None:
             pane.refresh(layout=True)
             pane.touch()
             if self.overlay is None:
-                pane.focus(scroll_visible=False)
+                self.give_keyboard(pane)
 
-    def open_overlay(self, overlay: Overlay) -> None:
-        """Lay something over the window and give it the keyboard."""
-        self.close_overlay()
-        self.overlay = overlay
-        self.mount(overlay)
-        overlay.focus(scroll_visible=False)
+    @property
+    def focused_pane(self) -> Pane | None:
+        return self.shown
 
-    def close_overlay(self) -> None:
-        """Take it away; the window gets the keyboard back."""
-        if self.overlay is not None:
-            overlay, self.overlay = self.overlay, None
-            overlay.remove()
-            if self.shown is not None:
-                self.shown.focus(scroll_visible=False)
+    def give_keyboard(self, pane: Pane) -> None:
+        pane.focus(scroll_visible=False)
 
 
-class SingleHelp(TextOverlay):
+class SingleHelp(HelpOverlay):
     """F1: the window and its keys."""
 
-    wanted_width = 76
-
-    def __init__(self, look: Look, pane: Pane) -> None:
-        super().__init__(look, "help.title", "help.keys")
-        self._page = pane.help_key
-        self._hints = [*pane.key_hints(), *pane.more_key_hints()]
-
-    def paragraphs(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
-        found = [*page_of(texts(f"help.{self._page}")), ("overlay", "")]
-        found += [("overlay_key", f"{key}\t{name}") for key, name in self._hints]
-        found += [("overlay", f"{key}\t{texts('help.single.' + part)}") for key, part in KEYS + MORE_KEYS]
-        return found
+    def everywhere(self) -> list[tuple[str, str]]:
+        return [("overlay", f"{key}\t{self.look.texts('help.single.' + part)}") for key, part in KEYS + MORE_KEYS]
 
 
 class LogOverlay(TextOverlay):
@@ -183,7 +166,7 @@ class LogOverlay(TextOverlay):
         return [("overlay", line.replace("\t", "    ")) for line in self._log_lines]
 
     def on_resize(self, event: events.Resize) -> None:
-        """Begin at the end: the newest lines are the ones wanted."""
+        """Begin at the end, with the newest lines."""
         self.measure()
         self._scroll(len(self.lines(self.inner_width - 2)))
 
@@ -215,6 +198,18 @@ class WindowApp(App[None]):
         self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
         self.look.wake = self.frames.wake
         self.stage = Stage(look)
+        looks = Looks(self, look)
+        self.deeds: dict[str, Callable[[], object]] = {
+            "end": self.do_end,
+            "interrupt": self.do_interrupt,
+            "help": self.do_help,
+            "log": self.do_log,
+            "next": self.do_next,
+            "suspend": self.do_suspend,
+            "glyphs": looks.next_glyphs,
+            "language": looks.next_language,
+        }
+        """The handlers of the keys, by the names in BINDINGS."""
         self.bottom = Bar(look, self.bottom_pieces, name="bottom")
         self._version = -1
         self._presses = 0
@@ -245,7 +240,7 @@ class WindowApp(App[None]):
         self.foreground.scheduler.on_activity = None
 
     def _look(self) -> None:
-        """Leave when the program has ended, also where nothing wakes the frames any more."""
+        """Exit when the program has ended, even if nothing wakes the frames any more."""
         if self.foreground.over:
             self.exit()
         else:
@@ -258,7 +253,7 @@ class WindowApp(App[None]):
         await survive(self, event, super().on_event(event))
 
     def on_bad_input(self, event: BadInput) -> None:
-        """The terminal has another code than this program: what is typed in it cannot be read."""
+        """The terminal uses another encoding than this program, so what is typed cannot be decoded."""
         self._hint, self._hint_until = self.look.texts(event.key), time.monotonic() + HINT_SECONDS
         self.frames.wake()
 
@@ -273,7 +268,7 @@ class WindowApp(App[None]):
         return queue is not None and queue.qsize() > 3
 
     def draw_frame(self) -> bool:
-        """Pull what is new into the panes. True while something moves by itself."""
+        """Pull what is new into the panes; return True while something is animated."""
         now = time.monotonic()
         display = self.foreground.display
         if self.foreground.over:
@@ -294,24 +289,27 @@ class WindowApp(App[None]):
         return again
 
     def frame_failed(self, error: Exception) -> None:
-        """Something of the screen itself is broken: say so, and let the program go on."""
+        """Report an error of the screen itself, and let the program go on."""
         _log.error("a frame failed", exc_info=error)
         if not isinstance(self.stage.overlay, MessageOverlay):
             self.stage.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))
 
-    def window_failed(self, pane: Any, error: Exception) -> None:
-        """A window that cannot be drawn is replaced by the reason; its program goes on."""
+    @on(WindowPane.Failed)
+    def drop_broken_window(self, event: WindowPane.Failed) -> None:
+        self.window_failed(event.pane, event.error)
+
+    def window_failed(self, pane: WindowPane[object], error: Exception) -> None:
+        """Replace a window that cannot be drawn by the reason; its program goes on."""
         _log.warning("a window failed", exc_info=error)
         self.stage.break_window(pane, error)
 
-    def bottom_pieces(self) -> tuple[list[Piece], list[Piece]]:
+    def bottom_pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """The newest line of the log, and the keys."""
         look = self.look
-        keys = [KeyHint(key, look.texts(f"single.{part}"), getattr(self, f"do_{part}")) for key, part in KEYS]
+        keys = [KeyHint(key, look.texts(f"single.{part}"), self.deeds[part]) for key, part in KEYS]
         pane = self.stage.shown
         if pane is not None:
             keys = [*keys[:1], *(KeyHint(key, name, weight=5) for key, name in pane.key_hints()), *keys[1:]]
-        width = self.bottom.extent.width
         right = key_pieces(look, keys, width // 2)
         room = max(0, width - 1 - sum(cell_len(piece.text) for piece in right))
         if time.monotonic() < self._hint_until:
@@ -323,7 +321,7 @@ class WindowApp(App[None]):
 
     async def action_do(self, name: str) -> None:
         """Textual's entry: a key of BINDINGS was pressed."""
-        getattr(self, f"do_{name}")()
+        self.deeds[name]()
         self.frames.wake()
 
     def action_help_quit(self) -> None:
@@ -335,7 +333,7 @@ class WindowApp(App[None]):
             self.do_end()
 
     def do_end(self) -> None:
-        """Close the windows, as a click on their crosses does; who does not listen is ended."""
+        """Close the windows as a click on their crosses does; a program that ignores that is ended."""
         windows = self.foreground.display.windows
         if self._presses == 0:
             for window in windows:
@@ -343,7 +341,7 @@ class WindowApp(App[None]):
         self._insist()
 
     def do_interrupt(self) -> None:
-        """Ctrl-C, which goes to the program and not to what lies over its window."""
+        """Ctrl-C goes to the program, not to an overlay over its window."""
         if self.stage.overlay is not None:
             self.stage.close_overlay()
             return
@@ -382,36 +380,20 @@ class WindowApp(App[None]):
         """Ctrl-Z: the shell gets its terminal back, and the program stands still, until `fg`."""
         self.action_suspend_process()
 
-    def do_glyphs(self) -> None:
-        """The next set of characters."""
-        name = self.look.glyphs.name
-        self.look.glyphs = GLYPH_SETS[CANVASES[(CANVASES.index(name) + 1) % len(CANVASES)]]
-        self._restyle()
-
-    def do_language(self) -> None:
-        """中文 or English."""
-        if self.look.glyphs.chinese:
-            self.look.texts.switch()
-            self._restyle()
-
-    def _restyle(self) -> None:
-        for pane in self.screen.query(Pane):
-            pane.restyle()
-
 
 def show(foreground: Foreground) -> None:
     """Draw the program's windows on this terminal until they are gone (`core.session.local.Show`)."""
     keep_log_off_the_screen()
-    look = make_look(SimpleNamespace(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
+    look = make_look(Options(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
     app = WindowApp(foreground, look)
-    foreground.ending.give_back = lambda: give_back(app)
+    foreground.ending.restore_terminal = lambda: give_back(app)
     app.run()
     if app.return_code and not foreground.over:
         _end_without_screen(foreground)
 
 
 def _end_without_screen(foreground: Foreground) -> None:
-    """The terminal is gone or cannot be drawn on: end the program in order, and then without asking."""
+    """The terminal is gone or cannot be drawn on: end the program in an orderly way, then by force."""
     for end in (foreground.program.terminate, foreground.program.kill):
         foreground.scheduler.call_soon_threadsafe(end)
         given_up = time.monotonic() + GRACE

@@ -1,7 +1,7 @@
-"""The robot model: reading and checking URDF, plain data, kinematics, the car seen from above, the shipped robots.
+"""The robot model: reading and checking URDF, plain data, kinematics, the robot seen from above, the shipped robots.
 
-Imports neither `core` nor `tui`. yourdfpy (and the numpy it brings) is loaded by the first
-`load_robot`, never at import.
+Imports neither `core` nor `tui`; both may import it. The first `load_robot` imports yourdfpy (and numpy with it), the package
+itself does not.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""What a correct description may still get wrong: the beginners' mistakes that no parser minds.
+"""Advice about valid descriptions: beginners' mistakes that parsers accept.
 
-Only what is almost surely not meant is named, so that a good robot gets no advice.
+Only near-certain mistakes are named, so that a good robot gets no advice.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from day6_tui.urdf.xmlreader import Lines
 _TEXTS = {
     "tumbles": (
         (
-            "wheel {link} turns about another axis than its cylinder's, so it tumbles. A cylinder stands upright (z); "
+            "wheel {link} does not turn about its cylinder's axis, so it tumbles. A cylinder stands upright (z); "
             'rpy="1.5707963 0 0" in the origin of its <visual> lays it down for <axis xyz="0 1 0"/>'
         ),
         (
@@ -25,29 +25,29 @@ _TEXTS = {
         ),
     ),
     "no_axis": (
-        "joint {joint} turns about no axis: 0 0 0 is none",
+        "joint {joint} has no axis to turn about: 0 0 0 is not a direction",
         "关节 {joint} 没有转轴：0 0 0 不是一个方向",
     ),
     "stuck": (
-        "joint {joint} may move from {low:g} to {low:g}: that is not at all. Wheels are of the type continuous",
+        "joint {joint} may only move from {low:g} to {low:g}, so it cannot move. Wheels need the type continuous",
         "关节 {joint} 只能从 {low:g} 动到 {low:g}，也就是动不了。轮子应该用 continuous 类型",
     ),
 }
 
 
 def advice_of(robot: Robot, text: str, language: str = "en") -> Hint | None:
-    """Return the first piece of advice about an accepted robot, None if there is nothing to say."""
+    """Return the first piece of advice about an accepted robot, None if there is none."""
     for joint in robot.joints:
         key = _mistake(joint, robot.link(joint.child))
         if key:
             low = joint.limit.lower if joint.limit is not None else 0.0
-            said = _TEXTS[key][1 if language == "zh" else 0].format(joint=joint.name, link=joint.child, low=low)
-            return Hint(*_place(text, joint.name), said)
+            advice = _TEXTS[key][1 if language == "zh" else 0].format(joint=joint.name, link=joint.child, low=low)
+            return Hint(*_place(text, joint.name), advice)
     return None
 
 
 def _mistake(joint: Joint, child: Link) -> str:
-    """Return which text fits, empty if the joint looks right."""
+    """Return the key of the joint's mistake in `_TEXTS`, empty if it looks right."""
     if joint.type not in ("continuous", "revolute"):
         return ""
     length = math.hypot(*joint.axis)
@@ -64,7 +64,7 @@ def _mistake(joint: Joint, child: Link) -> str:
 
 
 def _disc(link: Link) -> tuple[float, float, float] | None:
-    """Return the axis of a link that is one flat cylinder about its own origin, as a wheel is."""
+    """Return the axis of a link that is a single flat cylinder around its own origin, like a wheel."""
     if len(link.visuals) != 1:
         return None
     visual = link.visuals[0]

@@ -1,7 +1,7 @@
-"""What urdfdom's messages mean, for a person who wrote the file: where to look, and what to do, in English or Chinese.
+"""Explains urdfdom's messages to the author of the file: where to look and what to do, in English or Chinese.
 
-urdfdom names its own source lines and no place in the description. A hint names line and column of the element that is
-to blame, then says in plain words what it wants. Hints stand beside the messages and replace none of them.
+urdfdom names lines of its own source and no place in the description. A hint names line and column of the faulty element, then
+explains in plain words what it needs. Hints are shown in addition to the messages and replace none of them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ LANGUAGES = ("en", "zh")
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """Line and column in the description (0, 0: none in particular) and the explanation."""
+    """Line and column in the description, from 1 (0, 0: no particular place), and the explanation."""
 
     line: int
     column: int
@@ -33,11 +33,11 @@ class Hint:
         return f"hint: {place}{self.text}"
 
 
-# What urdfdom says (a pattern whose groups are a, b …) -> English, Chinese.
+# A pattern of urdfdom's message, whose groups are {0}, {1} … -> English, Chinese.
 _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (
         r"XML_ERROR_MISMATCHED_ELEMENT.*name=(\S+)",
-        "the tag <{0}> that begins here is not closed: after what belongs to it there has to be </{0}>, or a / before its >",
+        "the tag <{0}> that begins here is not closed: it needs </{0}> after its contents, or a / before its >",
         "这里开始的标签 <{0}> 没有关好：内容后面要有 </{0}>，或者在 > 前面写 /",
     ),
     (
@@ -51,19 +51,19 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
         "the tags are nested too deeply: most likely one is never closed",
         "标签套得太深：多半有一个没有关上",
     ),
-    (r"Error=XML_ERROR", "the file is no XML from here on", "从这里开始就不是正确的 XML 了"),
+    (r"Error=XML_ERROR", "from here on the file is not valid XML", "从这里开始就不是正确的 XML 了"),
     (
         r"too large: (\S+ MB)",
-        "a robot description is a text of some kilobytes; shapes with many details belong into mesh files",
+        "a robot description is usually a few kilobytes of text; detailed shapes belong in mesh files",
         "机器人描述一般只有几 KB；细节很多的形状应该放进 mesh 文件",
     ),
     (
         r"Could not find the 'robot' element",
-        'everything has to stand inside <robot name="…"> … </robot>',
+        'everything has to be inside <robot name="…"> … </robot>',
         '所有内容都要写在 <robot name="…"> … </robot> 里面',
     ),
     (r"No name given for the robot", 'the robot needs a name: <robot name="…">', '机器人要有名字：<robot name="…">'),
-    (r"version", 'leave the attribute version away, or write version="1.0"', '去掉 version 属性，或者写 version="1.0"'),
+    (r"version", 'remove the attribute version, or write version="1.0"', '去掉 version 属性，或者写 version="1.0"'),
     (
         r"No link elements found",
         "there is no <link> in the robot: it needs at least one",
@@ -82,8 +82,8 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (
         r"Two root links found: \[(.*)\] and \[(.*)\]",
         (
-            "{0} and {1} both hang on nothing. All links have to hang together: exactly one, the root, is nobody's child. "
-            "Is a joint missing, or is its child wrong?"
+            "neither {0} nor {1} is attached to another link. All links have to form one tree: exactly one, the root, is "
+            "not a child. Is a joint missing, or is its child wrong?"
         ),
         (
             "{0} 和 {1} 都没有挂在别的 link 上。所有 link 要连成一棵树：只有一个（根）不是别人的 child。"
@@ -92,12 +92,12 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"No root link found",
-        "every link is some joint's child, so they hang in a ring; one link, the root, must be nobody's child",
+        "every link is the child of some joint, so they form a loop; one link, the root, must not be a child",
         "每个 link 都是某个 joint 的 child，连成了一个圈；要有一个 link（根）不是任何人的 child",
     ),
     (
         r"(child|parent) link \[(.*)\] of joint \[(.*)\] not found",
-        "joint {2} names a {0} link {1}, and there is no link of that name{near}",
+        "joint {2} names {1} as its {0} link, but there is no link of that name{near}",
         "joint {2} 的 {0} 写的是 {1}，可是没有叫这个名字的 link{near}",
     ),
     (
@@ -109,7 +109,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
         r"[Jj]oint \[(.*)\] (is of type (REVOLUTE|PRISMATIC)|has no limits)",
         (
             'a {kind} joint moves between two limits: add <limit lower="…" upper="…" effort="…" velocity="…"/>, or make it '
-            "continuous if it may turn for ever"
+            "continuous if it may turn without limit"
         ),
         (
             '{kind} 关节只能在两个极限之间动：加上 <limit lower="…" upper="…" effort="…" velocity="…"/>；'
@@ -138,22 +138,22 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"Parser found (\d+) elements but (\d+) expected while parsing vector \[(.*)\]",
-        'here {1} numbers are needed, with blanks between them, and there are {0}: "{2}"',
+        '{1} numbers separated by spaces are needed here, but there are {0}: "{2}"',
         '这里要 {1} 个数，用空格隔开，现在有 {0} 个："{2}"',
     ),
     (
         r"Unable to parse component \[(.*,.*)\]",
-        '"{0}": numbers are separated by blanks, not by commas',
+        '"{0}": separate numbers with spaces, not with commas',
         '"{0}"：数和数之间用空格，不用逗号',
     ),
     (
         r"rgba values: Unable to parse component \[(.*)\]",
-        'a colour is four numbers from 0 to 1 (red, green, blue, opacity), and "{0}" is none of them',
+        'a colour is four numbers from 0 to 1 (red, green, blue, opacity), but "{0}" is not such a number',
         '颜色是四个 0 到 1 的数（红、绿、蓝、不透明度），"{0}" 不行',
     ),
-    (r"Unable to parse component \[(.*)\]", '"{0}" is no number', '"{0}" 不是数'),
-    (r"(\S+) value \((.*)\) is not a valid float", '{0}="{1}": that is no number', '{0}="{1}"：这不是数'),
-    (r"(\S+) \[(.*)\] is not a valid float", '{0}="{1}": that is no number', '{0}="{1}"：这不是数'),
+    (r"Unable to parse component \[(.*)\]", '"{0}" is not a number', '"{0}" 不是数'),
+    (r"(\S+) value \((.*)\) is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
+    (r"(\S+) \[(.*)\] is not a valid float", '{0}="{1}": that is not a number', '{0}="{1}"：这不是数'),
     (
         r"Unknown geometry type '(.*)'",
         "there is no shape <{0}>: the shapes are <box>, <cylinder>, <sphere> and <mesh>",
@@ -173,7 +173,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     (r"Box shape has no size", 'a box needs size="length width height"', '长方体要写 size="长 宽 高"'),
     (
         r"Geometry tag contains no child|Geometry tag",
-        "<geometry> has to hold one shape: <box>, <cylinder>, <sphere> or <mesh>",
+        "<geometry> needs one shape: <box>, <cylinder>, <sphere> or <mesh>",
         "<geometry> 里要有一个形状：<box>、<cylinder>、<sphere> 或 <mesh>",
     ),
     (
@@ -183,7 +183,7 @@ _EXPLANATIONS: tuple[tuple[str, str, str], ...] = (
     ),
     (
         r"material '(.*)' undefined",
-        'nobody says which colour {0} is: define it once with <color rgba="…"/>',
+        'the colour of {0} is not defined: define it once with <color rgba="…"/>',
         '没有说 {0} 是什么颜色：在一个地方用 <color rgba="…"/> 定义它',
     ),
     (
@@ -209,11 +209,11 @@ _LINK_NAME = re.compile(r"<link\s[^>]*name\s*=\s*[\"']([^\"']*)")
 
 
 def hint_of(report: Report, text: str = "", language: str = "en") -> Hint | None:
-    """Return the hint for what is wrong first, None if nothing is or nothing more can be said about it.
+    """Return the hint for the first error or warning, None if there is none or no explanation of it.
 
-    `text` is the description: names that are nearly those of its links are suggested.
+    `text` is the description, from which similar link names are suggested.
     """
-    for diagnostic in sorted(report.diagnostics, key=lambda said: said.level != "Error"):
+    for diagnostic in sorted(report.diagnostics, key=lambda each: each.level != "Error"):
         explained = _explain(diagnostic, text, language)
         if explained:
             return Hint(diagnostic.line, diagnostic.column, explained)
@@ -234,10 +234,10 @@ def _explain(diagnostic: Diagnostic, text: str, language: str) -> str:
     return ""
 
 
-def _near(said: str, groups: tuple[str | None, ...], text: str, language: str) -> str:
-    """Return a question that suggests the name that was probably meant."""
+def _near(message: str, groups: tuple[str | None, ...], text: str, language: str) -> str:
+    """Return a question that suggests the intended name, empty if none is similar."""
     wrong = groups[1] or ""
-    names = _JOINT_TYPES if "type" in said and "link" not in said else tuple(_LINK_NAME.findall(text))
+    names = _JOINT_TYPES if "type" in message and "link" not in message else tuple(_LINK_NAME.findall(text))
     words = sorted(wrong.split("_"))
     turned = [name for name in names if sorted(name.split("_")) == words]
     found = turned or difflib.get_close_matches(wrong, names, 1, 0.6)
@@ -247,7 +247,7 @@ def _near(said: str, groups: tuple[str | None, ...], text: str, language: str) -
 
 
 def language_of(environment: Mapping[str, str]) -> str:
-    """Return 'zh' or 'en' for a program's environment: `DAY6_LANG`, else the locale's variables."""
+    """Return 'zh' or 'en' for a program's environment: by `DAY6_LANG`, else by the locale's variables."""
     for name in ("DAY6_LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE", "LANG"):
         value = environment.get(name)
         if value:
@@ -256,5 +256,5 @@ def language_of(environment: Mapping[str, str]) -> str:
 
 
 def hints_wanted(environment: Mapping[str, str]) -> bool:
-    """Say whether hints are wanted: `DAY6_HINTS=off` (or 0, no) says they are not."""
+    """Return whether hints are wanted: not with `DAY6_HINTS=off` (or 0, no, false)."""
     return environment.get("DAY6_HINTS", "").lower() not in ("off", "0", "no", "false")

@@ -1,8 +1,8 @@
-"""Where the links are: forward kinematics in plain Python (numpy brings nothing at the size of a robot).
+"""Forward kinematics in plain Python (for a robot's few links numpy is not faster).
 
-A transform is a `Transform(xyz, rotation)` with the rotation as a unit quaternion x, y, z, w, as in tf; `matrix` gives
-the 4x4 rows. Joint positions are radians for revolute and continuous joints, metres for prismatic ones; axes are
-normalised as KDL does, so a prismatic axis of length 2 moves one metre per metre.
+A transform is a `Transform(xyz, rotation)`: metres, and a unit quaternion x, y, z, w, as in tf; `matrix` returns the 4x4 rows.
+Joint positions are radians for revolute and continuous joints, metres for prismatic ones; axes are normalised as in KDL, so a
+prismatic axis of length 2 moves one metre per metre.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def rotate(rotation: Quaternion, vector: Vector) -> Vector:
-    """Return the vector turned by a unit quaternion."""
+    """Return the vector rotated by a unit quaternion."""
     x, y, z, w = rotation
     vx, vy, vz = vector
     tx, ty, tz = 2 * (y * vz - z * vy), 2 * (z * vx - x * vz), 2 * (x * vy - y * vx)
@@ -47,14 +47,14 @@ def rotate(rotation: Quaternion, vector: Vector) -> Vector:
 
 
 def compose(parent: Transform, child: Transform) -> Transform:
-    """Return the transform of `child` (given in `parent`'s frame) in the frame `parent` is given in."""
+    """Return the transform of `child`, given in `parent`'s frame, in the frame in which `parent` is given."""
     x, y, z = rotate(parent.rotation, child.xyz)
     px, py, pz = parent.xyz
     return Transform((px + x, py + y, pz + z), multiply(parent.rotation, child.rotation))
 
 
 def inverse(transform: Transform) -> Transform:
-    """Return the transform the other way round: of the parent in the child's frame."""
+    """Return the inverse transform: that of the parent in the child's frame."""
     x, y, z, w = transform.rotation
     back = (-x, -y, -z, w)
     px, py, pz = rotate(back, transform.xyz)
@@ -62,7 +62,7 @@ def inverse(transform: Transform) -> Transform:
 
 
 def about(axis: Vector, angle: float) -> Quaternion:
-    """Return the rotation by `angle` about `axis`; an axis of length 0 turns nothing."""
+    """Return the rotation by `angle` (radians) about `axis`, the identity for an axis of length 0."""
     length = math.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2)
     if length == 0:
         return 0.0, 0.0, 0.0, 1.0
@@ -71,7 +71,10 @@ def about(axis: Vector, angle: float) -> Quaternion:
 
 
 def joint_transform(joint: Joint, position: float) -> Transform:
-    """Return the child link's transform in the parent link. Fixed, floating and planar joints stay at their origin."""
+    """Return the child link's transform in the parent link at a position (radians or metres).
+
+    Fixed, floating and planar joints stay at their origin.
+    """
     if joint.type in ("revolute", "continuous"):
         return Transform(joint.origin.xyz, multiply(joint.origin.rotation, about(joint.axis, position)))
     if joint.type == "prismatic":
@@ -85,7 +88,7 @@ def joint_transform(joint: Joint, position: float) -> Transform:
 
 
 def positions_with_mimics(robot: Robot, positions: Mapping[str, float]) -> dict[str, float]:
-    """Return the given positions and those of the joints that mimic them, also through other mimics."""
+    """Return the given positions (radians or metres) and those of joints that mimic them, directly or through other mimics."""
     known = dict(positions)
     for joint in robot.joints:
         chain: list[Joint] = []
@@ -103,7 +106,7 @@ def positions_with_mimics(robot: Robot, positions: Mapping[str, float]) -> dict[
 
 
 def link_transforms(robot: Robot, positions: Mapping[str, float]) -> dict[str, Transform]:
-    """Return the transform of every link in the root link's frame; joints without a position stand at 0."""
+    """Return the transform of every link in the root link's frame; joints without a position are at 0."""
     standing = {joint.name: 0.0 for joint in robot.joints if joint.mimic is None}
     known = positions_with_mimics(robot, {**standing, **positions})
     transforms = {robot.root: IDENTITY}
@@ -113,7 +116,7 @@ def link_transforms(robot: Robot, positions: Mapping[str, float]) -> dict[str, T
 
 
 def matrix(transform: Transform) -> Matrix:
-    """Return the four rows of the homogeneous matrix."""
+    """Return the homogeneous 4x4 matrix as four rows."""
     x, y, z, w = transform.rotation
     px, py, pz = transform.xyz
     return (
@@ -125,9 +128,9 @@ def matrix(transform: Transform) -> Matrix:
 
 
 def canonical(rotation: Quaternion) -> Quaternion:
-    """Return the same rotation with the sign KDL gives it (robot_state_publisher takes its quaternions from KDL).
+    """Return the same rotation with KDL's sign (robot_state_publisher gets its quaternions from KDL).
 
-    KDL goes through the matrix: with a positive trace w is positive, else the largest of x, y, z is.
+    KDL computes it from the matrix: with a positive trace w is positive, else the largest of x, y, z is.
     """
     x, y, z, w = rotation
     if 3 * w * w - x * x - y * y - z * z > 1e-12:
@@ -142,5 +145,5 @@ def canonical(rotation: Quaternion) -> Quaternion:
 
 
 def is_moving(joint: Joint) -> bool:
-    """Say whether robot_state_publisher moves this joint (revolute, continuous, prismatic)."""
+    """Return whether robot_state_publisher moves this joint (revolute, continuous, prismatic)."""
     return joint.type in MOVING_TYPES

@@ -1,8 +1,8 @@
-"""From a description to a robot.
+"""Loads a robot from a description.
 
-Two ways lead there, and a test holds them equal: `parse_robot` takes what our own check read, at once and without
-numpy, and is what robot_state_publisher and the commands use; `load_robot` hands the checked description to yourdfpy,
-the project's robot model, and is what views use (its first call takes some tenths of a second: call it from a thread).
+There are two functions, and a test keeps their results equal: `parse_robot` returns the robot read by our own check, at once
+and without numpy, for robot_state_publisher and the commands; `load_robot` passes the checked description to yourdfpy, for
+views (its first call takes some tenths of a second: call it from a thread).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _log = logging.getLogger(__name__)
 
 
 class RobotError(Exception):
-    """A description was refused; `diagnostics` says why, `str()` is the text of the last, most general one."""
+    """A description was refused; `diagnostics` are the reasons, `str()` is the text of the last, most general one."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         super().__init__(diagnostics[-1].text if diagnostics else "")
@@ -28,26 +28,33 @@ class RobotError(Exception):
 
 
 def parse_robot(source: str | os.PathLike[str]) -> Robot:
-    """Return the robot of a description (text with a `<` in it) or of a file, by our own parser. Raises RobotError."""
+    """Return the robot of a description (text with a `<` in it) or of a file, read by our own parser.
+
+    Raises:
+        RobotError: the description is refused, or the file cannot be read.
+    """
     return _robot(_check(source)[1])
 
 
 def load_robot(source: str | os.PathLike[str]) -> Robot:
-    """Return the robot of a description (text with a `<` in it) or of a file, by yourdfpy. Raises RobotError.
+    """Return the robot of a description (text with a `<` in it) or of a file, read by yourdfpy.
 
-    The description is checked first, and yourdfpy gets it without comments, entities and document type, on which its
-    own parser (lxml) stumbles or opens files. urdfdom accepts robots with a malformed part and leaves that part away;
-    yourdfpy raises; then what the check read is the robot.
+    The description is checked first, and passed to yourdfpy without comments, entities and document type, which make its parser
+    (lxml) fail or open files. urdfdom accepts robots with a malformed part and drops that part, but yourdfpy raises; then the
+    robot read by the check is returned.
+
+    Raises:
+        RobotError: the description is refused, or the file cannot be read.
     """
     text, report = _check(source)
     checked = _robot(report)
-    from day6_tui.urdf import _yourdfpy
+    from day6_tui.urdf import yourdfpy_robot
 
     plain = write_xml([element for element in read_xml(text) if element.tag == "robot"][:1])
     try:
-        return _yourdfpy.robot_of(_yourdfpy.load(plain))
+        return yourdfpy_robot.robot_of(yourdfpy_robot.load(plain))
     except Exception as error:
-        # Any exception type may come out of yourdfpy for parts that urdfdom skips (KeyError, TypeError, IndexError …).
+        # yourdfpy may raise any type of exception for parts that urdfdom skips (KeyError, TypeError, IndexError …).
         _log.info("yourdfpy refused %r: %r", checked.name, error)
         return checked
 
@@ -65,8 +72,8 @@ def _check(source: str | os.PathLike[str]) -> tuple[str, Report]:
     try:
         text, size = read_description(path)
     except FileNotFoundError:
-        said = Diagnostic("Error", f"File {path} does not exist", "model", 56)
-        return "", Report(None, (said,))
+        missing = Diagnostic("Error", f"File {path} does not exist", "model", 56)
+        return "", Report(None, (missing,))
     except OSError as error:
         return "", Report(None, (Diagnostic("Error", f"File {path} cannot be read: {error.strerror}"),))
     return text, too_large(size) if size > MAX_BYTES else check_text(text)

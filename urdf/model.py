@@ -1,6 +1,6 @@
 """A robot as plain, frozen data: links, joints, shapes, materials. Metres, radians, kilograms; quaternions x, y, z, w.
 
-Field names are those of URDF and of urdfdom's classes, so that whoever knows one knows the other.
+Field names are those of URDF and of urdfdom's classes (urdf_model/*.h).
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ Quaternion = tuple[float, float, float, float]
 
 JOINT_TYPES = ("planar", "floating", "revolute", "continuous", "prismatic", "fixed")
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
-"""Joints with one position each, the ones robot_state_publisher moves."""
+"""Joints with a single position, which robot_state_publisher moves."""
 
 
 def quaternion_from_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """Return the unit quaternion of fixed-axis roll, pitch, yaw (radians), as urdfdom builds it."""
+    """Return the unit quaternion of fixed-axis roll, pitch, yaw (radians), as urdfdom computes it (urdf_model/pose.h)."""
     sr, cr = math.sin(roll / 2), math.cos(roll / 2)
     sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
     sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
@@ -32,18 +32,19 @@ def quaternion_from_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Where something stands in its parent's frame."""
+    """Position in metres and rotation (unit quaternion x, y, z, w) in the parent's frame."""
 
     xyz: Vector = (0.0, 0.0, 0.0)
     rotation: Quaternion = (0.0, 0.0, 0.0, 1.0)
 
     @staticmethod
     def from_rpy(xyz: Vector, rpy: Vector) -> Pose:
+        """Return the pose of an <origin>: metres, and fixed-axis roll, pitch, yaw in radians."""
         return Pose(xyz, quaternion_from_rpy(*rpy))
 
     @property
     def rpy(self) -> Vector:
-        """Roll, pitch, yaw as urdfdom gives them back (straight up or down: roll 0)."""
+        """Roll, pitch, yaw in radians, as urdfdom computes them (roll 0 at a pitch of ±90°)."""
         x, y, z, w = self.rotation
         sine = -2 * (x * z - w * y)
         if sine <= -0.99999:
@@ -59,14 +60,14 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """`size` is the three side lengths in metres; the origin is in the middle."""
+    """`size` is the three side lengths in metres; the origin is at the centre."""
 
     size: Vector
 
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """Radius and length in metres; the origin is in the middle, the axis is z of the frame."""
+    """Radius and length in metres; the origin is at the centre, the axis is z of the frame."""
 
     radius: float
     length: float
@@ -74,7 +75,7 @@ class Cylinder:
 
 @dataclass(frozen=True, slots=True)
 class Sphere:
-    """`radius` in metres."""
+    """`radius` in metres; the origin is at the centre."""
 
     radius: float
 
@@ -92,7 +93,7 @@ Geometry = Box | Cylinder | Sphere | Mesh
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """`color` is red, green, blue, alpha in 0..1; None where only a texture is given."""
+    """`color` is red, green, blue, alpha in 0..1; None if there is only a texture."""
 
     name: str
     color: tuple[float, float, float, float] | None = None
@@ -101,7 +102,7 @@ class Material:
 
 @dataclass(frozen=True, slots=True)
 class Visual:
-    """What is drawn. `material` is resolved (by name, wherever defined); None if there is none or it is undefined."""
+    """A shape that is drawn. `material` is resolved by name, wherever it is defined; None if there is none or it is undefined."""
 
     geometry: Geometry
     origin: Pose = Pose()
@@ -112,7 +113,7 @@ class Visual:
 
 @dataclass(frozen=True, slots=True)
 class Collision:
-    """What touches: its shape, where it is in the frame of the link."""
+    """A shape for collisions, and its pose in the frame of the link."""
 
     geometry: Geometry
     origin: Pose = Pose()
@@ -130,7 +131,7 @@ class Inertial:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A rigid part. `inertial` is None where the file gives none: forces cannot move it then."""
+    """A rigid part. `inertial` is None if the file has none: then forces cannot move it."""
 
     name: str
     visuals: tuple[Visual, ...] = ()
@@ -140,7 +141,7 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Radians or metres; effort in N m or N; velocity in rad/s or m/s."""
+    """Limits of a joint: position in radians or metres, effort in N m or N, velocity in rad/s or m/s."""
 
     lower: float = 0.0
     upper: float = 0.0
@@ -150,7 +151,7 @@ class Limit:
 
 @dataclass(frozen=True, slots=True)
 class Mimic:
-    """position = multiplier * position of `joint` + offset."""
+    """position = multiplier * position of `joint` + offset (radians or metres)."""
 
     joint: str
     multiplier: float = 1.0
@@ -167,7 +168,7 @@ class Dynamics:
 
 @dataclass(frozen=True, slots=True)
 class Safety:
-    """Soft limits in radians or metres; `k_position`, `k_velocity` shape how they are approached (safety_controller)."""
+    """Soft limits in radians or metres; `k_position` and `k_velocity` limit velocity and effort near them (safety_controller)."""
 
     soft_lower_limit: float = 0.0
     soft_upper_limit: float = 0.0
@@ -185,7 +186,7 @@ class Calibration:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """`origin` is the pose of the joint, and of the child at position 0, in the parent; `axis` is as written."""
+    """`origin` is the pose of the joint, and of the child at position 0, in the parent; `axis` is not normalised."""
 
     name: str
     type: str
@@ -204,8 +205,8 @@ class Joint:
 class Robot:
     """A checked robot: names are unique, every joint's links exist, there is exactly one root.
 
-    `links`, `joints` and `materials` are in the order of the file; urdfdom walks them sorted by name, which
-    `children_of` does. A link may have two parents and links may form a loop (urdfdom lets both pass): see `loop`.
+    `links`, `joints` and `materials` are in the order of the file; urdfdom iterates them sorted by name, as `children_of` does.
+    A link may have two parents and links may form a loop (urdfdom accepts both): see `loop`.
     """
 
     name: str
@@ -233,15 +234,16 @@ class Robot:
         return self._joints[name]
 
     def has_joint(self, name: str) -> bool:
+        """Return whether there is a joint of this name."""
         return name in self._joints
 
     def children_of(self, link: str) -> tuple[Joint, ...]:
-        """Return the joints whose parent this link is, sorted by name as in urdfdom's maps."""
+        """Return the joints whose parent is this link, sorted by name as in urdfdom's maps."""
         return self._children.get(link, ())
 
     @property
     def root(self) -> str:
-        """Name of the link that is nobody's child."""
+        """The name of the link that is not a child."""
         children = {joint.child for joint in self.joints}
         for link in sorted(self._links):
             if link not in children:
@@ -249,7 +251,7 @@ class Robot:
         raise ValueError("No root link found. The robot xml is not a valid tree.")
 
     def tree(self) -> Iterator[Joint]:
-        """Yield the joints from the root down, each parent before its children; every link is entered once."""
+        """Yield the joints from the root down, parents before children; every link is visited once."""
         entered = {self.root}
         waiting = list(reversed(self.children_of(self.root)))
         while waiting:
@@ -262,7 +264,7 @@ class Robot:
 
     @property
     def loop(self) -> tuple[str, ...]:
-        """A way round, `('a', 'b', 'a')`, if one can be reached from the root, else `()`; the real tools die of it."""
+        """A loop of links, `('a', 'b', 'a')`, if one can be reached from the root, else `()`; the real tools crash on one."""
         path: list[str] = []
         on_path: set[str] = set()
         done: set[str] = set()

@@ -1,4 +1,4 @@
-"""What urdfdom says about a robot description, line by line, in the words and the order it says them."""
+"""urdfdom's messages about a robot description, word for word and in its order."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from day6_tui.urdf.model import Robot
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """One message of the parser; `str()` is what console_bridge writes to stderr (one or two lines, no last newline).
+    """One message of the parser; `str()` is the text console_bridge writes to stderr (one or two lines, no final newline).
 
-    `source` and `source_line` are the place in urdfdom 4.0.1 that says it (None for messages urdfdom does not have);
-    `line` and `column` the place in the description that caused it, 0 where there is none.
+    `source` and `source_line` are the place of the message in urdfdom 4.0.1 (None for messages urdfdom does not have); `line`
+    and `column` are the place in the description that caused it, from 1, 0 if there is none.
     """
 
     level: str
@@ -31,12 +31,12 @@ class Diagnostic:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """The outcome of a check: the robot (None when urdfdom refuses it) and everything that was said."""
+    """The result of a check: the robot (None if urdfdom refuses it) and all messages."""
 
     robot: Robot | None
     diagnostics: tuple[Diagnostic, ...] = ()
 
     @property
     def text(self) -> str:
-        """All messages as they stand on stderr, with the newline at the end; empty when there is none."""
+        """All messages as on stderr, with a final newline; empty if there are none."""
         return "".join(f"{diagnostic}\n" for diagnostic in self.diagnostics)

@@ -10,7 +10,11 @@ _MODELS = Path(__file__).resolve().parent / "models"
 
 
 def shipped_model(name: str = "day6_bot") -> Path:
-    """Return the URDF file of a shipped robot ('day6_bot', with or without '.urdf'). Raises KeyError."""
+    """Return the URDF file of a shipped robot ('day6_bot', with or without '.urdf').
+
+    Raises:
+        KeyError: there is no such robot.
+    """
     stem = name.removesuffix(".urdf")
     if stem not in shipped_models():
         raise KeyError(name)
@@ -23,9 +27,13 @@ def shipped_models() -> list[str]:
 
 
 def copy_model(folder: Path, name: str = "day6_bot") -> Path:
-    """Put a copy of a shipped robot into a folder, where it is short to type, and return it.
+    """Copy a shipped robot into a folder, where its path is short to type, and return the path.
 
-    A file of that name that is there already stays as it is: it may be somebody's work. Raises KeyError, OSError.
+    An existing file of that name is left as it is: it may be somebody's work.
+
+    Raises:
+        KeyError: there is no such robot.
+        OSError: the copy cannot be written; no part of it is left.
     """
     copy = folder / shipped_model(name).name
     if copy.exists():
@@ -36,6 +44,6 @@ def copy_model(folder: Path, name: str = "day6_bot") -> Path:
             if file.write(data) != len(data):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(copy))
         except OSError:
-            copy.unlink()  # half a robot would be taken for somebody's work the next time
+            copy.unlink()  # next time a partial copy would be taken for somebody's work
             raise
     return copy

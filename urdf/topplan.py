@@ -1,4 +1,4 @@
-"""What of a robot is seen from above: its wheels, the outlines of everything else, and how much room it takes."""
+"""The parts of a robot seen from above: its wheels, the outlines of everything else, and its bounds."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from day6_tui.urdf.model import Box, Collision, Cylinder, Joint, Link, Mesh, Pos
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """A wheel: its joint, its radius and width in metres, round when it is a ball."""
+    """A wheel: its joint, its radius and width in metres, whether it is a ball, and its centre in the link's frame."""
 
     joint: Joint
     radius: float
@@ -24,7 +24,7 @@ class Wheel:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """One shape that is no wheel: its link, the points of its outline in the link's frame, or a circle of `radius`."""
+    """A shape that isn't a wheel: the points of its outline in the link's frame, or a centre and `radius`, in metres."""
 
     link: str
     style: str
@@ -34,7 +34,7 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What of a robot is drawn from above, and the rectangle (metres, root frame) it fills at rest."""
+    """The parts of a robot drawn from above, and its bounds at rest: left, bottom, right, top (metres, root frame)."""
 
     robot: Robot
     rest: dict[str, Transform]
@@ -46,7 +46,7 @@ class Plan:
 def find_wheels(robot: Robot) -> list[Wheel]:
     """Return the wheels: joints that turn about a horizontal axis and carry a cylinder along that axis, or a ball.
 
-    A wheel on a revolute joint is a beginner's wheel, so it counts; a ball on one is an elbow.
+    A cylinder on a revolute joint counts, because beginners make wheels that way; a ball on one is an elbow.
     """
     rest = link_transforms(robot, {})
     wheels = []
@@ -63,7 +63,7 @@ def find_wheels(robot: Robot) -> list[Wheel]:
 
 def _wheel_of(joint: Joint, link: Link) -> Wheel | None:
     length = math.hypot(*joint.axis)
-    # A wheel with a mesh for the eye often has a cylinder to collide with.
+    # A wheel drawn as a mesh often has a cylinder for collisions.
     parts: list[Visual | Collision] = [*link.visuals, *link.collisions]
     for part in parts:
         shape = part.geometry
@@ -77,7 +77,7 @@ def _wheel_of(joint: Joint, link: Link) -> Wheel | None:
 
 
 def steering_of(robot: Robot, wheel: Wheel) -> Joint | None:
-    """Return the joint above a wheel that turns it about the vertical (a steering knuckle, a castor's fork), if any."""
+    """Return the joint above a wheel that turns it about the vertical (a steering knuckle, a caster's fork), if any."""
     above = {joint.child: joint for joint in robot.joints}
     joint = above.get(wheel.joint.parent)
     passed: set[str] = set()
@@ -91,7 +91,7 @@ def steering_of(robot: Robot, wheel: Wheel) -> Joint | None:
 
 
 def spin_of(wheel: Wheel, transforms: Mapping[str, Transform]) -> float:
-    """Return how far the wheel is turned, radians in (-pi, pi], from the transforms of its link and its parent."""
+    """Return the wheel's rotation, radians in (-pi, pi], from the transforms of its link and its parent."""
     joint = wheel.joint
     relative = multiply(inverse(transforms[joint.parent]).rotation, transforms[joint.child].rotation)
     turn = multiply(inverse(joint.origin).rotation, relative)
@@ -101,7 +101,7 @@ def spin_of(wheel: Wheel, transforms: Mapping[str, Transform]) -> float:
 
 
 def plan_top(robot: Robot) -> Plan:
-    """Return what is drawn of a robot; `render_top` does it once for a robot, not for every frame."""
+    """Return the parts of a robot to draw; `render_top` calls it once per robot, not for every frame."""
     rest = link_transforms(robot, {})
     wheels = tuple(find_wheels(robot))
     rolling = {wheel.joint.child for wheel in wheels}
@@ -161,13 +161,13 @@ def _bounds(
 
 
 def flat(transform: Transform, point: Vector) -> tuple[float, float]:
-    """Return a link's point as seen from above."""
+    """Return a point of a link (metres, link frame) as seen from above: x, y in the root frame."""
     x, y, _ = compose(transform, Pose(point)).xyz
     return x, y
 
 
 def stand(wheel: Wheel, transforms: Mapping[str, Transform]) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the wheel's centre and the unit direction in which its top moves when the joint's angle grows."""
+    """Return the wheel's centre (metres, root frame) and the unit direction its top moves in as the joint's angle grows."""
     transform = transforms[wheel.joint.child]
     ax, ay, _ = rotate(transform.rotation, wheel.joint.axis)
     length = math.hypot(ax, ay)

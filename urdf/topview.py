@@ -1,8 +1,8 @@
-"""The robot from above as text: chassis, wheels with treads that run as the wheel turns, caster, heading, axle, scale.
+"""The robot from above as text: chassis, wheels with treads that move as the wheel turns, caster, heading, axle, scale.
 
-Pure drawing. The robot looks to the right (x right, y up, as on paper and in RViz's TopDownOrtho), to scale, a cell
-being twice as high as wide. `render_top` is given where the links are, in the root link's frame, and draws only that: a
-wheel turns because its transform does. A link without a transform stands where the URDF puts it, drawn as missing.
+Pure drawing. The robot faces right (x right, y up, as on paper and in RViz's TopDownOrtho), to scale, with cells twice as high
+as wide. `render_top` draws the given transforms of the links in the root link's frame and nothing else: a wheel turns because
+its transform does. A link without a transform is drawn at its rest pose, in the style "missing".
 """
 
 from __future__ import annotations
@@ -10,19 +10,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from day6_tui.urdf._canvas import Canvas, Row, cell_width
+from day6_tui.urdf.canvas import Canvas, Row, cell_width
 from day6_tui.urdf.kinematics import Transform
 from day6_tui.urdf.model import Robot
 from day6_tui.urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
 
 STYLES = ("", "chassis", "body", "wheel", "mark", "caster", "arrow", "axle", "label", "missing", "scale")
-"""Names of the looks a run can have; the empty one is background."""
+"""The styles of a run; the empty one is background."""
 
 _LINES = {"ascii": "++++-|"}
 _BOX_LINES = "┌┐└┘─│"
-_MARGIN_RIGHT = 5  # the heading arrow reaches out in front
-_STRAIGHT = 0.98  # a wheel that is turned out by less is drawn as if it were straight
-_LABEL_ROWS = 13  # from this many rows on there is room for labels above and below
+_MARGIN_RIGHT = 5  # cells in front for the heading arrow
+_STRAIGHT = 0.98  # cosine of the steering angle above which a wheel is drawn as straight
+_LABEL_ROWS = 13  # rows needed for labels above and below
 
 
 _kept: Plan | None = None
@@ -40,9 +40,9 @@ def render_top(
 ) -> list[Row]:
     """Return `rows` rows of (text, style) runs, each exactly `columns` cells wide.
 
-    `transforms` gives links in the root link's frame. `labels` are short texts by link name, put beside the wheels
-    where there is room (by default the link names). `glyphs` 'ascii' draws with ASCII only, other sets with box lines.
-    `zoom` enlarges the picture about its middle; at 1 the whole robot fits. `shift` moves it by columns and rows.
+    `transforms` are those of the links in the root link's frame. `labels` are short texts by link name, shown next to the
+    wheels where there is room (by default the link names). `glyphs` 'ascii' draws with ASCII only, others with box lines.
+    `zoom` enlarges the picture about its centre; at 1 the whole robot fits. `shift` moves it by columns and rows.
     """
     global _kept
     plan = _kept
@@ -55,7 +55,7 @@ def render_top(
 
 
 class _Drawing:
-    """One picture: the scale that fits the canvas, then the parts from the ground up."""
+    """One picture: computes the scale that fits the canvas, then draws the parts from the ground up."""
 
     def __init__(
         self,
@@ -78,7 +78,7 @@ class _Drawing:
         self._scale_rows = 1 if canvas.height >= 6 else 0
         height = max(canvas.height - self._scale_rows - 2 * self._label_rows, 1)
         width = max(canvas.width - _MARGIN_RIGHT - 1, 1)
-        # Half a cell is left at every side, because a line at the very edge is rounded to the nearest cell.
+        # Half a cell is left free at every side, because a line at the very edge is rounded to the nearest cell.
         per_row = max((top - bottom) / max(height - 0.1, 0.9), 1e-6)
         per_column = max((right - left) / max(width - 0.1, 0.9), 1e-6)
         self._column = max(per_column, per_row / 2) / max(zoom, 0.01)
@@ -153,7 +153,7 @@ class _Drawing:
                 self._canvas.put(column, row, "o", style)
 
     def _draw_axles(self) -> None:
-        """A line between two wheels that share an axis, with its length."""
+        """Draw a line between two wheels that share an axis, with its length."""
         stands = [(wheel, *stand(wheel, self._at)) for wheel in self._plan.wheels]
         for index, (wheel, (x, y), heading) in enumerate(stands):
             for other, (ox, oy), other_heading in stands[index + 1 :]:
@@ -171,7 +171,7 @@ class _Drawing:
             self._canvas.put(x, row, ":", "axle")
         text = f" {length:.2f} m"
         middle = (y + oy) // 2
-        # Beside the middle of the line, or as near to it as there is room.
+        # Next to the middle of the line, or as close to it as there is room.
         rows = sorted(range(y + 2, oy - 1), key=lambda row: abs(row - middle))
         free = [row for row in rows if self._canvas.is_free(x + 1, row, len(text))]
         self._canvas.text(x + 1, free[0] if free else middle, text, "axle")
@@ -184,7 +184,7 @@ class _Drawing:
                 for column, _ in inside:
                     self._canvas.put(column, row, "?", "missing")
             return
-        # How far half a cell reaches along the wheel: a mark belongs to the cell it lies in.
+        # The length of half a cell along the wheel: a mark belongs to the cell it is in.
         reach = max(abs(hx) * self._column, abs(hy) * self._row) / 2
         marks = tread_marks(wheel.radius, spin_of(wheel, self._at), 2 * reach)
         for index, (row, inside) in enumerate(rows):
@@ -205,7 +205,7 @@ class _Drawing:
                 self._canvas.put(column, row, shown, style)
 
     def _wheel_cells(self, wheel: Wheel) -> list[tuple[int, list[tuple[int, float]]]]:
-        """Return by row the columns the wheel covers, with how far along the wheel from its centre (metres) each lies."""
+        """Return for each row the columns the wheel covers, with their distance along the wheel from its centre (metres)."""
         (x, y), (hx, hy) = stand(wheel, self._at)
         radius, half = max(wheel.radius, self._column / 2), max(wheel.width / 2, self._row / 2)
         columns = range(_nearest(self._x(x - radius - half)), _nearest(self._x(x + radius + half)) + 1)
@@ -223,12 +223,12 @@ class _Drawing:
         return rows or [(_nearest(self._y(y)), [(_nearest(self._x(x)), 0.0)])]
 
     def _draw_heading(self) -> None:
-        """An arrow out of the front, on the line through the root's origin."""
+        """Draw an arrow in front, on the line through the root's origin."""
         column, row = self._cell(self._plan.bounds[2], 0.0)
         self._canvas.text(column + 1, row, "==>", "arrow")
 
     def _draw_name(self) -> None:
-        """The chassis' name inside it, behind."""
+        """Write the name of the chassis inside its rear."""
         for body in self._plan.bodies:
             if body.style == "chassis" and len(body.points) > 1:
                 corners = [self._cell(*flat(self._at[body.link], point)) for point in body.points]
@@ -250,7 +250,7 @@ class _Drawing:
             self._canvas.text(column, row, text, self._style(link, "label"))
 
     def _draw_readings(self) -> None:
-        """In a low picture: what the labels say behind the link's name, in the wheel's own row, as many words as fit."""
+        """In a low picture, write the labels without the link's name in the wheel's own row, as many words as fit."""
         for wheel in self._plan.wheels:
             link = wheel.joint.child
             words = self._labels.get(link, "").removeprefix(f"{link} ").split(" ")
@@ -265,7 +265,7 @@ class _Drawing:
                 words.pop()
 
     def _draw_scale(self) -> None:
-        """A bar of a round length in the last row."""
+        """Draw a bar of a round length in the last row."""
         wanted = self._column * self._canvas.width / 5
         power = 10.0 ** math.floor(math.log10(wanted))
         length = max(step * power for step in (1, 2, 5) if step * power <= wanted)
@@ -276,9 +276,9 @@ class _Drawing:
 
 
 def _tread(off: float, hx: float) -> tuple[str, int]:
-    """Return the character of a tread mark `off` rows below the wheel's middle, and how many cells it lags there.
+    """Return the character of a tread mark `off` rows below the wheel's centre, and the cells by which it lags there.
 
-    Together the rows make chevrons that point the way the wheel rolls, as on a tractor's tyre.
+    Together the rows form chevrons that point in the rolling direction, as on a tractor's tyre.
     """
     if abs(hx) <= _STRAIGHT or off == 0:
         return "|", 0
@@ -286,16 +286,16 @@ def _tread(off: float, hx: float) -> tuple[str, int]:
 
 
 def _part_of_cell(share: float, hx: float) -> str:
-    """Return an upright stroke at the left, in the middle or at the right of its cell; `share` is -1..1 along the roll."""
+    """Return a vertical stroke at the left, middle or right of its cell; `share` is -1..1 along the rolling direction."""
     if abs(hx) <= _STRAIGHT or abs(share) < 1 / 3:
         return "|"
     return "[" if (share < 0) == (hx > 0) else "]"
 
 
 def tread_marks(radius: float, spin: float, cell: float) -> list[tuple[float, bool]]:
-    """Return where the tread marks of the upper half stand, metres along the wheel from its centre; True for the first.
+    """Return the tread marks of the upper half: metres along the wheel from its centre, and True for the first mark.
 
-    The first one is painted, so that whole turns can be counted. There are as many as leave three cells between two.
+    The first one is coloured, so that whole turns can be counted. Marks are at least three cells of `cell` metres apart.
     """
     count = min(max(int(2 * math.pi * radius / (3 * cell)), 3), 12) if cell > 0 else 3
     marks = []

@@ -1,9 +1,9 @@
-"""Reads XML the way TinyXML-2 does, which is what urdfdom 4 (and so check_urdf and robot_state_publisher) reads with.
+"""Reads XML as TinyXML-2 does, the reader of urdfdom 4 (and so of check_urdf and robot_state_publisher).
 
-A reader of its own instead of expat, because what a student sees depends on TinyXML's habits: which broken files it
-lets pass (two roots, text around the root, `&` anywhere, undeclared prefixes), which error it names for the others and
-which line it blames. Entities beyond the five of XML and character numbers are never expanded and nothing outside the
-text is ever opened, so neither a "billion laughs" nor an external entity can do anything.
+It replaces expat because a student's result depends on TinyXML's behaviour: which malformed files it accepts (two roots, text
+around the root, `&` anywhere, undeclared prefixes), which error it reports for the others and on which line. Entities other
+than XML's five and character references are never expanded and nothing outside the text is ever opened, so neither a "billion
+laughs" nor an external entity has any effect.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from bisect import bisect_left
 from dataclasses import dataclass, field
 
 MAX_DEPTH = 500
-"""Elements inside one another, TinyXML-2 10 (TINYXML2_MAX_ELEMENT_DEPTH)."""
+"""Nesting depth of elements, TinyXML-2 10 (TINYXML2_MAX_ELEMENT_DEPTH)."""
 
 _ERROR_NUMBERS = {
     "XML_ERROR_PARSING_ELEMENT": 6,
@@ -35,7 +35,7 @@ _ENTITY = re.compile(r"&(?:(quot|amp|apos|lt|gt)|#([0-9]+)|#x([0-9A-Fa-f]+));")
 _NEWLINE = re.compile(r"\r\n?|\n\r")
 _NAMED = {"quot": '"', "amp": "&", "apos": "'", "lt": "<", "gt": ">"}
 
-# What is skipped whole: opening, closing, the error when the closing is missing. The order matters ("<!" comes last).
+# Constructs that are skipped: opening, closing, the error if the closing is missing. The order matters ("<!" comes last).
 _SKIPPED = (
     ("<?", "?>", "XML_ERROR_PARSING_DECLARATION"),
     ("<!--", "-->", "XML_ERROR_PARSING_COMMENT"),
@@ -45,7 +45,7 @@ _SKIPPED = (
 
 
 class XmlError(Exception):
-    """The text is not XML for TinyXML-2; `str()` is its error string, `offset` where the blamed thing begins."""
+    """The text is not XML for TinyXML-2; `str()` is its error string, `offset` the start of the faulty construct."""
 
     def __init__(self, name: str, line: int, detail: str = "", offset: int = 0) -> None:
         number = _ERROR_NUMBERS[name]
@@ -58,7 +58,7 @@ class XmlError(Exception):
 
 @dataclass(slots=True)
 class Element:
-    """One element: its tag, its attributes in order, its child elements, and where its `<` stands in the text."""
+    """One element: its tag, its attributes in order, the offset of its `<` in the text, and its child elements."""
 
     tag: str
     attributes: dict[str, str]
@@ -66,7 +66,7 @@ class Element:
     children: list[Element] = field(default_factory=list)
 
     def first(self, tag: str) -> Element | None:
-        """Return the first child with this tag."""
+        """Return the first child with this tag, None if there is none."""
         for child in self.children:
             if child.tag == tag:
                 return child
@@ -78,13 +78,14 @@ class Element:
 
 
 class Lines:
-    """Turns an offset in a text into line and column, both from 1."""
+    """Converts offsets in a text to lines and columns."""
 
     def __init__(self, text: str) -> None:
         self._text = text
         self._breaks: list[int] | None = None
 
     def at(self, offset: int) -> tuple[int, int]:
+        """Return line and column of an offset, both from 1."""
         if self._breaks is None:
             self._breaks = [match.start() for match in re.finditer("\n", self._text)]
         line = bisect_left(self._breaks, offset)
@@ -93,7 +94,11 @@ class Lines:
 
 
 def read_xml(text: str) -> list[Element]:
-    """Return the elements at the top level of the text (TinyXML-2 allows several). Raises XmlError."""
+    """Return the top-level elements of the text (TinyXML-2 allows several).
+
+    Raises:
+        XmlError: TinyXML-2 refuses the text.
+    """
     return _Reader(text).read()
 
 
@@ -149,7 +154,7 @@ class _Reader:
         return None
 
     def _read_tag(self, start: int) -> int | None:
-        """Read the tag at `start`, return where it ends; None when a closing tag ends the document."""
+        """Read the tag at `start`; return the offset of its end, None if a closing tag ends the document."""
         text = self._text
         position = self._skip_space(start + 1)
         closing = text.startswith("/", position)
@@ -176,7 +181,7 @@ class _Reader:
         return position
 
     def _read_attributes(self, element: Element, position: int) -> tuple[int, bool]:
-        """Fill in the attributes; return where the tag ends and whether it ended with `/>`."""
+        """Read the attributes; return the offset of the tag's end and whether it ended with `/>`."""
         text = self._text
         attributes = element.attributes
         while True:
@@ -212,7 +217,7 @@ class _Reader:
 
 
 def _plain(raw: str) -> str:
-    """Return an attribute's value: line ends made one, the five entities and character numbers replaced, no others."""
+    """Return an attribute's value: line ends normalised, the five entities and character references replaced, no others."""
     if "\r" in raw:
         raw = _NEWLINE.sub("\n", raw)
     return _ENTITY.sub(_character, raw) if "&" in raw else raw
@@ -232,7 +237,7 @@ def _character(match: re.Match[str]) -> str:
 
 
 def write_xml(elements: list[Element]) -> str:
-    """Return the elements as XML that every reader takes the same way: no text, comments, document type or entities."""
+    """Return the elements as XML that every reader reads alike: without text, comments, document type or entities."""
     parts: list[str] = []
     steps: list[Element | str] = list(reversed(elements))
     while steps:

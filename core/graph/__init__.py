@@ -1,7 +1,7 @@
 """The graph of nodes and endpoints inside one process: names, QoS matching, delivery, graph events.
 
-Imports nothing else of day6-tui. rclpy (core/ros/python) is built on it; `core.link` joins the graphs of several
-processes.
+Imports nothing else of day6-tui; everything else may import it. rclpy (core/ros/python) is built on it; `core.link` joins the
+graphs of several processes.
 """
 
 from day6_tui.core.graph.endpoints import (

@@ -1,7 +1,7 @@
-"""Which machines a program looks for, as rcl reads it from the environment (rcl/discovery_options.c).
+"""The discovery range, as rcl reads it from the environment (rcl/discovery_options.c).
 
-Only one answer means anything here: nobody at all. Other machines come by `--listen` and `--connect` alone, so LOCALHOST, SUBNET
-and SYSTEM_DEFAULT, ROS_STATIC_PEERS, and what rcl takes for LOCALHOST with a warning, are all this machine's processes.
+Only OFF makes a difference here. Other machines are joined by `--listen` and `--connect` alone, so LOCALHOST, SUBNET and
+SYSTEM_DEFAULT, ROS_STATIC_PEERS, and the values rcl takes for LOCALHOST with a warning, all mean this machine's processes.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ _VARIABLE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 _RANGES = ("", "OFF", "LOCALHOST", "SUBNET", "SYSTEM_DEFAULT")
 
 
-def wants_to_be_alone(environment: Mapping[str, str]) -> bool:
-    """Say whether no other process is to be met at all; ROS_LOCALHOST_ONLY=1 does not change that."""
+def discovery_is_off(environment: Mapping[str, str]) -> bool:
+    """Return whether a program must not find any other process; ROS_LOCALHOST_ONLY=1 does not change that."""
     return environment.get(_VARIABLE) == "OFF"
 
 
 def discovery_warning(environment: Mapping[str, str]) -> str | None:
-    """Return what rcl's init warns of: a range that it does not know. Upper and lower case are different to it."""
+    """Return the warning of rcl's init about an unknown range, None for a known one. Upper and lower case differ."""
     value = environment.get(_VARIABLE, "")
     if value in _RANGES:
         return None

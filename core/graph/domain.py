@@ -1,4 +1,4 @@
-"""ROS_DOMAIN_ID as rcl reads it (rcl/domain_id.c): by C's `strtoul` with base 0, whose ways a number may be written in."""
+"""ROS_DOMAIN_ID as rcl reads it (rcl/domain_id.c): by C's `strtoul` with base 0, so also hexadecimal or octal."""
 
 from __future__ import annotations
 
@@ -6,19 +6,22 @@ import re
 
 VARIABLE = "ROS_DOMAIN_ID"
 _LARGEST = 2**64 - 1
-"""A size_t of all 64-bit systems. As a domain it is rcl's word for "the default one"."""
+"""The largest size_t of 64-bit systems. As a domain it is rcl's "default domain"."""
 _NUMBER = re.compile(r"[ \t\n\v\f\r]*([+-]?)(?:0[xX]([0-9a-fA-F]+)|(0[0-7]*)|([1-9][0-9]*))", re.ASCII)
 
 
 class DomainError(RuntimeError):
-    """ROS_DOMAIN_ID holds no domain; the text is rcl's."""
+    """ROS_DOMAIN_ID is not a domain id; the text is rcl's."""
 
 
 def domain_from_text(text: str) -> int:
-    """Return the domain that a value of ROS_DOMAIN_ID stands for; raises DomainError for one that rcl refuses.
+    """Return the domain id in a value of ROS_DOMAIN_ID.
 
-    What follows a number is passed over ("5x" is 5) and a negative one wraps around, as in C; unset or empty is 0. There is no
-    upper bound: it is Fast DDS that has no ports for more than 232, rmw_zenoh takes any.
+    Characters after a number are ignored ("5x" is 5) and a negative number wraps around, as in C; unset or empty is 0. There is
+    no upper bound: only Fast DDS has none above 232, for lack of ports; rmw_zenoh accepts any.
+
+    Raises:
+        DomainError: rcl refuses the value.
     """
     if not text:
         return 0

@@ -1,7 +1,7 @@
 """The endpoints of nodes: publishers, subscriptions, service servers and clients.
 
-An endpoint with `origin` set stands for one in another process; the link (core/link) makes and removes those. Delivery
-needs no lock: the tuples of matched endpoints are replaced as a whole by the graph, and queues are `deque`s.
+An endpoint with `origin` set represents one in another process; the link (core/link) creates and removes those. Delivery needs
+no lock: the graph replaces the tuples of matched endpoints as a whole, and queues are `deque`s.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, LeaseWatch, Watch
 from day6_tui.core.graph.events import EventKind as EventKind
 from day6_tui.core.graph.events import EventStatus as EventStatus
-from day6_tui.core.graph.open_policies import is_open, settled_for_publisher, settled_for_subscription
+from day6_tui.core.graph.open_policies import is_open, resolved_for_publisher, resolved_for_subscription
 from day6_tui.core.graph.qos import Durability, Liveliness, QoS, is_finite
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ class EndpointKind(str, Enum):
 
 
 class MessageInfo(NamedTuple):
-    """What is known of a received message beside its content (rmw_message_info_t). Times are epoch nanoseconds."""
+    """The metadata of a received message (rmw_message_info_t). Times are epoch nanoseconds."""
 
     source_timestamp: int
     received_timestamp: int
@@ -45,17 +45,17 @@ class MessageInfo(NamedTuple):
 
 
 class RequestId(NamedTuple):
-    """Identifies a service request: who asked, and the number of the question (rmw_request_id_t)."""
+    """Identifies a service request: its client's GID (16 bytes) and its sequence number (rmw_request_id_t)."""
 
     client_gid: bytes
     sequence_number: int
 
 
 class Endpoint:
-    """What all four kinds have in common.
+    """The common part of all four kinds.
 
     `topic` is the full topic or service name, `type_name` like `std_msgs/msg/String`, `type_hash` like `RIHS01_…`.
-    `on_event(endpoint, kind)` is called from any thread after an event's counters changed.
+    `on_event(endpoint, kind)` is called from any thread after an event's counters have changed.
     """
 
     kind: EndpointKind
@@ -72,29 +72,29 @@ class Endpoint:
         self.events: dict[EventKind, EventStatus] = {kind: EventStatus() for kind in EventKind}
         self.on_event: Callable[[Endpoint, EventKind], None] | None = None
         self.watches: dict[EventKind, Watch] = {}
-        """What the passing of time can raise, for the few endpoints whose QoS has a deadline or a lease."""
+        """Sources of events that time alone can raise, for the few endpoints whose QoS has a deadline or a lease."""
 
     @property
     def gid(self) -> bytes:
-        """The 16 bytes that identify this endpoint among all processes (made when first asked for)."""
+        """The 16 bytes that identify this endpoint among all processes (created on first access)."""
         if self._gid is None:
-            return self.node.graph.give_gid(self)
+            return self.node.graph.assign_gid(self)
         return self._gid
 
     @property
     def origin(self) -> object | None:
-        """The link's mark of the process this endpoint lives in; None for one of this process."""
+        """The link's marker of the process this endpoint belongs to; None for this process."""
         return self.node.origin
 
     def status(self, kind: EventKind) -> EventStatus:
-        """Return the counters of one kind of event as they are now."""
+        """Return the present counters of one kind of event."""
         watch = self.watches.get(kind)
         if watch is not None:
             watch.settle(self.node.graph.now_ns())
         return self.events[kind]
 
     def due(self, kind: EventKind) -> int | None:
-        """Return when the passing of time raises an event of that kind (the graph's time), None if it will not."""
+        """Return when time alone will raise an event of that kind (ns of the graph's time), None if it will not."""
         watch = self.watches.get(kind)
         return None if watch is None or self.destroyed else watch.due
 
@@ -102,20 +102,20 @@ class Endpoint:
         """Return the counters of one kind of event and reset their changes."""
         return self.status(kind).take()
 
-    def _tell(self, kind: EventKind) -> None:
+    def _notify(self, kind: EventKind) -> None:
         if self.on_event is not None:
             self.on_event(self, kind)
 
     def destroy(self) -> None:
-        """Take the endpoint out of the graph; a second call does nothing."""
+        """Remove the endpoint from the graph; a second call does nothing."""
         self.node.graph.remove_endpoint(self)
 
 
 class Publisher(Endpoint):
     """Sends messages of one type to a topic.
 
-    `matched` are the subscriptions of this process that match, `remote_matched` those of others. `copy` makes the
-    subscriber's own object of a message.
+    `matched` are the matching subscriptions of this process, `remote_matched` those of others. `copy` returns an independent
+    copy of a message for one subscription.
     """
 
     kind = EndpointKind.PUBLISHER
@@ -124,7 +124,7 @@ class Publisher(Endpoint):
         self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None, copy: Copier
     ) -> None:
         if is_open(qos):
-            qos = settled_for_publisher(
+            qos = resolved_for_publisher(
                 qos, [each.qos for each in node.graph.endpoints(EndpointKind.SUBSCRIPTION, topic=topic)]
             )
         super().__init__(node, topic, type_name, type_hash, qos, gid)
@@ -132,7 +132,7 @@ class Publisher(Endpoint):
         self.matched: tuple[Subscription, ...] = ()
         self.remote_matched: tuple[Subscription, ...] = ()
         self.delivered = 0
-        """Messages that passed through this process; what a pulse in rqt_graph shows."""
+        """Messages that passed through this process; shown as pulses in rqt_graph."""
         self._numbers = count(1)
         latched = self.qos.durability == Durability.TRANSIENT_LOCAL
         self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
@@ -151,18 +151,18 @@ class Publisher(Endpoint):
         return len(self.matched) + len(self.remote_matched)
 
     def publish(self, message: Any) -> None:
-        """Deliver a copy of `message` to every matched subscription; keep one for late joiners if transient local."""
+        """Deliver a copy of `message` to every matched subscription; if transient local, keep one for late joiners."""
         graph = self.node.graph
         source_timestamp = graph.now_ns()
         number = next(self._numbers)
         if self.watches:
-            self._sent(source_timestamp)
+            self._note_publication(source_timestamp)
         self.deliver(message, source_timestamp, number)
         if graph.transport is not None and (self.remote_matched or self.cache is not None):
             graph.transport.publish(self, message, source_timestamp, number)
 
     def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
-        """Hand copies to the subscriptions of this process (for a remote publisher: called by the link)."""
+        """Deliver copies to the subscriptions of this process (called by the link for a remote publisher)."""
         self.delivered += 1
         copy = self.copy
         if self.cache is not None:
@@ -171,43 +171,43 @@ class Publisher(Endpoint):
             subscription.receive((copy(message), source_timestamp, number, self))
 
     def kept(self) -> list[tuple[Any, int, int]]:
-        """Return what a late joiner may still get: (message, source time, number), without what outlived its lifespan."""
+        """Return the messages for late joiners: (message, source timestamp in ns, number), without expired ones."""
         return [each for each in list(self.cache or ()) if not self.expired(each[1])]
 
     def expired(self, source_timestamp: int) -> bool:
-        """Say whether a message of that time has outlived the publisher's lifespan."""
+        """Return whether a message with that source timestamp (ns) has outlived the publisher's lifespan."""
         lifespan = self.qos.lifespan
         return is_finite(lifespan) and self.node.graph.now_ns() - source_timestamp > lifespan
 
     def replay(self, subscription: Subscription) -> None:
-        """Give a late-joining transient-local subscription what this publisher kept."""
+        """Deliver the kept messages to a late-joining transient-local subscription."""
         if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return
         for message, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:
             subscription.receive((self.copy(message), source_timestamp, number, self))
 
     def assert_liveliness(self) -> None:
-        """Show that the publisher lives, without a message."""
+        """Assert liveliness without a message."""
         now = self.node.graph.now_ns()
         if self._lease is not None and self._lease.asserted(now):
-            self._tell(EventKind.LIVELINESS_LOST)
+            self._notify(EventKind.LIVELINESS_LOST)
         for subscription in self.matched:
-            if subscription.heard_of(self, now):
-                subscription._tell(EventKind.LIVELINESS_CHANGED)
+            if subscription.note_alive(self, now):
+                subscription._notify(EventKind.LIVELINESS_CHANGED)
 
-    def _sent(self, now: int) -> None:
+    def _note_publication(self, now: int) -> None:
         if self._deadline is not None and self._deadline.message(now):
-            self._tell(EventKind.DEADLINE_MISSED)
+            self._notify(EventKind.DEADLINE_MISSED)
         if self._lease is not None and self._lease.asserted(now):
-            self._tell(EventKind.LIVELINESS_LOST)
+            self._notify(EventKind.LIVELINESS_LOST)
 
 
 Sample = tuple[Any, int, int, Publisher]
-"""message, source time in ns, publication number, publisher"""
+"""message, source timestamp in ns, publication sequence number, publisher"""
 
 
 class Subscription(Endpoint):
-    """Receives messages of one type from a topic into a queue of `qos.capacity`; a full queue drops its oldest.
+    """Receives messages of one type from a topic into a queue of `qos.capacity`; a full queue drops its oldest message.
 
     `on_ready(subscription)` is called, from the publishing thread, for every message that arrives.
     """
@@ -216,7 +216,7 @@ class Subscription(Endpoint):
 
     def __init__(self, node: Node, topic: str, type_name: str, type_hash: str, qos: QoS, gid: bytes | None) -> None:
         if is_open(qos):
-            qos = settled_for_subscription(
+            qos = resolved_for_subscription(
                 qos, [each.qos for each in node.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)]
             )
         super().__init__(node, topic, type_name, type_hash, qos, gid)
@@ -225,7 +225,7 @@ class Subscription(Endpoint):
         self.on_ready: Callable[[Subscription], None] | None = None
         self.dropped = 0
         self.accepts: Callable[[Any], bool] | None = None
-        """A content filter: messages for which it is false are not received."""
+        """The content filter: messages for which it returns false are not received."""
         self._received = 0
         self._lifespan = self.qos.lifespan if is_finite(self.qos.lifespan) else 0
         self._deadline: DeadlineWatch | None = None
@@ -236,7 +236,7 @@ class Subscription(Endpoint):
         if is_finite(self.qos.liveliness_lease_duration):
             self._alive = AliveWatch(self.qos.liveliness_lease_duration, self.events[EventKind.LIVELINESS_CHANGED])
             self.watches[EventKind.LIVELINESS_CHANGED] = self._alive
-        self._plain = not self.watches
+        self._accepts_all = not self.watches
 
     @property
     def publisher_count(self) -> int:
@@ -245,7 +245,7 @@ class Subscription(Endpoint):
 
     def receive(self, sample: Sample) -> None:
         """Queue one sample (called by publishers)."""
-        if not self._plain and not self._admit(sample):
+        if not self._accepts_all and not self._admit(sample):
             return
         queue = self.queue
         if len(queue) == queue.maxlen:
@@ -256,34 +256,34 @@ class Subscription(Endpoint):
             on_ready(self)
 
     def filter_by(self, accepts: Callable[[Any], bool] | None) -> None:
-        """Receive only messages for which `accepts(message)` is true; None ends that."""
+        """Receive only messages for which `accepts(message)` is true; None removes the filter."""
         self.accepts = accepts
-        self._plain = accepts is None and not self.watches
+        self._accepts_all = accepts is None and not self.watches
 
     def _admit(self, sample: Sample) -> bool:
-        """Look at a sample for those who filter or watch; False if it is not to be received."""
+        """Apply the filter and the watches to a sample; return whether it is received."""
         now = self.node.graph.now_ns()
-        if sample[3].qos.liveliness == Liveliness.MANUAL_BY_TOPIC and self.heard_of(sample[3], now):
-            self._tell(EventKind.LIVELINESS_CHANGED)
+        if sample[3].qos.liveliness == Liveliness.MANUAL_BY_TOPIC and self.note_alive(sample[3], now):
+            self._notify(EventKind.LIVELINESS_CHANGED)
         if self.accepts is not None and not self.accepts(sample[0]):
             return False
         if self._deadline is not None and self._deadline.message(now):
-            self._tell(EventKind.DEADLINE_MISSED)
+            self._notify(EventKind.DEADLINE_MISSED)
         return True
 
-    def heard_of(self, publisher: Publisher, now: int) -> bool:
-        """Note that a publisher has shown that it lives; True if that is news."""
+    def note_alive(self, publisher: Publisher, now: int) -> bool:
+        """Note that a publisher has asserted its liveliness; return whether that changed anything."""
         for_ever = publisher.qos.liveliness != Liveliness.MANUAL_BY_TOPIC
         return self._alive is not None and self._alive.asserted(publisher, now, for_ever=for_ever)
 
-    def lost(self, publisher: Publisher) -> bool:
-        """Note that a publisher is gone; True if that is news."""
+    def note_gone(self, publisher: Publisher) -> bool:
+        """Note that a publisher is gone; return whether that changed anything."""
         return self._alive is not None and self._alive.gone(publisher, self.node.graph.now_ns())
 
     def take(self) -> Sample | None:
         """Return the oldest queued sample, or None. Samples older than the subscription's lifespan are skipped.
 
-        (The publisher's lifespan is about what it keeps for late joiners; so it is with Fast DDS.)
+        The publisher's lifespan applies only to the messages it keeps for late joiners, as in Fast DDS.
         """
         while True:
             try:
@@ -296,14 +296,14 @@ class Subscription(Endpoint):
             return sample
 
     def message_info(self, sample: Sample) -> MessageInfo:
-        """Describe a sample that `take` just returned."""
+        """Return the metadata of the sample that `take` has just returned."""
         _, source_timestamp, number, publisher = sample
         received = self.node.graph.now_ns()
         return MessageInfo(source_timestamp, received, number, self._received, publisher.gid, publisher.origin is None)
 
 
 class Service(Endpoint):
-    """Answers requests. `copy_response` makes the client's own object of a response."""
+    """A service server. `copy_response` returns an independent copy of a response for a client."""
 
     kind = EndpointKind.SERVICE
 
@@ -331,7 +331,7 @@ class Service(Endpoint):
             return None
 
     def send_response(self, request_id: RequestId, response: Any) -> None:
-        """Send the answer to whoever asked; nothing happens when that client is gone."""
+        """Send a response to the client of a request; does nothing if that client is gone."""
         for client in self.matched:
             if client.gid == request_id.client_gid:
                 if client.origin is None:
@@ -344,7 +344,7 @@ class Service(Endpoint):
 
 
 class Client(Endpoint):
-    """Asks the servers of one service. `copy_request` makes the server's own object of a request."""
+    """A service client. `copy_request` returns an independent copy of a request for a server."""
 
     kind = EndpointKind.CLIENT
 
@@ -359,11 +359,11 @@ class Client(Endpoint):
         self._numbers = count(1)
 
     def service_is_ready(self) -> bool:
-        """Say whether at least one server of the service exists."""
+        """Return whether at least one server of the service exists."""
         return bool(self.matched)
 
     def send_request(self, request: Any) -> int:
-        """Send a copy of `request` to every server and return its sequence number; answers arrive by `take`."""
+        """Send a copy of `request` to every server and return its sequence number; `take` returns the responses."""
         number = next(self._numbers)
         remote = False
         for service in self.matched:

@@ -1,8 +1,8 @@
-"""What happens to an endpoint beside messages: counters, and the watches over deadlines and liveliness.
+"""Events of endpoints: their counters, and the watches over deadlines and liveliness leases.
 
-Nothing ticks. A watch remembers when something last happened and works out, whenever it is looked at (`settle`), what has
-been missed until then; `due` says when the next thing would be missed, for whoever wants to be called in time. Times are
-those of the graph's `now_ns`. What fires and what does not was measured on Fast DDS.
+Nothing ticks. A watch remembers when something last happened and computes, whenever it is read (`settle`), what has been
+missed since; `due` is when the next event would be raised, for callers who want to wake up in time. Times are nanoseconds of
+the graph's `now_ns`. Which events are raised was measured on Fast DDS.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ class EventKind(Enum):
     INCOMPATIBLE_TYPE = "incompatible_type"
     MATCHED = "matched"
     MESSAGE_LOST = "message_lost"
-    """Never raised: Fast DDS raises it for gaps in what a network brought, not for a queue that overflows."""
+    """Never raised: Fast DDS raises it for gaps in messages from the network, not for a queue that overflows."""
     DEADLINE_MISSED = "deadline_missed"
     LIVELINESS_LOST = "liveliness_lost"
     LIVELINESS_CHANGED = "liveliness_changed"
 
 
 class EventStatus:
-    """Counters of one kind of event, as rmw's status structures hold them; `take` resets the changes.
+    """Counters of one kind of event, as in rmw's status structures; `take` resets the changes.
 
     For LIVELINESS_CHANGED `current_count` is the number of publishers alive.
     """
@@ -52,19 +52,19 @@ class EventStatus:
         self.last_policy_kind = PolicyKind.INVALID
 
     def add(self, times: int = 1) -> None:
-        """Count more occurrences."""
+        """Count occurrences."""
         self.total_count += times
         self.total_count_change += times
 
     def add_alive(self, alive: int, not_alive: int) -> None:
-        """Change the numbers of publishers that are alive and that are not."""
+        """Add to the numbers of publishers that are alive and not alive; either may be negative."""
         self.current_count += alive
         self.current_count_change += alive
         self.not_alive_count += not_alive
         self.not_alive_count_change += not_alive
 
     def take(self) -> EventStatus:
-        """Return a copy and start counting changes anew."""
+        """Return a copy and reset the changes."""
         taken = EventStatus()
         for name in self.__slots__:
             setattr(taken, name, getattr(self, name))
@@ -73,18 +73,18 @@ class EventStatus:
 
 
 class Watch(Protocol):
-    """What the passing of time can raise an event of."""
+    """A source of events that time alone can raise."""
 
     def settle(self, now: int) -> None:
-        """Count what was missed until now."""
+        """Count everything missed until `now` (ns)."""
 
     @property
     def due(self) -> int | None:
-        """When something will be missed if nothing happens before; None if nothing is waited for."""
+        """When the next event will be raised (ns) if nothing happens before; None if nothing is expected."""
 
 
 class DeadlineWatch:
-    """Counts the periods in which no message came; the first message starts it."""
+    """Counts the periods (ns) without a message; the first message starts it."""
 
     def __init__(self, period: int, status: EventStatus) -> None:
         self._period = period
@@ -92,14 +92,14 @@ class DeadlineWatch:
         self._last: int | None = None
 
     def message(self, now: int) -> bool:
-        """Note a message; True if it is the first."""
+        """Note a message; return whether it is the first."""
         self.settle(now)
         first = self._last is None
         self._last = now
         return first
 
     def settle(self, now: int) -> None:
-        """Count the periods that are over."""
+        """Count the periods that have ended."""
         if self._last is not None:
             missed = (now - self._last) // self._period
             if missed > 0:
@@ -108,12 +108,12 @@ class DeadlineWatch:
 
     @property
     def due(self) -> int | None:
-        """The end of the present period."""
+        """The end of the present period (ns)."""
         return None if self._last is None else self._last + self._period
 
 
 class LeaseWatch:
-    """A publisher's own promise to show that it lives; the first assertion starts it."""
+    """The liveliness lease (ns) a publisher offers; the first assertion starts it."""
 
     def __init__(self, lease: int, status: EventStatus) -> None:
         self._lease = lease
@@ -121,35 +121,35 @@ class LeaseWatch:
         self._end: int | None = None
 
     def asserted(self, now: int) -> bool:
-        """Note a sign of life; True if there was no lease running."""
+        """Note an assertion of liveliness; return whether no lease was running."""
         self.settle(now)
         started = self._end is None
         self._end = now + self._lease
         return started
 
     def settle(self, now: int) -> None:
-        """Count a lease that ran out."""
+        """Count a lease that has expired."""
         if self._end is not None and now >= self._end:
             self._status.add()
             self._end = None
 
     @property
     def due(self) -> int | None:
-        """The end of the running lease."""
+        """The end of the running lease (ns)."""
         return self._end
 
 
 class AliveWatch:
-    """Which publishers a subscription takes for alive, by the subscription's own lease."""
+    """The publishers a subscription considers alive, by the lease (ns) it requests."""
 
     def __init__(self, lease: int, status: EventStatus) -> None:
         self._lease = lease
         self._status = status
         self._ends: dict[object, int | None] = {}
-        """publisher -> end of its lease, None once that ran out; publishers never heard of are absent"""
+        """publisher -> end of its lease (ns), None after it has expired; absent before its first assertion"""
 
     def asserted(self, publisher: object, now: int, *, for_ever: bool = False) -> bool:
-        """Note a sign of life; True if the publisher was not alive before."""
+        """Note an assertion of liveliness; return whether the publisher was not alive before."""
         self.settle(now)
         before = self._ends.get(publisher, 0)
         self._ends[publisher] = INFINITE_NS if for_ever else now + self._lease
@@ -160,7 +160,7 @@ class AliveWatch:
         return not before
 
     def gone(self, publisher: object, now: int) -> bool:
-        """Forget a publisher; True if it had ever been heard of."""
+        """Forget a publisher; return whether it had ever asserted its liveliness."""
         self.settle(now)
         end = self._ends.pop(publisher, 0)
         if end == 0:
@@ -169,7 +169,7 @@ class AliveWatch:
         return True
 
     def settle(self, now: int) -> None:
-        """Count the leases that ran out."""
+        """Count the leases that have expired."""
         for publisher, end in self._ends.items():
             if end is not None and now >= end:
                 self._ends[publisher] = None
@@ -177,6 +177,6 @@ class AliveWatch:
 
     @property
     def due(self) -> int | None:
-        """The end of the lease that ends first."""
+        """The earliest end of a lease (ns)."""
         ends = [end for end in self._ends.values() if end is not None and end != INFINITE_NS]
         return min(ends) if ends else None

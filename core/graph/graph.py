@@ -1,4 +1,4 @@
-"""The graph itself: who exists, who matches whom, and who wants to hear of changes."""
+"""The graph itself: its nodes and endpoints, their matching, and the listeners for changes."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from itertools import count
 from typing import Any, NamedTuple, Protocol, TypeVar
 
 from day6_tui.core.graph.endpoints import Client, Endpoint, EndpointKind, EventKind, Publisher, RequestId, Service
-from day6_tui.core.graph.matching import Told, connect, disconnect
+from day6_tui.core.graph.matching import RaisedEvents, connect, disconnect
 from day6_tui.core.graph.node import Node
 
 AnyEndpoint = TypeVar("AnyEndpoint", bound=Endpoint)
 
 
 class Transport(Protocol):
-    """What carries messages to the endpoints of other processes (core/link)."""
+    """Carries messages to the endpoints of other processes (core/link)."""
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
         """Send a message of a local publisher to its remote subscriptions."""
@@ -30,9 +30,12 @@ class Transport(Protocol):
     def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
         """Send the response of a local server to a remote client."""
 
+    def wait_settled(self, timeout: float) -> bool:
+        """Wait until the graph knows what the other processes have told of theirs; False if `timeout` seconds passed first."""
+
 
 class Change(Enum):
-    """What a graph event is about."""
+    """The kinds of graph event."""
 
     NODE_ADDED = "node added"
     NODE_REMOVED = "node removed"
@@ -53,9 +56,9 @@ Listener = Callable[[GraphEvent], None]
 class Graph:
     """The nodes and endpoints of one ROS domain, those of this process and, through the link, those of others.
 
-    Thread-safe. Listeners and endpoint callbacks run on the thread that made the change, after the lock was released.
-    `now_ns` gives the time stamped on messages (epoch ns). The link sets `transport`, and `identify`, which gives an
-    endpoint the GID by which other processes know it.
+    Thread-safe. Listeners and endpoint callbacks run on the thread that made the change, after the lock is released.
+    `now_ns` returns the time for timestamps of messages (epoch ns). The link sets `transport`, and `identify`, which returns
+    the GID (16 bytes) by which other processes know an endpoint.
     """
 
     def __init__(self, domain_id: int = 0) -> None:
@@ -73,33 +76,33 @@ class Graph:
         self._pending: list[Callable[[], None]] = []
         self._depth = 0
 
-    # identity
+    # -- identity ------------------------------------------------------------------------------------------------------
 
     def next_entity_id(self) -> int:
-        """Return a number no other node or endpoint of this graph has."""
+        """Return a number that no other node or endpoint of this graph has."""
         return next(self._entity_ids)
 
     def new_gid(self) -> bytes:
         """Return 16 bytes that identify one endpoint among all processes."""
         return self._gid_prefix + next(self._gid_numbers).to_bytes(4, "big")
 
-    def give_gid(self, endpoint: Endpoint) -> bytes:
-        """Make the GID of an endpoint that was not asked for it before."""
+    def assign_gid(self, endpoint: Endpoint) -> bytes:
+        """Create the GID of an endpoint, on first access, and return it."""
         with self._lock:
             if endpoint._gid is None:
                 endpoint._gid = self.identify(endpoint)
             return endpoint._gid
 
     def renew_lock(self) -> None:
-        """In a forked child: make a lock that no thread of the parent holds."""
+        """In a forked child: create a lock that no thread of the parent holds."""
         self._lock = threading.RLock()
         self._depth = 0
 
-    # change
+    # -- changes -------------------------------------------------------------------------------------------------------
 
     @contextmanager
     def _changing(self) -> Iterator[None]:
-        """Hold the lock; call what was put off (listeners, callbacks) when the outermost change is complete."""
+        """Hold the lock; make the pending calls (listeners, callbacks) when the outermost change is complete."""
         calls: list[Callable[[], None]] = []
         with self._lock:
             self._depth += 1
@@ -118,7 +121,7 @@ class Graph:
             self._pending.append(lambda listener=listener: listener(event))  # type: ignore[misc]
 
     def add_listener(self, listener: Listener) -> Callable[[], None]:
-        """Call `listener` on every change from now on; returns the function that ends that."""
+        """Call `listener` on every change from now on; returns a function that removes it."""
         with self._lock:
             self._listeners = (*self._listeners, listener)
 
@@ -129,7 +132,7 @@ class Graph:
         return remove
 
     def create_node(self, name: str, namespace: str = "/", *, enclave: str = "/", origin: object | None = None) -> Node:
-        """Add a node. Names are taken as they are (rclpy validates and remaps first); equal names may exist twice."""
+        """Add a node. Names are not checked (rclpy validates and remaps them first); several nodes may share a name."""
         node = Node(self, name, namespace, enclave, origin)
         with self._changing():
             self._nodes = (*self._nodes, node)
@@ -148,14 +151,14 @@ class Graph:
             self._announce(Change.NODE_REMOVED, node)
 
     def add_endpoint(self, endpoint: AnyEndpoint) -> AnyEndpoint:
-        """Put an endpoint into the graph and match it (the `create_*` methods of Node call this)."""
+        """Add an endpoint and match it (the `create_*` methods of Node call this)."""
         with self._changing():
             endpoint.node.endpoints = (*endpoint.node.endpoints, endpoint)
             peers = self._by_name.setdefault(self._key(endpoint), [])
-            told: Told = []
-            connect(endpoint, tuple(peers), told)
+            raised: RaisedEvents = []
+            connect(endpoint, tuple(peers), raised)
             peers.append(endpoint)
-            self._tell(told)
+            self._notify_later(raised)
             self._announce(Change.ENDPOINT_ADDED, endpoint)
         return endpoint
 
@@ -170,11 +173,11 @@ class Graph:
             key = self._key(endpoint)
             peers = self._by_name[key]
             peers.remove(endpoint)
-            told: Told = []
-            disconnect(endpoint, told)
-            self._tell(told)
+            raised: RaisedEvents = []
+            disconnect(endpoint, raised)
+            self._notify_later(raised)
             if not peers:
-                # Gone already when a garbage collection in the middle of this removed the last other endpoint.
+                # Gone already if a garbage collection in the middle of this removed the last other endpoint.
                 self._by_name.pop(key, None)
             self._announce(Change.ENDPOINT_REMOVED, endpoint)
 
@@ -182,9 +185,9 @@ class Graph:
     def _key(endpoint: Endpoint) -> tuple[bool, str]:
         return endpoint.kind in (EndpointKind.SERVICE, EndpointKind.CLIENT), endpoint.topic
 
-    def _tell(self, told: Told) -> None:
-        """Have the callbacks of endpoints called when the lock is released."""
-        for endpoint, kind in told:
+    def _notify_later(self, raised: RaisedEvents) -> None:
+        """Schedule the callbacks of endpoints for when the lock is released."""
+        for endpoint, kind in raised:
 
             def call(endpoint: Endpoint = endpoint, kind: EventKind = kind) -> None:
                 if endpoint.on_event is not None:
@@ -192,19 +195,19 @@ class Graph:
 
             self._pending.append(call)
 
-    # looking
+    # -- queries -------------------------------------------------------------------------------------------------------
 
     @property
     def nodes(self) -> tuple[Node, ...]:
-        """All nodes in the order in which they appeared."""
+        """All nodes, in order of creation."""
         return self._nodes
 
     def find_nodes(self, name: str, namespace: str) -> list[Node]:
-        """Return the nodes of that name and namespace (several may share one)."""
+        """Return the nodes with a name and namespace (several may share them)."""
         return [node for node in self._nodes if node.name == name and node.namespace == namespace]
 
     def endpoints(self, *kinds: EndpointKind, topic: str | None = None) -> list[Endpoint]:
-        """Return the endpoints of some kinds, of all topics or of one."""
+        """Return the endpoints of some kinds, on all topics or on one."""
         with self._lock:
             return [
                 endpoint
@@ -235,6 +238,6 @@ _graphs_lock = threading.Lock()
 
 
 def graph_for_domain(domain_id: int) -> Graph:
-    """Return this process's graph of a domain, made on first use."""
+    """Return this process's graph of a domain, created on first use."""
     with _graphs_lock:
         return _graphs.setdefault(domain_id, Graph(domain_id))

@@ -1,8 +1,8 @@
 """ROS names: validation, expansion to full names, remapping.
 
 The rules and messages are those of rcl (validate_topic_name.c, expand_topic_name.c, remap.c) and rmw
-(validate_*_name.c), observed on rclpy 9.1.2. A validator returns None for a good name, else a `Flaw` with the message
-and the place of the caret.
+(validate_*_name.c), observed on rclpy 9.1.2. A validator returns None for a valid name, else a `Flaw` with the message
+and the invalid index.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple
 
 MAX_NODE_NAME = 255
 MAX_TOPIC_NAME = 247
-"""255 characters of a DDS topic name less the 8 that rmw keeps for prefix and suffix."""
+"""The 255 characters of a DDS topic name less the 8 that rmw reserves for prefix and suffix."""
 MAX_NAMESPACE = 245
 
 _ALNUM_ = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")
@@ -23,9 +23,9 @@ _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
 class Flaw(NamedTuple):
-    """What is wrong with a name: rcl's message, the place of the offending character, rmw's number of the rule.
+    """The violated rule of a name: rcl's message, the index of the invalid character, rmw's number of the rule.
 
-    Only names that are whole (node names, namespaces, full topic names) have numbers: rmw/validate_namespace.h.
+    Only the validators of node names, namespaces and full topic names have numbers: rmw/validate_namespace.h.
     """
 
     message: str
@@ -34,7 +34,7 @@ class Flaw(NamedTuple):
 
 
 class UnknownSubstitution(ValueError):
-    """A `{word}` in a name that is none of node, ns, namespace."""
+    """A `{word}` in a name that is not node, ns or namespace."""
 
 
 def _token_starting_with_digit(name: str) -> int | None:
@@ -45,7 +45,7 @@ def _token_starting_with_digit(name: str) -> int | None:
 
 
 def _flaw_of_absolute_name(subject: str, name: str) -> Flaw | None:
-    """Check what full topic names and namespaces have in common (after emptiness, lead and trail)."""
+    """Check the common rules of full topic names and namespaces (after those for empty names and outer slashes)."""
     for index, character in enumerate(name):
         if character not in _ALNUM_ and character != "/":
             return Flaw(f"{subject} must not contain characters other than alphanumerics, '_', or '/'", index, 4)
@@ -59,7 +59,7 @@ def _flaw_of_absolute_name(subject: str, name: str) -> Flaw | None:
 
 
 def flaw_of_node_name(name: str) -> Flaw | None:
-    """Validate a node name (no namespace in it)."""
+    """Validate a node name without namespace (rmw/validate_node_name.c)."""
     if not name:
         return Flaw("node name must not be empty", 0, 1)
     for index, character in enumerate(name):
@@ -73,7 +73,7 @@ def flaw_of_node_name(name: str) -> Flaw | None:
 
 
 def flaw_of_namespace(namespace: str) -> Flaw | None:
-    """Validate a node's namespace (absolute, `/` for none)."""
+    """Validate a node's namespace, which is absolute, `/` for none (rmw/validate_namespace.c)."""
     if not namespace:
         return Flaw("namespace must not be empty", 0, 1)
     if namespace == "/":
@@ -89,7 +89,7 @@ def flaw_of_namespace(namespace: str) -> Flaw | None:
 
 
 def flaw_of_full_topic_name(name: str) -> Flaw | None:
-    """Validate a topic or service name after expansion."""
+    """Validate a topic or service name after expansion (rmw/validate_full_topic_name.c)."""
     if not name:
         return Flaw("topic name must not be empty", 0, 1)
     if name[0] != "/":
@@ -103,7 +103,10 @@ def flaw_of_full_topic_name(name: str) -> Flaw | None:
 
 
 def flaw_of_topic_name(name: str) -> Flaw | None:
-    """Validate a topic or service name as a program writes it: relative, absolute or private, with substitutions."""
+    """Validate a topic or service name as written in a program (rcl/validate_topic_name.c).
+
+    It may be relative, absolute or private, with substitutions.
+    """
     if not name:
         return Flaw("topic name must not be empty string", 0)
     if name[-1] == "/":
@@ -112,7 +115,7 @@ def flaw_of_topic_name(name: str) -> Flaw | None:
     for index, character in enumerate(name):
         if character == "{":
             if opened is not None:
-                return Flaw("substitution name must not contain characters other than alphanumerics or '_'", opened)
+                return Flaw("substitution name must not contain characters other than alphanumerics or '_'", index)
             opened = index
         elif character == "}":
             if opened is None:
@@ -136,20 +139,21 @@ def flaw_of_topic_name(name: str) -> Flaw | None:
     digit = _token_starting_with_digit(name)
     if digit is not None:
         return Flaw("topic name token must not start with a number", digit)
-    if name[0] == "~" and len(name) > 2 and name[1] != "/":  # rcl looks at names of three characters and more
+    if name[0] == "~" and len(name) > 2 and name[1] != "/":  # rcl checks this only in names of three or more characters
         return Flaw("topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1)
     return None
 
 
 def full_name(namespace: str, name: str) -> str:
-    """Join a namespace and a name: `("/", "a")` gives `/a`, `("/sp", "a")` gives `/sp/a`."""
+    """Join a namespace and a name: `("/", "a")` → `/a`, `("/sp", "a")` → `/sp/a`."""
     return f"/{name}" if namespace == "/" else f"{namespace}/{name}"
 
 
 def expand(name: str, node_name: str, namespace: str) -> str:
-    """Return the full form of a topic or service name, without remapping.
+    """Return the full form of a topic or service name, without remapping (rcl/expand_topic_name.c).
 
-    Raises `UnknownSubstitution` for `{word}` other than node, ns and namespace.
+    Raises:
+        UnknownSubstitution: for `{word}` other than node, ns and namespace.
     """
     if name.startswith("~"):
         name = full_name(namespace, node_name) + name[1:]
@@ -166,7 +170,7 @@ def expand(name: str, node_name: str, namespace: str) -> str:
 
 
 def is_hidden(name: str) -> bool:
-    """Say whether any part of a topic, service or node name starts with an underscore."""
+    """Return whether any part of a topic, service or node name starts with an underscore."""
     return any(part.startswith("_") for part in name.split("/"))
 
 
@@ -181,9 +185,10 @@ class RemapRule:
 
     @staticmethod
     def parse(text: str) -> RemapRule:
-        """Read `[node:]match:=replacement`, `__node:=name` (or `__name:=`), `__ns:=namespace`.
+        """Parse `[node:]match:=replacement`, `__node:=name` (or `__name:=`), `__ns:=namespace` (rcl/arguments.c).
 
-        Raises ValueError when `text` is no such rule.
+        Raises:
+            ValueError: `text` is not such a rule.
         """
         left, separator, replacement = text.partition(":=")
         if not separator or not left or not replacement:
@@ -210,10 +215,15 @@ class RemapRule:
 
 
 def remap_node(name: str, namespace: str, rules: Iterable[RemapRule]) -> tuple[str, str]:
-    """Return node name and namespace after the first matching `__node` and the first matching `__ns` rule."""
+    """Return node name and namespace after the first matching `__node` and the first matching `__ns` rule.
+
+    A `__ns` rule for one node names it by its new name (rcl/node.c).
+    """
     rules = list(rules)
     new_name = next((r.replacement for r in rules if r.kind == "node" and r.node in (None, name)), name)
-    new_namespace = next((r.replacement for r in rules if r.kind == "namespace" and r.node in (None, name)), namespace)
+    new_namespace = next(
+        (r.replacement for r in rules if r.kind == "namespace" and r.node in (None, new_name)), namespace
+    )
     return new_name, new_namespace
 
 

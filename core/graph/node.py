@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Node:
-    """A node: a name, a namespace and its endpoints. Names given to the `create_*` methods are full ones."""
+    """A node: a name, a namespace and its endpoints. The `create_*` methods take full names."""
 
     def __init__(self, graph: Graph, name: str, namespace: str, enclave: str, origin: object | None) -> None:
         self.graph = graph
@@ -28,13 +28,13 @@ class Node:
 
     @property
     def full_name(self) -> str:
-        """Namespace and name: `/turtlesim`, `/team/talker`."""
+        """Namespace and name, like `/turtlesim` or `/team/talker`."""
         return full_name(self.namespace, self.name)
 
     def create_publisher(
         self, topic: str, type_name: str, type_hash: str, qos: QoS, copy: Copier, *, gid: bytes | None = None
     ) -> Publisher:
-        """Add a publisher of `topic`; `copy` must return an independent copy of a message."""
+        """Add a publisher of `topic`; `copy` must return an independent copy of a message, `gid` has 16 bytes."""
         return self.graph.add_endpoint(Publisher(self, topic, type_name, type_hash, qos, gid, copy))
 
     def create_subscription(
@@ -47,7 +47,7 @@ class Node:
         gid: bytes | None = None,
         on_ready: Callable[[Subscription], None] | None = None,
     ) -> Subscription:
-        """Add a subscription of `topic`; what transient-local publishers kept is in its queue on return."""
+        """Add a subscription to `topic`; on return its queue has the messages kept by transient-local publishers."""
         subscription = Subscription(self, topic, type_name, type_hash, qos, gid)
         subscription.on_ready = on_ready
         return self.graph.add_endpoint(subscription)
@@ -65,5 +65,5 @@ class Node:
         return self.graph.add_endpoint(Client(self, name, type_name, type_hash, qos, gid, copy_request))
 
     def destroy(self) -> None:
-        """Take the node and all its endpoints out of the graph; a second call does nothing."""
+        """Remove the node and all its endpoints from the graph; a second call does nothing."""
         self.graph.remove_node(self)

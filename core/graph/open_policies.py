@@ -1,8 +1,8 @@
-"""What an endpoint gets where its program left a policy open.
+"""Resolves the policies that a program left open.
 
-SYSTEM_DEFAULT is Fast DDS's own choice, another one for publishers than for subscriptions (fastdds/dds/publisher/qos and
-subscriber/qos). BEST_AVAILABLE is settled once, when the endpoint is made, by the endpoints that are there then
-(rmw_dds_common/qos.hpp); one that comes later may not match.
+SYSTEM_DEFAULT is Fast DDS's own default, which differs between publishers and subscriptions (fastdds/dds/publisher/qos and
+subscriber/qos). BEST_AVAILABLE is resolved once, when the endpoint is created, by the endpoints that exist then
+(rmw_dds_common/qos.hpp); a later one may not match.
 """
 
 from __future__ import annotations
@@ -17,13 +17,14 @@ from day6_tui.core.graph.qos import (
     Liveliness,
     QoS,
     Reliability,
+    limit_of,
 )
 
 
-def settled_for_publisher(qos: QoS, requests: Collection[QoS]) -> QoS:
-    """Return the profile of a new publisher; `requests` are those of the topic's subscriptions.
+def resolved_for_publisher(qos: QoS, requests: Collection[QoS]) -> QoS:
+    """Return the profile of a new publisher; `requests` are the profiles of the topic's subscriptions.
 
-    The best a publisher can offer suits every subscription, so only its limits depend on them.
+    The best a publisher can offer suits every subscription, so only its durations and liveliness depend on them.
     """
     reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
     if reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE):
@@ -33,15 +34,15 @@ def settled_for_publisher(qos: QoS, requests: Collection[QoS]) -> QoS:
     if liveliness == Liveliness.BEST_AVAILABLE:
         manual = any(each.liveliness == Liveliness.MANUAL_BY_TOPIC for each in requests)
         liveliness = Liveliness.MANUAL_BY_TOPIC if manual else Liveliness.AUTOMATIC
-    deadline = min((_limit(each.deadline) for each in requests), default=INFINITE_NS)
-    lease = min((_limit(each.liveliness_lease_duration) for each in requests), default=INFINITE_NS)
+    deadline = min((limit_of(each.deadline) for each in requests), default=INFINITE_NS)
+    lease = min((limit_of(each.liveliness_lease_duration) for each in requests), default=INFINITE_NS)
     return _with(qos, reliability, durability, liveliness, deadline, lease)
 
 
-def settled_for_subscription(qos: QoS, offers: Collection[QoS]) -> QoS:
-    """Return the profile of a new subscription; `offers` are those of the topic's publishers.
+def resolved_for_subscription(qos: QoS, offers: Collection[QoS]) -> QoS:
+    """Return the profile of a new subscription; `offers` are the profiles of the topic's publishers.
 
-    The best available is what all publishers offer: with none of them there, all there is.
+    The best available is what all publishers offer; without publishers, the highest policies and no limits.
     """
     reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
     if reliability == Reliability.SYSTEM_DEFAULT:
@@ -55,23 +56,19 @@ def settled_for_subscription(qos: QoS, offers: Collection[QoS]) -> QoS:
     if liveliness == Liveliness.BEST_AVAILABLE:
         manual = all(each.liveliness == Liveliness.MANUAL_BY_TOPIC for each in offers)
         liveliness = Liveliness.MANUAL_BY_TOPIC if manual else Liveliness.AUTOMATIC
-    deadline = max((_limit(each.deadline) for each in offers), default=INFINITE_NS)
-    lease = max((_limit(each.liveliness_lease_duration) for each in offers), default=INFINITE_NS)
+    deadline = max((limit_of(each.deadline) for each in offers), default=INFINITE_NS)
+    lease = max((limit_of(each.liveliness_lease_duration) for each in offers), default=INFINITE_NS)
     return _with(qos, reliability, durability, liveliness, deadline, lease)
 
 
 def is_open(qos: QoS) -> bool:
-    """Say whether a profile leaves something open that depends on the kind of endpoint or on the other side."""
+    """Return whether a profile leaves a policy open that depends on the kind of endpoint or on the other endpoints."""
     return (
         qos.reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE)
         or qos.durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE)
         or qos.liveliness == Liveliness.BEST_AVAILABLE
         or BEST_AVAILABLE_NS in (qos.deadline, qos.liveliness_lease_duration)
     )
-
-
-def _limit(duration: int) -> int:
-    return INFINITE_NS if duration == DURATION_UNSPECIFIED else duration
 
 
 def _with(

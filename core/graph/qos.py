@@ -1,4 +1,4 @@
-"""Quality of service: the policies, a whole profile, and which offers satisfy which requests.
+"""Quality of service: the policies, profiles, and which offers satisfy which requests.
 
 Numbers are those of rmw/qos_policy_kind.h and rmw/types.h; the matching rules those of the DDS specification 1.4,
 §2.2.3.
@@ -10,13 +10,13 @@ from enum import IntEnum
 from typing import NamedTuple
 
 DURATION_UNSPECIFIED = 0
-"""0 ns in a profile means "not said", which DDS takes as infinite."""
+"""0 ns in a profile means "not specified", which DDS takes as infinite."""
 INFINITE_NS = 9223372036854775807
 BEST_AVAILABLE_NS = INFINITE_NS - 1
-"""RMW_QOS_DEADLINE_BEST_AVAILABLE: whatever the other side has, which is no limit of one's own."""
+"""RMW_QOS_DEADLINE_BEST_AVAILABLE: the limit of the other side, none of one's own."""
 
 KEEP_ALL_LIMIT = 5000
-"""Fast DDS's default resource limit: what KEEP_ALL really keeps."""
+"""Fast DDS's default resource limit: the messages KEEP_ALL really keeps."""
 
 
 class Reliability(IntEnum):
@@ -87,9 +87,9 @@ class QoS(NamedTuple):
     avoid_ros_namespace_conventions: bool = False
 
     def resolved(self) -> QoS:
-        """Return the profile an endpoint really has, where the program left a policy open and the kind does not matter.
+        """Return the profile with every open policy resolved, independent of the kind of endpoint.
 
-        For publishers and subscriptions it does: `open_policies` comes first.
+        For publishers and subscriptions the kind matters: `open_policies` is applied first.
         """
         reliable = self.reliability in (Reliability.SYSTEM_DEFAULT, Reliability.BEST_AVAILABLE)
         volatile = self.durability in (Durability.SYSTEM_DEFAULT, Durability.BEST_AVAILABLE)
@@ -104,31 +104,32 @@ class QoS(NamedTuple):
 
     @property
     def capacity(self) -> int:
-        """How many messages a queue or cache with this profile holds; the oldest goes first."""
+        """The number of messages in a queue or cache with this profile; the oldest is dropped first."""
         return KEEP_ALL_LIMIT if self.history == History.KEEP_ALL else max(1, self.depth)
 
 
 def is_finite(duration: int) -> bool:
-    """Say whether a duration of a profile is a limit at all."""
+    """Return whether a duration (ns) of a profile is a finite limit."""
     return DURATION_UNSPECIFIED < duration < BEST_AVAILABLE_NS
 
 
-def _finite(duration: int) -> int:
+def limit_of(duration: int) -> int:
+    """Return a profile's duration as a limit in nanoseconds: INFINITE_NS if it is not specified."""
     return INFINITE_NS if duration == DURATION_UNSPECIFIED else duration
 
 
 def incompatible_policies(offered: QoS, requested: QoS) -> list[PolicyKind]:
-    """Return the policies of a publisher's offer that do not satisfy a subscription's request (none = they match).
+    """Return the policies of a publisher's offer that do not satisfy a subscription's request (empty: they match).
 
-    Both profiles are resolved ones. The last of the list is the "last policy kind" of an event.
+    Both profiles must be resolved. The last one is the "last policy kind" of the event.
     """
     found: list[PolicyKind] = []
     if requested.durability == Durability.TRANSIENT_LOCAL and offered.durability == Durability.VOLATILE:
         found.append(PolicyKind.DURABILITY)
-    if _finite(offered.deadline) > _finite(requested.deadline):
+    if limit_of(offered.deadline) > limit_of(requested.deadline):
         found.append(PolicyKind.DEADLINE)
     manual_wanted = requested.liveliness == Liveliness.MANUAL_BY_TOPIC
-    lease_too_long = _finite(offered.liveliness_lease_duration) > _finite(requested.liveliness_lease_duration)
+    lease_too_long = limit_of(offered.liveliness_lease_duration) > limit_of(requested.liveliness_lease_duration)
     if (manual_wanted and offered.liveliness != Liveliness.MANUAL_BY_TOPIC) or lease_too_long:
         found.append(PolicyKind.LIVELINESS)
     if requested.reliability == Reliability.RELIABLE and offered.reliability == Reliability.BEST_EFFORT:

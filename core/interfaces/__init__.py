@@ -1,8 +1,8 @@
 """Interface texts (.msg, .srv, .action) as Python classes like rosidl's, their CDR bytes and their type hashes.
 
-Imports nothing of the rest of the simulator. Classes are made on first use; numpy is imported only when a class with a
-fixed array of numbers is made. Packages of `core/ros/python` call `package`; everything else uses the functions named
-here.
+Imports nothing else of day6-tui; everything else may import it. Classes are generated on first use; numpy is imported only
+when a message with a fixed array of numbers is created. Packages of `core/ros/python` call `package`; everything else uses the
+functions exported here.
 """
 
 from __future__ import annotations

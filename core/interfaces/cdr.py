@@ -1,6 +1,6 @@
-"""Messages to CDR bytes and back: XCDR version 1, little endian, 4-byte header, as rmw_fastrtps and rmw_zenoh do.
+"""Serializes messages to CDR and back: XCDR version 1, little endian, 4-byte header, as rmw_fastrtps and rmw_zenoh do.
 
-The code per class is generated on first use by `cdr_write` and `cdr_read`. Alignment counts from after the header.
+The code for each class is generated on first use by `cdr_write` and `cdr_read`. Alignment is relative to the end of the header.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import struct
 
 from day6_tui.core.interfaces.cdr_read import DeserializationError, build_reader
 from day6_tui.core.interfaces.cdr_write import SerializationError, build_writer
-from day6_tui.core.interfaces.registry import type_name
+from day6_tui.core.interfaces.registry import message_class, type_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,18 +23,18 @@ __all__ = ["DeserializationError", "SerializationError", "deserialize", "seriali
 
 
 class _Writers(dict[type, "Callable[[bytearray, Any], None]"]):
-    """Generated writers by class; makes the missing ones."""
+    """The generated writers by class; missing ones are generated."""
 
     def __missing__(self, cls: Any) -> Callable[[bytearray, Any], None]:
-        self[cls] = writer = build_writer(_message_class(cls), self)
+        self[cls] = writer = build_writer(message_class(cls), self)
         return writer
 
 
 class _Readers(dict[type, "Callable[[bytes, int, int], tuple[Any, int]]"]):
-    """Generated readers by class; makes the missing ones."""
+    """The generated readers by class; missing ones are generated."""
 
     def __missing__(self, cls: Any) -> Callable[[bytes, int, int], tuple[Any, int]]:
-        self[cls] = reader = build_reader(_message_class(cls), self)
+        self[cls] = reader = build_reader(message_class(cls), self)
         return reader
 
 
@@ -42,20 +42,12 @@ _writers = _Writers()
 _readers = _Readers()
 
 
-def _message_class(cls: Any) -> Any:
-    """Return the class made from the interface's text, for it or a class a program derived from it."""
-    name = type_name(cls)
-    plain = next(base for base in reversed(cls.__mro__[:-1]) if getattr(base, "_interface_name", "") == name)
-    if plain._structure is None:
-        raise TypeError(f"{cls!r} is not the class of a message")
-    return plain
-
-
 def serialize(message: Any) -> bytes:
-    """Return a message's CDR bytes with header.
+    """Return a message's CDR bytes with header (rclpy.serialization.serialize_message).
 
-    Raises SerializationError where a value does not fit its field (possible with checks off, or inside lists),
-    TypeError for something that is no message.
+    Raises:
+        SerializationError: a value does not fit its field (possible with checks off, or inside lists).
+        TypeError: `message` is not a message.
     """
     writer = _writers[message.__class__]
     buffer = bytearray(HEADER)
@@ -67,10 +59,14 @@ def serialize(message: Any) -> bytes:
 
 
 def deserialize(data: bytes | bytearray | memoryview, cls: Any) -> Any:
-    """Return the message of class `cls` in CDR bytes with header; bytes after its end are ignored (real senders pad).
+    """Return the message of class `cls` in CDR bytes with header (rclpy.serialization.deserialize_message).
 
-    Raises DeserializationError where the bytes are no such message; counts are compared with the bytes that are left
-    before anything is allocated. Raises TypeError when `cls` is no message class.
+    Bytes after its end are ignored (real senders pad). Counts are checked against the remaining bytes before anything is
+    allocated.
+
+    Raises:
+        DeserializationError: the bytes are not such a message.
+        TypeError: `cls` is not a message class.
     """
     reader = _readers[cls]
     if data.__class__ is not bytes:

@@ -1,4 +1,4 @@
-"""Where values lie in CDR: runs of fixed-size values, packed with one `struct` call at any alignment."""
+"""The layout of values in CDR: runs of fixed-size values, packed with one `struct` call at any alignment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HEADER_SIZE = 4
 
 
 class Run:
-    """Fixed-size values that follow one another: struct codes, sizes and alignments, and source expressions."""
+    """Consecutive fixed-size values: their struct codes, sizes and alignments in bytes, and source expressions."""
 
     def __init__(self) -> None:
         self.items: list[tuple[str, int, int]] = []
@@ -27,7 +27,7 @@ class Run:
         self.expressions.append(expression)
 
     def layout(self, phase: int) -> tuple[Struct, int]:
-        """Return the struct, padding included, of a run that begins `phase` bytes past a multiple of 8, and its end."""
+        """Return the struct, with padding, of a run that begins `phase` bytes after a multiple of 8, and the phase of its end."""
         codes, position = ["<"], phase
         for code, size, alignment in self.items:
             padding = -position % alignment
@@ -41,10 +41,9 @@ class Run:
 
 
 class Source:
-    """Statements of a function being generated; fixed-size values wait in `run` until something of variable length follows.
+    """Statements of a function being generated; fixed-size values collect in `run` until something of variable length follows.
 
-    `phase` is the position at which the run begins, past a multiple of 8, where it is known. `names` are the globals of the
-    function.
+    `phase` is the start of the run in bytes after a multiple of 8, None if it is unknown. `names` are the function's globals.
     """
 
     def __init__(self, names: dict[str, Any]) -> None:
@@ -60,7 +59,7 @@ class Source:
         self.lines.append(self.indent + text)
 
     def name(self, value: Any = None) -> str:
-        """Give generated code a name for a value, or a new variable."""
+        """Return a new name for the generated code: of a value, or (None) of a variable."""
         self.count += 1
         name = f"v{self.count}"
         if value is not None:
@@ -69,7 +68,7 @@ class Source:
 
 
 def common_end(layouts: list[tuple[Struct, int]]) -> int | None:
-    """Return the phase all layouts end in, None when it depends on where they begin."""
+    """Return the phase in which all layouts end, None if it depends on where they begin."""
     ends = {end for _, end in layouts}
     return ends.pop() if len(ends) == 1 else None
 
@@ -80,7 +79,7 @@ def padding_to(alignment: int) -> tuple[int, ...]:
 
 
 def least_size(type_: FieldType) -> int:
-    """Return a lower bound, in bytes, of one element of this type: what a count is compared with before a loop."""
+    """Return a lower bound, in bytes, of one element of this type; counts are checked against it before a loop."""
     if type_.primitive is not None:
         return type_.primitive.size
     if not type_.nested:

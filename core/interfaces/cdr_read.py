@@ -17,14 +17,13 @@ if TYPE_CHECKING:
 
 
 class DeserializationError(Exception):
-    """Bytes are not a message of the expected type: too short, a count that can not be, or an unknown encapsulation."""
+    """Bytes are not a message of the expected type: too short, an impossible count, or an unknown encapsulation."""
 
 
 def build_reader(cls: Any, readers: Any) -> Callable[[bytes, int, int], tuple[Any, int]]:
-    """Return `read(data, position, size)`, which returns the message at a position and the position after it.
+    """Return `read(data, position, size)`, which returns the message at a position and the position after it (bytes).
 
-    `size` is `len(data)`. `readers` gives the functions of other classes by class; it is asked for large nested
-    messages.
+    `size` is `len(data)`. `readers` maps other classes to their functions, for large nested messages.
     """
     names: dict[str, Any] = {
         "new": object.__new__,
@@ -46,7 +45,7 @@ def build_reader(cls: Any, readers: Any) -> Callable[[bytes, int, int], tuple[An
 
 
 def _refuse(count: int, left: int) -> None:
-    """Raise for a count of elements or bytes that the rest of the data can not hold, or that a bound forbids."""
+    """Raise ValueError for a count of elements or bytes that exceeds the rest of the data, or a bound."""
     raise ValueError(f"a count of {count} where at most {max(left, 0)} can follow")
 
 
@@ -59,7 +58,7 @@ def _narrow(data: bytes) -> str:
 
 
 def _swapped(code: str, data: bytes) -> Any:
-    """Return little-endian data as an array in this machine's order."""
+    """Return little-endian data as an array in this machine's byte order."""
     values = array(code, data)
     if sys.byteorder == "big":
         values.byteswap()
@@ -67,12 +66,12 @@ def _swapped(code: str, data: bytes) -> Any:
 
 
 def _split(data: bytes) -> list[bytes]:
-    """Return a list of single bytes."""
+    """Return the bytes as a list of bytes objects of length 1."""
     return [data[index : index + 1] for index in range(len(data))]
 
 
 class _Generator(cdr_layout.Source):
-    """Writes the statements that read a message; `after` are those that need the values of the waiting run."""
+    """Writes the statements that read a message; `after` are those that use the values of the pending run."""
 
     def __init__(self, names: dict[str, Any], readers: Any) -> None:
         super().__init__(names)
@@ -80,7 +79,7 @@ class _Generator(cdr_layout.Source):
         self.after: list[str] = []
 
     def flush(self) -> None:
-        """Read the waiting run, then do what its values are needed for."""
+        """Read the pending run, then run the statements that use its values."""
         if not self.run.items:
             return
         targets = "".join(f"{target}, " for target in self.run.expressions)
@@ -101,7 +100,7 @@ class _Generator(cdr_layout.Source):
         self.run, self.after = cdr_layout.Run(), []
 
     def message(self, cls: Any, variable: str) -> None:
-        """Make a message in a variable and read its fields."""
+        """Create a message in a variable and read its fields."""
         self.line(f"{variable} = new({self.name(cls)})")
         self.line(f"{variable}._check_fields = check")
         structure: Structure = cls._structure
@@ -114,7 +113,7 @@ class _Generator(cdr_layout.Source):
             elif field.type.primitive is not None and field.type.count == ARRAY:
                 self.block(field.type, target)
             else:
-                self.several(field.type, target)
+                self.collection(field.type, target)
 
     def single(self, type_: FieldType, target: str) -> None:
         """Read one value into a target."""
@@ -125,7 +124,7 @@ class _Generator(cdr_layout.Source):
             count = self.counted()
             self.line(f"if {count} > size - position: refuse({count}, size - position)")
             end = self.name()
-            # As in rmw_fastrtps a string ends at its first NUL, and one without NUL is taken as it is.
+            # As in rmw_fastrtps a string ends at its first NUL; one without NUL is accepted.
             self.line(f"{end} = data.find(0, position, position + {count})")
             self.line(f"if {end} < 0: {end} = position + {count}")
             self.line(f"{target} = str(data[position:{end}], 'utf-8', 'replace')")
@@ -141,7 +140,7 @@ class _Generator(cdr_layout.Source):
             self.nested(find_class(type_.base), target)
 
     def counted(self) -> str:
-        """Read a count; return its variable."""
+        """Read a count; return the name of its variable."""
         count = self.name()
         self.run.add("I", 4, 4, count)
         self.flush()
@@ -175,7 +174,7 @@ class _Generator(cdr_layout.Source):
         else:
             self.after.append(f"{target} = split({data})")
 
-    def several(self, type_: FieldType, target: str) -> None:
+    def collection(self, type_: FieldType, target: str) -> None:
         """Read a sequence, or a fixed array of strings or messages."""
         if type_.count == ARRAY:
             self.flush()
@@ -204,7 +203,7 @@ class _Generator(cdr_layout.Source):
         self.phase = None
 
     def loop(self, type_: FieldType, target: str, count: str) -> None:
-        """Read strings or messages one after the other."""
+        """Read strings or messages in a loop."""
         values, item = self.name(), self.name()
         self.line(f"{target} = {values} = []")
         self.line(f"for {self.name()} in range({count}):")

@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 
 class SerializationError(Exception):
-    """A message holds something its fields can not have, so it can not be sent."""
+    """A message has a value that does not fit its field, so it cannot be sent."""
 
 
 def build_writer(cls: Any, writers: Any) -> Callable[[bytearray, Any], None]:
     """Return `write(buffer, message)`, which appends to a buffer that begins with the header.
 
-    `writers` gives the functions of other classes by class; it is asked for large nested messages.
+    `writers` maps other classes to their functions, for large nested messages.
     """
     names: dict[str, Any] = {
         "check_length": _check_length,
@@ -32,7 +32,7 @@ def build_writer(cls: Any, writers: Any) -> Callable[[bytearray, Any], None]:
         "PAD8": tuple(bytes(count) for count in cdr_layout.padding_to(8)),
     }
     generator = _Generator(names, writers)
-    # At the top level a message begins right after the header; a nested call begins anywhere, so nothing is assumed.
+    # A top-level message begins right after the header, but a nested call begins anywhere, so no phase is assumed.
     generator.structure("message", cls._structure)
     generator.flush()
     source = ["def write(buffer, message):", *generator.lines]
@@ -42,7 +42,7 @@ def build_writer(cls: Any, writers: Any) -> Callable[[bytearray, Any], None]:
 
 
 def _check_length(values: Any, length: int, at_most: bool) -> Any:
-    """Return the values; raise ValueError when a list was made longer or shorter than its field allows."""
+    """Return the values; raise ValueError if the list is longer or shorter than its field allows."""
     if len(values) != length and not (at_most and len(values) < length):
         raise ValueError(f"{len(values)} values where {'at most ' if at_most else ''}{length} belong")
     return values
@@ -70,7 +70,7 @@ class _Generator(cdr_layout.Source):
         self.writers = writers
 
     def flush(self) -> None:
-        """Write the waiting run."""
+        """Write the pending run."""
         if not self.run.items:
             return
         arguments = ", ".join(expression for expression in self.run.expressions if expression)
@@ -93,7 +93,7 @@ class _Generator(cdr_layout.Source):
             if field.type.count == SINGLE:
                 self.single(field.type, expression)
             else:
-                self.several(field.type, expression)
+                self.collection(field.type, expression)
 
     def single(self, type_: FieldType, expression: str) -> None:
         """Write one value."""
@@ -129,7 +129,7 @@ class _Generator(cdr_layout.Source):
             self.line(f"{variable} = {expression}")
             self.structure(variable, cls._structure)
 
-    def several(self, type_: FieldType, expression: str) -> None:
+    def collection(self, type_: FieldType, expression: str) -> None:
         """Write an array or sequence."""
         primitive = type_.primitive
         values = self.name(None)
@@ -156,11 +156,11 @@ class _Generator(cdr_layout.Source):
             self.phase = None
 
     def plain_bytes(self, type_: FieldType, values: str) -> str:
-        """Return the source that makes bytes of a list of bool, or of a list of bytes of length 1."""
+        """Return the source that converts a list of bool, or of bytes of length 1, to bytes."""
         return f"bytes({values})" if type_.base == "bool" else f"b''.join({values})"
 
     def loop(self, type_: FieldType, values: str) -> None:
-        """Write strings or messages one after the other."""
+        """Write strings or messages in a loop."""
         item = self.name(None)
         self.line(f"for {item} in {values}:")
         outer, self.indent, self.phase = self.indent, self.indent + "    ", None

@@ -1,8 +1,8 @@
-"""What a field accepts, with the AssertionError texts of rosidl_generator_py.
+"""Checks the values of fields, with the AssertionError texts of rosidl_generator_py.
 
-Setters of the generated classes recognise the usual good value themselves; everything else comes here: good values of
-unusual types (a tuple, a UserList, numpy.float64) and bad ones. Real ROS checks only when ROS_PYTHON_CHECK_FIELDS=1;
-this simulator is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0.
+Setters of the generated classes accept the usual valid values themselves; everything else is checked here: valid values of
+unusual types (a tuple, a UserList, numpy.float64) and invalid ones. Real ROS checks only if ROS_PYTHON_CHECK_FIELDS=1;
+day6-tui is for learners and checks unless ROS_PYTHON_CHECK_FIELDS=0.
 """
 
 from __future__ import annotations
@@ -18,11 +18,15 @@ if TYPE_CHECKING:
     from typing import Any
 
 CHECK_FIELDS: bool = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "1") != "0"
-"""What new messages have in `_check_fields`; read once at import, as in real ROS."""
+"""The `_check_fields` of new messages; read once at import, as in real ROS."""
 
 
 def check_arguments(message: Any, arguments: dict[str, Any]) -> None:
-    """Take `check_fields` out of a constructor's arguments and refuse names that are no fields (only when checking)."""
+    """Apply a constructor's `check_fields` argument, then check that all other names are fields (if checks are on).
+
+    Raises:
+        AssertionError: a name is not a field.
+    """
     if "check_fields" in arguments:
         message._check_fields = arguments["check_fields"]
     if message._check_fields:
@@ -32,7 +36,11 @@ def check_arguments(message: Any, arguments: dict[str, Any]) -> None:
 
 
 def check_value(type_: FieldType, name: str, value: Any, element: type | None) -> None:
-    """Raise AssertionError unless the value fits (fields that are no numeric arrays); `element` is a message class."""
+    """Check the value of a field that isn't a numeric array; `element` is the class of a nested message.
+
+    Raises:
+        AssertionError: the value does not fit.
+    """
     if type_.count == SINGLE:
         _check_single(type_, name, value, element)
     else:
@@ -122,7 +130,12 @@ def _collection_text(type_: FieldType, name: str, python: type) -> str:
 
 
 def checked_array(type_: FieldType, name: str, value: Any) -> Any:
-    """Return the array.array a numeric sequence field stores. Raises AssertionError, and TypeError as array() does."""
+    """Return the array.array that a numeric sequence field stores.
+
+    Raises:
+        AssertionError: the value does not fit.
+        TypeError: as raised by array().
+    """
     primitive = type_.primitive
     assert primitive is not None
     code = primitive.code
@@ -142,7 +155,7 @@ def checked_array(type_: FieldType, name: str, value: Any) -> Any:
 
 
 def _all_plain(type_: FieldType, values: list[Any] | tuple[Any, ...]) -> bool:
-    """Say quickly whether all values certainly fit; False only means that the slow check has to look."""
+    """Return quickly whether all values certainly fit; False only means that the slow check must decide."""
     primitive = type_.primitive
     assert primitive is not None
     if not values:
@@ -151,13 +164,17 @@ def _all_plain(type_: FieldType, values: list[Any] | tuple[Any, ...]) -> bool:
         return False
     if primitive.code == "d":
         return True
-    # A NaN in front makes both comparisons false and goes to the slow check; elsewhere min and max pass over it.
+    # A leading NaN makes both comparisons false and leads to the slow check; elsewhere min and max ignore it.
     low = -primitive.high if primitive.code == "f" else primitive.low
     return bool(min(values) >= low and max(values) <= primitive.high)
 
 
 def checked_ndarray(type_: FieldType, name: str, value: Any) -> Any:
-    """Return the numpy.ndarray a fixed numeric array field stores. Raises AssertionError."""
+    """Return the numpy.ndarray, of shape (size,), that a fixed numeric array field stores.
+
+    Raises:
+        AssertionError: the value does not fit.
+    """
     import numpy
 
     primitive = type_.primitive

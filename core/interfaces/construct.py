@@ -1,4 +1,4 @@
-"""Writes the source of a message class's constructor and of default values."""
+"""Generates the source of a message class's constructor and of default values."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from typing import Any
 
 _INLINE_LIMIT = 12
-"""Nested messages a constructor makes in place instead of calling their constructors."""
+"""Nested messages that a constructor creates inline instead of calling their constructors."""
 
 
 def default_source(field: Field) -> str:
-    """Return the source of a field's default value; nested messages are called `E_<field>`."""
+    """Return the source of a field's default value; the class of a nested message is named `E_<field>`."""
     type_ = field.type
     if field.default is None:
         return _zero_source(type_, f"E_{field.name}()")
@@ -46,9 +46,9 @@ def _zero_source(type_: FieldType, nested: str) -> str:
 
 
 def constructor_lines(structure: Structure, find_class: Callable[[str], type], names: dict[str, Any]) -> list[str]:
-    """Return `__init__`: a straight run of slot assignments for no arguments, field by field otherwise.
+    """Return the lines of `__init__`: plain slot assignments without arguments, field by field otherwise.
 
-    Puts the nested classes the source needs into `names`.
+    Adds the nested classes the source needs to `names`.
     """
     lines = ["def __init__(self, **kwargs):", "    self._check_fields = check"]
     if structure.fields:
@@ -60,7 +60,7 @@ def constructor_lines(structure: Structure, find_class: Callable[[str], type], n
     for field in structure.fields:
         name, primitive = field.name, field.type.primitive
         lines.append(f"    if {name!r} in kwargs:")
-        # As in real ROS a text among numbers is array()'s TypeError here, and the setter's AssertionError with a default.
+        # As in real ROS a string among numbers raises array()'s TypeError here, but the setter's AssertionError with a default.
         if _is_stored_array(field.type) and field.default is None and primitive is not None:
             lines.append(f"        self.{name} = array({primitive.code!r}, kwargs[{name!r}])")
         else:
@@ -70,7 +70,7 @@ def constructor_lines(structure: Structure, find_class: Callable[[str], type], n
 
 
 class _Defaults:
-    """Appends assignments of defaults; nested messages are made in place, equal immutable values share a statement."""
+    """Appends assignments of defaults; nested messages are created inline, equal immutable values share a statement."""
 
     def __init__(self, lines: list[str], find_class: Callable[[str], type], names: dict[str, Any]) -> None:
         self.lines = lines
@@ -79,7 +79,7 @@ class _Defaults:
         self.count = 0
 
     def fill(self, target: str, structure: Structure) -> None:
-        """Give every field of `target`, a variable of the generated code, its default."""
+        """Assign its default to every field of `target`, a variable of the generated code."""
         same: dict[str, list[str]] = {}
         for field in structure.fields:
             slot = f"{target}._{field.name}"
@@ -118,5 +118,5 @@ def _is_stored_array(type_: FieldType) -> bool:
 
 
 def uses_numpy(type_: FieldType) -> bool:
-    """Say whether values of this type are numpy arrays."""
+    """Return whether values of this type are numpy arrays."""
     return type_.count == ARRAY and type_.is_numeric_array()

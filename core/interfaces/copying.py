@@ -1,4 +1,4 @@
-"""Copies messages deeply, with one generated function per class (made on first use)."""
+"""Deep copies of messages, with one function per class, generated on first use."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from array import array
 from day6_tui.core.interfaces import checks
 from day6_tui.core.interfaces.definition import Structure
 from day6_tui.core.interfaces.fields import ARRAY, SINGLE
-from day6_tui.core.interfaces.registry import find_class, is_light, type_name
+from day6_tui.core.interfaces.registry import find_class, is_light, message_class, type_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,22 +18,21 @@ if TYPE_CHECKING:
 def copy_message(message: Any) -> Any:
     """Return a message that shares nothing mutable with the given one.
 
-    What a subscriber gets of a published message: the plain message class even where a program derived one, lists where
-    it stored tuples, `_check_fields` as for a new message. Raises TypeError for something that is no message, and
-    AttributeError where a program has put something else into a nested message's place.
+    This is the object a subscription receives of a published message: of the generated class even if the program derived one,
+    with lists in place of tuples, and `_check_fields` as in a new message.
+
+    Raises:
+        TypeError: `message` is not a message.
+        AttributeError: a program stored something else in place of a nested message.
     """
     return _copiers[message.__class__](message)
 
 
 class _Copiers(dict[type, "Callable[[Any], Any]"]):
-    """Copy functions by class; makes the missing ones."""
+    """The copy functions by class; missing ones are generated."""
 
     def __missing__(self, cls: Any) -> Callable[[Any], Any]:
-        name = type_name(cls)
-        plain = next(base for base in reversed(cls.__mro__[:-1]) if getattr(base, "_interface_name", "") == name)
-        if plain._structure is None:
-            raise TypeError(f"{cls!r} is not the class of a message")
-        self[cls] = copier = _build(plain)
+        self[cls] = copier = _build(message_class(cls))
         return copier
 
 
@@ -51,7 +50,7 @@ def _build(cls: Any) -> Callable[[Any], Any]:
 
 
 class _Writer:
-    """Writes the body of a copy function; single nested messages are copied in place."""
+    """Writes the body of a copy function; single nested messages are copied inline."""
 
     def __init__(self, names: dict[str, Any]) -> None:
         self.names = names
@@ -59,7 +58,7 @@ class _Writer:
         self.count = 0
 
     def copy(self, class_name: str, source: str, target: str, structure: Structure) -> None:
-        """Append statements that make `target`, an object of the class, from the variable `source`."""
+        """Append statements that create `target`, an object of the class, from the variable `source`."""
         lines = self.lines
         lines += [f"    {target} = new({class_name})", f"    {target}._check_fields = check"]
         for field in structure.fields:
@@ -81,7 +80,7 @@ class _Writer:
                         f"    {new} = {name}({old})" if one else f"    {new} = [{name}(item) for item in {old}]"
                     )
             elif type_.count == SINGLE and type_.base == "float32":
-                # Over a wire a float32 has 24 bits; a subscriber in the same process must not see more of them.
+                # A float32 has a 24-bit significand on the wire; a subscription in the same process must not get more.
                 self.names["single"] = array
                 lines.append(f"    {new} = single('f', ({old},))[0] if {old}.__class__ is float else {old}")
             elif type_.count == SINGLE:

@@ -1,4 +1,4 @@
-"""Reads .msg, .srv and .action texts into structures, with the rules and error texts of rosidl_adapter's parser."""
+"""Parses .msg, .srv and .action texts into structures, with the rules and error texts of rosidl_adapter/parser.py."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class InvalidSpecification(Exception):
 
 
 class InvalidServiceSpecification(InvalidSpecification):
-    """A .srv text has not exactly one line `---`."""
+    """A .srv text does not have exactly one line `---`."""
 
 
 class InvalidActionSpecification(InvalidSpecification):
-    """An .action text has not exactly two lines `---`."""
+    """An .action text does not have exactly two lines `---`."""
 
 
 class InvalidResourceName(InvalidSpecification):
@@ -39,7 +39,7 @@ class InvalidFieldDefinition(InvalidSpecification):
 
 
 class Field:
-    """One field: its type, its name and its default (None when the text gives none)."""
+    """One field: its type, its name and its default (None if the text has none)."""
 
     __slots__ = ("default", "name", "type")
 
@@ -50,7 +50,7 @@ class Field:
 
 
 class Constant:
-    """One constant: .msg name of its type, name and value (an int for `byte` and `char`)."""
+    """One constant: the .msg name of its type, its name and value (an int for `byte` and `char`)."""
 
     __slots__ = ("name", "type", "value")
 
@@ -63,10 +63,10 @@ class Constant:
 class Structure:
     """A message, or a message-like part of a service or action: 'std_srvs/srv/SetBool_Request'.
 
-    `weight` is how many values it holds with all messages inside, 0 until `weigh` has counted them.
+    `value_count` is its number of values with those of nested messages, 0 until `registry.count_values` has set it.
     """
 
-    __slots__ = ("constants", "fields", "kind", "name", "package", "weight")
+    __slots__ = ("constants", "fields", "kind", "name", "package", "value_count")
 
     def __init__(self, package: str, kind: str, name: str, fields: list[Field], constants: list[Constant]) -> None:
         self.package = package
@@ -74,35 +74,37 @@ class Structure:
         self.name = name
         self.fields = fields
         self.constants = constants
-        self.weight = 0
+        self.value_count = 0
 
     @property
     def full_name(self) -> str:
-        """'std_msgs/msg/String'."""
+        """The full name, like 'std_msgs/msg/String'."""
         return f"{self.package}/{self.kind}/{self.name}"
 
 
 def is_package_name(name: str) -> bool:
-    """Say whether a name may be that of a package; fields follow the same rule."""
+    """Return whether a name is valid for a package; field names follow the same rule."""
     return "a" <= name[:1] <= "z" and name[-1] != "_" and "__" not in name and _LOWER.issuperset(name)
 
 
 def is_message_name(name: str) -> bool:
-    """Say whether a name may be that of a message, service or action (parts like Foo_Request included)."""
+    """Return whether a name is valid for a message, service or action (also for parts like Foo_Request)."""
     for suffix in ("_Request", "_Response", "_Goal", "_Result", "_Feedback"):
         name = name.removesuffix(suffix)
     return "A" <= name[:1] <= "Z" and _LETTERS.issuperset(name)
 
 
 def is_constant_name(name: str) -> bool:
-    """Say whether a name may be that of a constant."""
+    """Return whether a name is valid for a constant."""
     return "A" <= name[:1] <= "Z" and name[-1] != "_" and "__" not in name and _UPPER.issuperset(name)
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """Read 'float64', 'string<=10[<=3]', 'Point' or 'geometry_msgs/Point[]'; a bare name belongs to `package`.
+    """Parse 'float64', 'string<=10[<=3]', 'Point' or 'geometry_msgs/Point[]'; a bare name belongs to `package`.
 
-    Raises InvalidResourceName for a bad name and TypeError for a bad bound.
+    Raises:
+        InvalidResourceName: the name is invalid.
+        TypeError: a bound is invalid.
     """
     element, count, size = text, SINGLE, 0
     if text.endswith("]"):
@@ -134,7 +136,7 @@ def parse_type(text: str, package: str) -> FieldType:
 
 
 def _positive(text: str) -> int:
-    """Return the integer, or 0 where the text is none (callers refuse 0)."""
+    """Return the integer, or 0 for anything that isn't an integer (callers refuse 0)."""
     try:
         return int(text)
     except ValueError:
@@ -156,9 +158,10 @@ def _nested_name(text: str, package: str) -> str:
 
 
 def parse_message(package: str, kind: str, name: str, text: str) -> Structure:
-    """Read the text of one message (or one part of a service or action).
+    """Parse the text of one message (or one part of a service or action).
 
-    Raises InvalidSpecification (a subclass), InvalidValue, TypeError or ValueError, all with rosidl's texts.
+    Raises:
+        InvalidSpecification, InvalidValue, NameError, TypeError, ValueError: the text is invalid; messages are rosidl's.
     """
     fields: list[Field] = []
     constants: list[Constant] = []
@@ -210,7 +213,11 @@ def _parts(text: str) -> list[str]:
 
 
 def parse_service(package: str, kind: str, name: str, text: str) -> list[Structure]:
-    """Read a .srv text; return the structures of its request, response and event."""
+    """Parse a .srv text; return the structures of its request, response and event.
+
+    Raises:
+        InvalidServiceSpecification: it does not have exactly one line `---`; otherwise as `parse_message`.
+    """
     parts = _parts(text)
     if len(parts) != 2:
         unique = "unique " if len(parts) > 2 else ""
@@ -221,7 +228,11 @@ def parse_service(package: str, kind: str, name: str, text: str) -> list[Structu
 
 
 def parse_action(package: str, kind: str, name: str, text: str) -> list[Structure]:
-    """Read an .action text; return the structures of its parts and of what the protocol wraps around them."""
+    """Parse an .action text; return the structures of its parts and of the action protocol's services and messages.
+
+    Raises:
+        InvalidActionSpecification: it does not have exactly two lines `---`; otherwise as `parse_message`.
+    """
     parts = _parts(text)
     if len(parts) != 3:
         raise InvalidActionSpecification("Number of '---' separators nonconformant with action definition")
@@ -252,7 +263,7 @@ def parse_action(package: str, kind: str, name: str, text: str) -> list[Structur
 
 
 def _event(package: str, kind: str, service: str) -> Structure:
-    """Return what service introspection publishes about a service."""
+    """Return the structure of a service's event, which service introspection publishes."""
     prefix = f"{package}/{kind}/{service}"
     return Structure(
         package,

@@ -1,7 +1,7 @@
-"""What a field can hold: the primitive types with what each layer needs to know of them, and the type of one field.
+"""Types of fields: a table of the primitive types with the properties each layer needs, and the type of one field.
 
-One table instead of a chain of `if` in the parser, the class generator, the CDR codec and the hash. Names on the left
-are those of .msg files; `idl` is what `get_fields_and_field_types()` prints.
+The parser, the class generator, the CDR codec and the hash all use the table. Names on the left are those of .msg files; `idl`
+is the name in `get_fields_and_field_types()`.
 """
 
 from __future__ import annotations
@@ -10,10 +10,9 @@ from __future__ import annotations
 class Primitive:
     """One primitive type of .msg files.
 
-    `code` is its letter for `struct` (and for `array.array` where `numpy` is set), `size` its bytes in CDR (also its
-    alignment), `type_id` its number in a RIHS01 type description, `python` the type the value must have and `zero` the
-    source of its default value. `low` and `high` bound integers; `high` alone bounds 32-bit and 64-bit floats (both
-    signs).
+    `code` is its letter for `struct` (and for `array.array` where `numpy` is set), `size` its size in CDR in bytes (also its
+    alignment), `type_id` its number in a RIHS01 type description, `python` the type a value must have and `zero` the source of
+    its default value. `low` and `high` are the limits of integers; floats are limited to `-high` … `high`.
     """
 
     __slots__ = ("code", "high", "idl", "low", "name", "numpy", "python", "size", "type_id", "zero")
@@ -64,11 +63,11 @@ SINGLE, ARRAY, BOUNDED, UNBOUNDED = "single", "array", "bounded", "unbounded"
 
 
 class FieldType:
-    """The type of a field: what one element is, and how many of them there are.
+    """The type of a field: the type of one element, and the number of elements.
 
-    `base` is a primitive's .msg name, 'string', 'wstring' or a full name like 'std_msgs/msg/Header'. `string_bound` is
-    the most characters of a bounded string, 0 when unbounded. `count` is SINGLE, ARRAY, BOUNDED or UNBOUNDED and `size`
-    the length of an ARRAY or the bound of a BOUNDED one.
+    `base` is a primitive's .msg name, 'string', 'wstring' or a full name like 'std_msgs/msg/Header'. `string_bound` is the
+    maximum length of a bounded string in characters, 0 if unbounded. `count` is SINGLE, ARRAY, BOUNDED or UNBOUNDED, and
+    `size` the length of an ARRAY or the bound of a BOUNDED sequence.
     """
 
     __slots__ = ("base", "count", "nested", "primitive", "size", "string_bound")
@@ -91,7 +90,7 @@ class FieldType:
         return f"{self.base}<{self.string_bound}>" if self.string_bound else self.base
 
     def idl_name(self) -> str:
-        """Return what `get_fields_and_field_types()` says: 'sequence<double, 3>', 'double[36]', 'string'."""
+        """Return the type as in `get_fields_and_field_types()`: 'sequence<double, 3>', 'double[36]', 'string'."""
         element = self.element_name()
         if self.count == ARRAY:
             return f"{element}[{self.size}]"
@@ -102,7 +101,7 @@ class FieldType:
         return element
 
     def msg_name(self) -> str:
-        """Return the type as a .msg file writes it: 'float64[<=3]', 'string<=10', 'std_msgs/Header'."""
+        """Return the type as in a .msg file: 'float64[<=3]', 'string<=10', 'std_msgs/Header'."""
         base = self.element_name() if self.nested else self.base
         if self.string_bound:
             base += f"<={self.string_bound}"
@@ -111,5 +110,5 @@ class FieldType:
         return f"{base}[{'<=' if self.count == BOUNDED else ''}{self.size or ''}]"
 
     def is_numeric_array(self) -> bool:
-        """Say whether the values lie in one block of memory: array.array for sequences, numpy.ndarray for arrays."""
+        """Return whether the values are one block of memory: array.array for sequences, numpy.ndarray for arrays."""
         return self.count != SINGLE and self.primitive is not None and bool(self.primitive.numpy)

@@ -1,7 +1,7 @@
-"""Builds the Python class of a message, with everything rosidl_generator_py gives it.
+"""Builds the Python class of a message, with all attributes that rosidl_generator_py generates.
 
-The class is made from generated source, specialised per field: the constructor fills slots directly, setters recognise
-the usual good value in one test and leave the rest to `checks`. Copying and CDR are generated apart, on first use.
+The class is made from generated source, specialised per field: the constructor fills slots directly, setters accept the usual
+valid value after one test and leave the rest to `checks`. Copying and CDR are generated separately, on first use.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 
 class InterfaceType(type):
-    """The metaclass all interface classes have in common; `_interface_name` is like 'std_msgs/msg/String'."""
+    """The common metaclass of all interface classes; `_interface_name` is like 'std_msgs/msg/String'."""
 
     _interface_name: str = ""
     _structure: Structure | None = None
 
-    # What real metaclasses have; some programs call __import_type_support__ themselves. Nothing is imported here.
+    # As real metaclasses have; some programs call __import_type_support__ themselves. Nothing is imported here.
     _TYPE_SUPPORT: object = None
 
     @classmethod
@@ -36,7 +36,7 @@ class InterfaceType(type):
 
 
 def module_name(package: str, kind: str, name: str) -> str:
-    """Return the module a real class of that name lives in: 'std_msgs.msg._color_rgba' for ColorRGBA."""
+    """Return the module of the real class of that name: 'std_msgs.msg._color_rgba' for ColorRGBA."""
     return f"{package}.{kind}._{snake_case(name.partition('_')[0])}"
 
 
@@ -53,7 +53,7 @@ def snake_case(name: str) -> str:
 
 
 class _Numpy:
-    """Stands for numpy in generated code and imports it with the first array that is made, not with the class."""
+    """Stands for numpy in generated code and imports it when the first array is created, not with the class."""
 
     def __getattr__(self, name: str) -> Any:
         import numpy
@@ -69,7 +69,8 @@ _numpy = _Numpy()
 def build_message(structure: Structure, find_class: Callable[[str], type]) -> type:
     """Return the class of a structure. `find_class` returns the class of a nested message by its full name.
 
-    Raises InvalidSpecification for a field Python can not name.
+    Raises:
+        InvalidSpecification: the name of a field is a Python keyword.
     """
     for field in structure.fields:
         if iskeyword(field.name):
@@ -78,7 +79,7 @@ def build_message(structure: Structure, find_class: Callable[[str], type]) -> ty
     elements = {field.name: find_class(field.type.base) for field in structure.fields if field.type.nested}
     names: dict[str, Any] = {
         "new": object.__new__,
-        "inf": float("inf"),  # how repr writes defaults that are no numbers
+        "inf": float("inf"),  # repr's names for these defaults
         "nan": float("nan"),
         "numpy": _numpy,
         "array": array,
@@ -131,7 +132,7 @@ def _doc(name: str, constants: dict[str, Any]) -> str:
 
 
 def _metaclass(structure: Structure, constants: dict[str, Any], defaults: dict[str, Any]) -> Any:
-    """Return the class's metaclass: constants and defaults are read-only properties there, as in real ROS."""
+    """Return the class's metaclass, on which constants and defaults are read-only properties, as in real ROS."""
     namespace: dict[str, Any] = {
         "__module__": module_name(structure.package, structure.kind, structure.name),
         "__doc__": f"Metaclass of message '{structure.name}'.",
@@ -151,12 +152,12 @@ def _constant_property(value: Any, doc: str) -> property:
 
 
 def python_constant(constant: Constant) -> Any:
-    """Return the value Python code sees: bytes for `byte`, the number or text for the rest."""
+    """Return the value in Python: bytes for `byte`, the number or string for other types."""
     return bytes([constant.value]) if constant.type == "byte" else constant.value
 
 
 def _setter_lines(field: Field) -> list[str]:
-    """Return the setter `set_<name>(self, value)`: one test for the usual good value, `checks` for everything else."""
+    """Return the setter `set_<name>(self, value)`: one test for the usual valid value, `checks` for everything else."""
     name, type_, primitive = field.name, field.type, field.type.primitive
     header = f"def set_{name}(self, value):"
     store = f"    self._{name} = value"
@@ -168,12 +169,12 @@ def _setter_lines(field: Field) -> list[str]:
             plain, checked = f"array({primitive.code!r}, value)", "checked_array"
         value = f"    value = {checked}(T_{name}, {name!r}, value) if self._check_fields else {plain}"
         return [header, value, store]
-    test = f"    if self._check_fields and {_suspicious(field)}:"
+    test = f"    if self._check_fields and {_bad_value_test(field)}:"
     return [header, test, f"        check_value(T_{name}, {name!r}, value, E_{name})", store]
 
 
-def _suspicious(field: Field) -> str:
-    """Return the source of a test that is false for the usual good value."""
+def _bad_value_test(field: Field) -> str:
+    """Return the source of a test that is false for the usual valid value."""
     type_, primitive = field.type, field.type.primitive
     if type_.count != SINGLE:
         if type_.string_bound:
@@ -213,7 +214,7 @@ def _get_fields_and_field_types(cls: Any) -> dict[str, str]:
 
 
 def _repr(self: Any) -> str:
-    """Print 'std_msgs.msg.String(data='x')'; what is kept in an array.array prints as a plain list."""
+    """Return 'std_msgs.msg.String(data='x')'; an array.array is shown as a plain list."""
     arguments = []
     for field in type(self)._structure.fields:
         value = getattr(self, field.name)
@@ -226,7 +227,7 @@ def _repr(self: Any) -> str:
 
 
 class _SlotTypes:
-    """Makes SLOT_TYPES when it is first asked for, then replaces itself by the tuple."""
+    """Creates SLOT_TYPES on first access, then replaces itself with the tuple."""
 
     def __init__(self, structure: Structure) -> None:
         self.structure = structure

@@ -16,15 +16,16 @@ _ARRAY_OFFSET, _BOUNDED_OFFSET, _UNBOUNDED_OFFSET = 48, 96, 144
 
 
 def type_hash(cls: Any) -> str:
-    """Return 'RIHS01_…' of a message, service or action class (default values and constants play no part).
+    """Return 'RIHS01_…' of a message, service or action class (default values and constants are not part of it).
 
-    Raises TypeError for anything else.
+    Raises:
+        TypeError: for anything else.
     """
     return hash_of(registry.type_name(cls))
 
 
 def hash_of(name: str) -> str:
-    """Return 'RIHS01_…' of an interface by its full name; raises as `registry.structure`."""
+    """Return 'RIHS01_…' of an interface by its full name; raises the errors of `registry.structure`."""
     known = registry.hashes.get(name)
     if known is None:
         from hashlib import sha256
@@ -34,15 +35,15 @@ def hash_of(name: str) -> str:
 
 
 def description_text(name: str) -> str:
-    """Return the text that is hashed: JSON in one line, ', ' and ': ' between parts."""
+    """Return the text that is hashed: JSON on one line, with separators ', ' and ': '."""
     own = _members(name)
     referenced: dict[str, list[Field]] = {}
-    waiting = [field.type.base for field in own if field.type.nested]
-    while waiting:
-        other = waiting.pop()
+    pending = [field.type.base for field in own if field.type.nested]
+    while pending:
+        other = pending.pop()
         if other not in referenced:
             referenced[other] = _members(other)
-            waiting += [field.type.base for field in referenced[other] if field.type.nested]
+            pending += [field.type.base for field in referenced[other] if field.type.nested]
     others = ", ".join(_description(other, referenced[other]) for other in sorted(referenced))
     return f'{{"type_description": {_description(name, own)}, "referenced_type_descriptions": [{others}]}}'
 

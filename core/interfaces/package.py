@@ -1,4 +1,4 @@
-"""What the `__init__` files of message packages call: `from std_msgs.msg import String` works and stays lazy."""
+"""Functions for the `__init__` files of message packages, so that `from std_msgs.msg import String` works lazily."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from day6_tui.core.interfaces.package import lazy_interfaces
 __getattr__, __dir__ = lazy_interfaces(__name__)
 '''
 
-# What `from package.srv import *` gives beside the interface itself, as in the real packages' __init__ files.
+# The names `from package.srv import *` gives besides the interface itself, as in the real packages' __init__ files.
 _EXPORTED_PARTS = {
     "msg": (),
     "srv": ("_Event", "_Request", "_Response"),
@@ -64,7 +64,7 @@ def lazy_interfaces(module: str) -> tuple[Callable[[str], Any], Callable[[], lis
 def package_files(package: str, kinds: Iterable[str]) -> dict[str, str]:
     """Return the files, by path, that make a package with interfaces of these kinds (msg, srv, action) importable.
 
-    What a build installs for a package of the user's; the packages that come with this simulator have the same files.
+    A build installs them for a user's package; the packages that come with day6-tui have the same files.
     """
     files = {f"{package}/__init__.py": _PACKAGE_FILE.format(package=package)}
     for kind in kinds:
@@ -73,7 +73,7 @@ def package_files(package: str, kinds: Iterable[str]) -> dict[str, str]:
 
 
 def _find(package: str, kind: str, name: str) -> Any:
-    """Return the class, or None where a module has no such attribute. Errors in the text itself come out."""
+    """Return the class, or None if the module has no such attribute; raises errors in the text itself."""
     if not name[:1].isupper():
         return None
     try:
@@ -85,7 +85,7 @@ def _find(package: str, kind: str, name: str) -> Any:
 
 
 class _InterfaceModules:
-    """Finds modules like `std_msgs.msg._string`, which exist as no file; pickle imports them by name."""
+    """Finds modules like `std_msgs.msg._string`, which have no file; pickle imports them by name."""
 
     @staticmethod
     def find_spec(fullname: str, path: Sequence[str] | None = None, target: object = None) -> ModuleSpec | None:
@@ -102,7 +102,7 @@ class _InterfaceModules:
 
 
 class _Loader:
-    """Fills the module of one interface: its class, its parts and their metaclasses, each made on first use."""
+    """Fills the module of one interface: its class, its parts and their metaclasses, each generated on first use."""
 
     def __init__(self, package: str, kind: str, name: str) -> None:
         self.package = package
@@ -110,7 +110,7 @@ class _Loader:
         self.name = name
 
     def create_module(self, spec: ModuleSpec) -> None:
-        """Leave making the module to Python."""
+        """Let Python create the module."""
 
     def exec_module(self, module: ModuleType) -> None:
         """Give the module its lazy attributes."""

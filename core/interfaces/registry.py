@@ -1,6 +1,6 @@
-"""Finds interface texts on the search path and keeps the classes made of them.
+"""Finds interface texts on the search path and keeps the classes generated from them.
 
-The search path is this simulator's own `core/ros/share`, then `share` of every prefix in AMENT_PREFIX_PATH, in order.
+The search path is our own `core/ros/share`, then `share` of every prefix in AMENT_PREFIX_PATH, in order.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ KINDS = ("msg", "srv", "action")
 _LIGHT = 80
 OWN_SHARE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "ros", "share")
 
-# Endings of the names of parts, longest first: 'Fibonacci_SendGoal_Request' is a part of 'Fibonacci'.
+# Suffixes of the names of parts, longest first: 'Fibonacci_SendGoal_Request' is a part of 'Fibonacci'.
 _PART_SUFFIXES = {
     "srv": ("_Request", "_Response", "_Event"),
     "action": (
@@ -37,19 +37,19 @@ hashes: dict[str, str] = {}
 _structures: dict[str, Structure] = {}
 _classes: dict[str, Any] = {}
 _more_prefixes: list[str] = []
-# Classes are asked for by threads of programs, of the link and of windows.
+# Threads of programs, of the link and of windows look up classes.
 _lock = RLock()
 _building: list[str] = []
 
 
 class InterfaceNameError(ValueError):
-    """A name is not of the form 'package/msg/Name' (or srv, action), or of another kind than asked for."""
+    """A name is not of the form 'package/msg/Name' (or srv, action), or not of the expected kind."""
 
 
 class UnknownInterfaceError(LookupError):
-    """No text of that name is on the search path.
+    """There is no text of that name on the search path.
 
-    `interface` is the full name; `package_known` says whether at least its package exists.
+    `interface` is the full name; `package_known` is whether at least its package exists.
     """
 
     def __init__(self, interface: str, package_known: bool) -> None:
@@ -61,9 +61,9 @@ class UnknownInterfaceError(LookupError):
 
 
 def add_prefixes(prefixes: list[str]) -> None:
-    """Search these prefixes too (their `share` folders), after those of AMENT_PREFIX_PATH; the last ones added come first.
+    """Also search the `share` folders of these prefixes, after those of AMENT_PREFIX_PATH; the last ones added come first.
 
-    For a process whose programs have environments of their own, like the workspace a simulated terminal has sourced.
+    For a process whose programs have separate environments, like a workspace sourced in a simulated terminal.
     """
     if _more_prefixes[: len(prefixes)] != prefixes:
         _more_prefixes[:] = [*prefixes, *(prefix for prefix in _more_prefixes if prefix not in prefixes)]
@@ -71,13 +71,13 @@ def add_prefixes(prefixes: list[str]) -> None:
 
 
 def share_folders() -> list[str]:
-    """Return the folders that hold packages' share folders, first wins."""
+    """Return the folders that contain packages' share folders; the first has precedence."""
     prefixes = [*os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep), *_more_prefixes]
     return [OWN_SHARE, *(os.path.join(prefix, "share") for prefix in prefixes if prefix)]
 
 
 def package_folder(package: str) -> str | None:
-    """Return the share folder of a package with interfaces, None where there is none."""
+    """Return the share folder of a package with interfaces, None if there is no such package."""
     if not package or not is_package_name(package):
         return None
     for share in share_folders():
@@ -112,7 +112,11 @@ def interface_names(package: str, kind: str | None = None) -> list[str]:
 
 
 def split_name(name: str) -> tuple[str, str, str]:
-    """Split 'std_msgs/msg/String'. Raises InterfaceNameError."""
+    """Split 'std_msgs/msg/String' into package, kind and name.
+
+    Raises:
+        InterfaceNameError: the name is malformed.
+    """
     parts = name.split("/") if isinstance(name, str) else []
     if len(parts) != 3 or parts[1] not in KINDS or not all(parts):
         raise InterfaceNameError(f"'{name}' is not the full name of an interface, like 'std_msgs/msg/String'")
@@ -120,7 +124,11 @@ def split_name(name: str) -> tuple[str, str, str]:
 
 
 def definition_path(name: str) -> str:
-    """Return the file with the text of an interface. Raises InterfaceNameError or UnknownInterfaceError."""
+    """Return the path of the file with the text of an interface.
+
+    Raises:
+        InterfaceNameError, UnknownInterfaceError: the name is malformed, or there is no such interface.
+    """
     package, kind, base = split_name(name)
     folder = package_folder(package)
     # Compared with the listing, because some file systems find String.msg under the name string.msg.
@@ -130,13 +138,13 @@ def definition_path(name: str) -> str:
 
 
 def definition_text(name: str) -> str:
-    """Return the .msg, .srv or .action text of 'std_msgs/msg/String'. Raises as `definition_path`."""
+    """Return the .msg, .srv or .action text of 'std_msgs/msg/String'; raises the errors of `definition_path`."""
     with open(definition_path(name), encoding="utf-8") as file:
         return file.read()
 
 
 def base_name(name: str) -> str:
-    """Return the interface whose text holds a part: 'p/srv/Foo' for 'p/srv/Foo_Request'."""
+    """Return the interface whose text contains a part: 'p/srv/Foo' for 'p/srv/Foo_Request'."""
     package, kind, part = split_name(name)
     for suffix in _PART_SUFFIXES.get(kind, ()):
         if part.endswith(suffix):
@@ -147,7 +155,9 @@ def base_name(name: str) -> str:
 def structure(name: str) -> Structure:
     """Return the structure of a message or of a part of a service or action ('std_srvs/srv/SetBool_Request').
 
-    Raises InterfaceNameError, UnknownInterfaceError, or what the parser raises for a bad text.
+    Raises:
+        InterfaceNameError, UnknownInterfaceError: the name is malformed, or there is no such interface.
+        InvalidSpecification, InvalidValue, NameError, TypeError, ValueError: the text is invalid.
     """
     known = _structures.get(name)
     if known is None:
@@ -166,20 +176,25 @@ def structure(name: str) -> Structure:
 
 
 def is_light(name: str) -> bool:
-    """Say whether a message is small enough that generated code handles it in place instead of calling its own function."""
-    return weigh(structure(name)) <= _LIGHT
+    """Return whether a message is small enough that generated code handles it inline instead of calling its function."""
+    return count_values(structure(name)) <= _LIGHT
 
 
-def weigh(counted: Structure) -> int:
-    """Return how many values a structure holds, those of messages inside included (sequences count once)."""
-    if not counted.weight:
-        nested = [weigh(structure(field.type.base)) for field in counted.fields if field.type.nested]
-        counted.weight = 1 + len(counted.fields) + sum(nested)
-    return counted.weight
+def count_values(counted: Structure) -> int:
+    """Return the number of values in a structure, including those of nested messages (a sequence counts once)."""
+    if not counted.value_count:
+        nested = [count_values(structure(field.type.base)) for field in counted.fields if field.type.nested]
+        counted.value_count = 1 + len(counted.fields) + sum(nested)
+    return counted.value_count
 
 
 def find_class(name: str) -> Any:
-    """Return the class of a message, service, action or part of one by its full name; made on first use, then kept."""
+    """Return the class of a message, service, action or part of one by its full name; generated on first use.
+
+    Raises:
+        InterfaceNameError, UnknownInterfaceError: the name is malformed, contains itself, or there is no such interface.
+        InvalidSpecification, InvalidValue, NameError, TypeError, ValueError: the text is invalid.
+    """
     known = _classes.get(name)
     if known is not None:
         return known
@@ -208,9 +223,9 @@ def _build(name: str) -> type:
 
 
 def forget(package: str) -> None:
-    """Drop what is known of a package whose texts were built anew, and of all others outside this simulator's own.
+    """Drop the classes of a rebuilt package, and of all other packages except our own, which may use its messages.
 
-    (They may contain its messages.) Classes handed out before live on unchanged.
+    Classes returned before stay valid and unchanged.
     """
     own = set(os.listdir(OWN_SHARE)) - {package}
     with _lock:
@@ -227,24 +242,26 @@ def forget(package: str) -> None:
 def get_interface(name: str) -> Any:
     """Return the class of 'std_msgs/msg/String', 'std_srvs/srv/SetBool' or 'example_interfaces/action/Fibonacci'.
 
-    Raises InterfaceNameError (a ValueError) for a malformed name, UnknownInterfaceError (a LookupError) where no such
-    text exists, and the parser's errors for a text that breaks the rules.
+    Raises:
+        InterfaceNameError: (a ValueError) the name is malformed.
+        UnknownInterfaceError: (a LookupError) there is no such text.
+        InvalidSpecification, InvalidValue, NameError, TypeError, ValueError: the text is invalid.
     """
     return find_class(name)
 
 
 def get_message(name: str) -> Any:
-    """Return the class of a message; raises as `get_interface`, and InterfaceNameError for a service or action."""
+    """Return the class of a message; raises the errors of `get_interface`, and InterfaceNameError for another kind."""
     return _get_kind(name, "msg", "a message")
 
 
 def get_service(name: str) -> Any:
-    """Return the class of a service; raises as `get_interface`, and InterfaceNameError for a message or action."""
+    """Return the class of a service; raises the errors of `get_interface`, and InterfaceNameError for another kind."""
     return _get_kind(name, "srv", "a service")
 
 
 def get_action(name: str) -> Any:
-    """Return the class of an action; raises as `get_interface`, and InterfaceNameError for a message or service."""
+    """Return the class of an action; raises the errors of `get_interface`, and InterfaceNameError for another kind."""
     return _get_kind(name, "action", "an action")
 
 
@@ -255,7 +272,24 @@ def _get_kind(name: str, kind: str, word: str) -> Any:
 
 
 def type_name(cls: Any) -> str:
-    """Return 'std_msgs/msg/String' for a message, service or action class. Raises TypeError for anything else."""
+    """Return 'std_msgs/msg/String' for a message, service or action class.
+
+    Raises:
+        TypeError: for anything else.
+    """
     if isinstance(cls, InterfaceType):
         return cls._interface_name
     raise TypeError(f"{cls!r} is not the class of a message, service or action")
+
+
+def message_class(cls: Any) -> Any:
+    """Return the generated class of a message class, also of one a program derived from it.
+
+    Raises:
+        TypeError: `cls` is not a message class.
+    """
+    name = type_name(cls)
+    generated = next(base for base in reversed(cls.__mro__[:-1]) if getattr(base, "_interface_name", "") == name)
+    if generated._structure is None:
+        raise TypeError(f"{cls!r} is not the class of a message")
+    return generated

@@ -1,4 +1,4 @@
-"""Builds the classes of services and actions. Their parts (Request, Goal, …) are made when first asked for."""
+"""Builds the classes of services and actions. Their parts (Request, Goal, …) are generated on first access."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _IMPLEMENTATION_PARTS = {
 }
 
 
-class _Part:
-    """A class attribute that is looked up on first use, then replaced by the class found."""
+class _LazyPart:
+    """A class attribute that is looked up on first access, then replaced with the class found."""
 
     def __init__(self, attribute: str, full_name: str, find_class: Callable[[str], type]) -> None:
         self.attribute = attribute
@@ -37,12 +37,12 @@ class _Part:
 
 
 def build_service(package: str, kind: str, name: str, find_class: Callable[[str], type]) -> type:
-    """Return a service class: Request, Response, Event; calling it raises NotImplementedError as in real ROS."""
+    """Return a service class with Request, Response and Event; calling it raises NotImplementedError as in real ROS."""
     return _build(package, kind, name, "service", _parts(_SERVICE_PARTS, f"{package}/{kind}/{name}", find_class))
 
 
 def build_action(package: str, name: str, find_class: Callable[[str], type]) -> type:
-    """Return an action class: Goal, Result, Feedback and Impl, which holds the protocol's services and messages."""
+    """Return an action class with Goal, Result, Feedback and Impl, which has the protocol's services and messages."""
     full_name = f"{package}/action/{name}"
     module = module_name(package, "action", name)
     implementation = type("Impl", (), {
@@ -56,7 +56,7 @@ def build_action(package: str, name: str, find_class: Callable[[str], type]) -> 
 
 def _parts(table: dict[str, str], full_name: str, find_class: Callable[[str], type]) -> dict[str, Any]:
     return {
-        attribute: _Part(attribute, full_name + part if part.startswith("_") else part, find_class)
+        attribute: _LazyPart(attribute, full_name + part if part.startswith("_") else part, find_class)
         for attribute, part in table.items()
     }
 

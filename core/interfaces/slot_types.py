@@ -1,4 +1,4 @@
-"""Makes SLOT_TYPES: the types of a class's fields as objects of `rosidl_parser.definition`."""
+"""Creates SLOT_TYPES: the types of a class's fields as objects of `rosidl_parser.definition`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reads the values written in interface texts, with the rules and error texts of rosidl_adapter's parser."""
+"""Parses the values in interface texts, with the rules and error texts of rosidl_adapter/parser.py."""
 
 from __future__ import annotations
 
@@ -17,7 +17,12 @@ class InvalidValue(Exception):
 
 
 def parse_value(type_: FieldType, text: str) -> Any:
-    """Read a field's default; lists for arrays and sequences. Raises InvalidValue, ValueError, NotImplementedError."""
+    """Parse a field's default value; a list for arrays and sequences.
+
+    Raises:
+        InvalidValue, ValueError: the text is not a value of the type.
+        NotImplementedError: the type is a message.
+    """
     if type_.nested:
         raise NotImplementedError(f"parsing string values into type '{type_.msg_name()}' is not supported")
     if type_.count == SINGLE:
@@ -42,7 +47,11 @@ def parse_value(type_: FieldType, text: str) -> Any:
 
 
 def parse_primitive(name: str, text: str, string_bound: int = 0) -> Any:
-    """Read one value of the primitive type `name` (.msg name); an int for `byte` and `char`. Raises InvalidValue."""
+    """Parse one value of the primitive type `name` (.msg name); an int for `byte` and `char`.
+
+    Raises:
+        InvalidValue: the text is not a value of the type.
+    """
     if name in STRINGS:
         return _parse_string(name, text, string_bound)
     if name == "bool":
@@ -65,7 +74,7 @@ def parse_primitive(name: str, text: str, string_bound: int = 0) -> Any:
 
 
 def _integer(text: str) -> int | None:
-    """Return a decimal, 0x, 0o or 0b integer; None where the text is none of them."""
+    """Return a decimal, 0x, 0o or 0b integer; None for anything else."""
     for base in (10, 0):
         try:
             return int(text, base)
@@ -89,12 +98,12 @@ def _parse_string(name: str, text: str, bound: int) -> str:
 
 
 def _has_bare(text: str, quote: str) -> bool:
-    """Say whether a quote stands in the text without a backslash before it."""
+    """Return whether the text contains a quote without a backslash before it."""
     return any(char == quote and text[max(index - 1, 0) : index] != "\\" for index, char in enumerate(text))
 
 
 def _split_strings(text: str) -> list[str]:
-    """Split the inside of a list of strings and unquote its elements; a comma inside quotes separates nothing."""
+    """Split the inside of a list of strings and unquote its elements; a comma inside quotes is not a separator."""
     found: list[str] = []
     text = text.lstrip(" ")
     while text:
@@ -116,7 +125,7 @@ def _split_strings(text: str) -> list[str]:
 
 
 def _closing_quote(text: str, quote: str) -> int:
-    """Return the index of the quote that ends the string beginning at index 0, -1 without one."""
+    """Return the index of the quote that ends the string beginning at index 0, -1 if there is none."""
     index = text.find(quote, 1)
     while index > 0 and text[index - 1] == "\\":
         index = text.find(quote, index + 1)

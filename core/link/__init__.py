@@ -1,6 +1,7 @@
 """Joins the graphs of several processes and machines over Eclipse Zenoh, in rmw_zenoh's wire format.
 
-Importing this costs nothing; Zenoh is imported by the first `join`. Callers look at DAY6_LINK=off first.
+Importing this costs nothing; the first `join` imports Zenoh. Callers check DAY6_LINK=off first. It imports `core.graph` and
+`core.interfaces` only; rclpy, the `ros2` commands and the desktop import it.
 """
 
 from __future__ import annotations
@@ -34,19 +35,19 @@ def join(
     never_wait: bool = False,
     secret: str | None = None,
 ) -> Link:
-    """Join `graph` to those of this user's other processes on this machine and domain; returns the link it has.
+    """Join `graph` to the graphs of this user's other processes on this machine and domain; returns its link.
 
-    Returns when the session is open and every present node and endpoint is announced (milliseconds); connections come
-    up meanwhile, `Link.wait_settled` waits for them. Never raises for want of a network: `Link.problem` says why there
-    is none, and a warning is logged. Every link is closed when the interpreter exits.
+    Returns when the session is open and all existing nodes and endpoints are announced (milliseconds); connections come
+    up in the background, `Link.wait_settled` waits for them. Never raises because there is no network: `Link.problem` then
+    gives the reason, and a warning is logged. Every link is closed when the interpreter exits.
 
-    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way to leave this machine; what is wrong with
-    them is in `Link.state` and touches nothing else. Other machines must show `secret` there. `one_shot` is for
-    commands that ask and go: a client of the meeting point that never keeps one. `never_wait` is for a process with a
+    `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way out of this machine; anything wrong with
+    them is reported in `Link.state` and affects nothing else. Other machines must present `secret` there. `one_shot` is for
+    commands that query and exit: a client of the meeting point that never runs one. `never_wait` is for a process with a
     screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
-    otherwise wait up to five seconds.
+    otherwise block for up to five seconds.
     """
-    from day6_tui.core.graph.discovery import wants_to_be_alone
+    from day6_tui.core.graph.discovery import discovery_is_off
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.paths import LinkError
 
@@ -63,7 +64,7 @@ def join(
             never_wait=never_wait,
             secret=secret,
         )
-        if not (listen or connect) and wants_to_be_alone(os.environ):
+        if not (listen or connect) and discovery_is_off(os.environ):
             link.problem = "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"
             return link
         try:
@@ -79,7 +80,7 @@ def join(
 
 
 def leave(graph: Graph) -> None:
-    """Close the link of `graph`, if it has one: its nodes vanish elsewhere, remote ones vanish here."""
+    """Close the link of `graph`, if it has one: its nodes disappear elsewhere, remote ones disappear here."""
     with _lock:
         link = _links.pop(graph, None)
     if link is not None:
@@ -87,7 +88,7 @@ def leave(graph: Graph) -> None:
 
 
 def state_of(graph: Graph) -> LinkState:
-    """Return what a person should know of the link of `graph`; that of a graph without one says nothing."""
+    """Return the state of the link of `graph`; an empty state if it has no link."""
     from day6_tui.core.link.state import LinkState
 
     link = _links.get(graph)
@@ -95,7 +96,7 @@ def state_of(graph: Graph) -> LinkState:
 
 
 def doors_of(graph: Graph) -> tuple[Door, ...]:
-    """Return the doors that this process itself opened for `graph`, from memory."""
+    """Return the doors this process itself opened for `graph`, from memory."""
     link = _links.get(graph)
     return link.doors if link is not None else ()
 
@@ -123,7 +124,7 @@ def _prepare() -> None:
 def _leave_all() -> None:
     import signal
 
-    # A real ROS process is past Python's handlers here: a second Ctrl-C says nothing more.
+    # A real ROS process no longer runs Python's handlers here: a second Ctrl-C prints nothing.
     with suppress(ValueError):  # the interpreter is being ended by another thread
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     for graph in list(_links):
@@ -137,6 +138,6 @@ def after_fork() -> None:
     _forked = _forked or bool(_links)
     for link in _links.values():
         link.abandon()
-    # Kept for good: the engine's objects expect threads that stayed in the parent.
+    # Never freed: Zenoh's objects expect threads that stayed in the parent.
     _abandoned.extend(_links.values())
     _links.clear()

@@ -1,4 +1,4 @@
-"""Zenoh endpoints as people type them (`tcp/0.0.0.0:7447`): what is wrong with one is said before anything is opened."""
+"""Zenoh endpoints as people type them (`tcp/0.0.0.0:7447`), checked before anything is opened."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 from typing import NamedTuple
 
 PROTOCOLS = ("tcp", "udp", "ws")
-"""Those of the installed Zenoh that need neither certificates nor a path."""
+"""The installed Zenoh's protocols that need neither certificates nor a path."""
 _NAME = re.compile(r"(?!-)[A-Za-z0-9_-]{1,63}(\.(?!-)[A-Za-z0-9_-]{1,63})*\.?")
 _BARE_IPV6 = re.compile(r"[0-9A-Fa-f:]*:[0-9A-Fa-f:]*")
 _NUMBERS = re.compile(r"[0-9.]+")
@@ -22,13 +22,16 @@ class Address(NamedTuple):
 
 
 def address_of(endpoint: str, *, listening: bool) -> Address:
-    """Return the parts of an endpoint to listen on or to connect to; raises ValueError that says what is wrong with it.
+    """Return the parts of an endpoint to listen on or to connect to.
 
-    Whether a name is known to anybody is not asked here: that may take seconds, and may change.
+    Host names are not resolved here: that may take seconds, and the result may change.
+
+    Raises:
+        ValueError: the endpoint is invalid; the message gives the reason.
     """
     protocol, slash, rest = endpoint.partition("/")
     if not (protocol.isalnum() and slash and rest):
-        raise ValueError(f"{endpoint!r} is no endpoint like tcp/192.168.1.5:7447")
+        raise ValueError(f"{endpoint!r} is not an endpoint like tcp/192.168.1.5:7447")
     if protocol not in PROTOCOLS:
         raise ValueError(f"{endpoint!r} has an unknown protocol: use {', '.join(PROTOCOLS[:-1])} or {PROTOCOLS[-1]}")
     host, colon, port = rest.rpartition(":")
@@ -52,7 +55,7 @@ def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
         except ValueError:
             raise ValueError(f"{endpoint!r} has no valid address: {host}") from None
         if ip.is_unspecified and not listening:
-            raise ValueError(f"{endpoint!r} is every address of this machine, none to connect to")
+            raise ValueError(f"{endpoint!r} means every address of this machine, so it cannot be connected to")
     elif not _NAME.fullmatch(host):
         raise ValueError(f"{endpoint!r} has no valid host name: {host or 'it is empty'}")
     return host

@@ -1,7 +1,7 @@
-"""Which of the things that other machines announce are let in to this user's processes, and how many.
+"""Decides which tokens from other machines reach this user's processes, and how many.
 
-Pure: the bridge asks it about every token. No token of another machine ever counts as one of this machine's processes: a
-session id that is in use here is refused at the door.
+Pure: the bridge asks it about every token. A token from another machine never counts as one of this machine's processes: a
+session id in use here is refused.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _CACHE = re.compile(
 
 
 class Token(NamedTuple):
-    """What the bridge needs to know of a token: whose it is, whether of a node, and the kind and key of an endpoint's data."""
+    """The parts of a token the bridge needs: session, node or endpoint, and the endpoint's kind and data key."""
 
     zid: str
     is_node: bool
@@ -38,7 +38,7 @@ class Token(NamedTuple):
 
 
 def token_of(key: str) -> Token | None:
-    """Return what a liveliness token of a node, an endpoint or a cache says; None for any other."""
+    """Parse the liveliness token of a node, an endpoint or a cache; returns None for anything else."""
     if not key.startswith(LIVELINESS_PREFIX):
         cache = _CACHE.fullmatch(key) if len(key) <= _LONGEST_TOKEN else None
         return Token(cache[1], False) if cache is not None else None
@@ -53,20 +53,20 @@ def token_of(key: str) -> Token | None:
 
 
 class Admission:
-    """Says which tokens from outside are let in; `lives_here` says whether a session is one of this machine's."""
+    """Decides which tokens from outside are admitted; `lives_here(zid)` is whether a session belongs to this machine."""
 
     def __init__(self, lives_here: Callable[[str], bool], refusals: Refusals) -> None:
         self._lives_here = lives_here
         self._refusals = refusals
         self._inside: dict[str, Token] = {}
-        self._of_one: Counter[tuple[str, bool]] = Counter()
-        self._in_all: Counter[bool] = Counter()
+        self._of_session: Counter[tuple[str, bool]] = Counter()
+        self._total: Counter[bool] = Counter()
         self._waiting: dict[str, Token] = {}
-        """Refused for want of room, the oldest first."""
+        """Refused because a limit was reached, oldest first."""
         self._room = False
 
-    def come(self, key: str) -> Token | None:
-        """Return what a token says that is let in now; None if it is not, or is inside already."""
+    def admit(self, key: str) -> Token | None:
+        """Admit a token that appeared and return it parsed; None if it is refused or already inside."""
         if key in self._inside:
             return None
         token = token_of(key)
@@ -75,7 +75,7 @@ class Admission:
         elif self._lives_here(token.zid):
             self._refusals.add("sessions")
         elif self._has_room(token):
-            self._enter(key, token)
+            self._add(key, token)
             return token
         elif key not in self._waiting:
             self._refusals.add("nodes" if token.is_node else "endpoints")
@@ -83,8 +83,8 @@ class Admission:
                 self._waiting[key] = token
         return None
 
-    def go(self, key: str) -> Token | None:
-        """Return what a token said that was inside and is gone; None if it was not inside."""
+    def remove(self, key: str) -> Token | None:
+        """Remove a token that disappeared and return it parsed; None if it was not inside."""
         if self._waiting.pop(key, None) is not None:
             return None
         token = self._inside.pop(key, None)
@@ -93,37 +93,37 @@ class Admission:
             self._room = True
         return token
 
-    def let_in(self) -> Iterator[tuple[str, Token]]:
-        """Yield what was refused for want of room and is let in now; to be called now and then."""
+    def admit_waiting(self) -> Iterator[tuple[str, Token]]:
+        """Admit and yield tokens that were refused because a limit was reached; to be called periodically."""
         if not self._room:
             return
         self._room = False
         for key, token in list(self._waiting.items()):
             if self._has_room(token) and not self._lives_here(token.zid):
                 del self._waiting[key]
-                self._enter(key, token)
+                self._add(key, token)
                 yield key, token
         if not self._waiting:
             self._refusals.forget("nodes", "endpoints")
 
-    def of(self, zid: str | None) -> list[str]:
-        """Return the tokens that are inside of one session, or (None) of all; what waits of them is forgotten at once."""
+    def tokens_of(self, zid: str | None) -> list[str]:
+        """Return the admitted tokens of one session, or of all (None); those still waiting are forgotten."""
         self._waiting = {key: token for key, token in self._waiting.items() if zid is not None and token.zid != zid}
         self._room = True
         return [key for key, token in self._inside.items() if zid in (None, token.zid)]
 
-    def _enter(self, key: str, token: Token) -> None:
+    def _add(self, key: str, token: Token) -> None:
         self._inside[key] = token
         self._count(token, 1)
 
     def _count(self, token: Token, change: int) -> None:
-        self._in_all[token.is_node] += change
-        self._of_one[token.zid, token.is_node] += change
-        if not self._of_one[token.zid, token.is_node]:
-            del self._of_one[token.zid, token.is_node]
+        self._total[token.is_node] += change
+        self._of_session[token.zid, token.is_node] += change
+        if not self._of_session[token.zid, token.is_node]:
+            del self._of_session[token.zid, token.is_node]
 
     def _has_room(self, token: Token) -> bool:
-        most, most_of_one = (
+        most, most_of_session = (
             (MOST_NODES, MOST_NODES_OF_ONE) if token.is_node else (MOST_ENDPOINTS, MOST_ENDPOINTS_OF_ONE)
         )
-        return self._in_all[token.is_node] < most and self._of_one[token.zid, token.is_node] < most_of_one
+        return self._total[token.is_node] < most and self._of_session[token.zid, token.is_node] < most_of_session

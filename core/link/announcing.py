@@ -1,4 +1,4 @@
-"""What this process tells the others of its own nodes and endpoints."""
+"""Announces this process's own nodes and endpoints to the others."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 class _Declared(Protocol):
-    """A token, subscriber or queryable of Zenoh's."""
+    """A Zenoh token, subscriber or queryable."""
 
     def undeclare(self) -> None: ...
 
 
 class Announcements:
-    """The tokens of local nodes and endpoints in one session, with what receives for them. Thread-safe."""
+    """The tokens, subscribers and queryables of local nodes and endpoints in one session. Thread-safe."""
 
     def __init__(self, session: zenoh.Session, zid: str, topics: Topics, services: Services) -> None:
         self._session = session
@@ -33,9 +33,10 @@ class Announcements:
         self._declared: dict[Node | Endpoint, list[_Declared]] = {}
 
     def follow(self, subject: Node | Endpoint) -> None:
-        """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order.
+        """Declare or undeclare a local node or endpoint, by whether it exists now: events may come in any order.
 
-        Raises zenoh.ZError.
+        Raises:
+            zenoh.ZError: Zenoh refused it.
         """
         with self._lock:
             if subject.destroyed:
@@ -44,13 +45,13 @@ class Announcements:
                 self._declare(subject)
 
     def clear(self) -> None:
-        """Let go of everything of Zenoh's; the end of the session withdraws it."""
+        """Drop all Zenoh objects; closing the session undeclares them."""
         with self._lock:
             self._declared.clear()
 
     def _declare(self, subject: Node | Endpoint) -> None:
         entries: list[_Declared] = []
-        # First what receives, then the token: who sees the token may send at once.
+        # The receiver before the token: whoever sees the token may send at once.
         if isinstance(subject, Subscription):
             entries.append(self._topics.subscribe(subject))
         elif isinstance(subject, Service):

@@ -1,4 +1,4 @@
-"""What accompanies every message, request and response: sequence number, source time and the sender's GID."""
+"""The attachment of every message, request and response: sequence number, source timestamp and the sender's GID."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _GID_BYTES = 16
 
 
 class Attachment(NamedTuple):
-    """The three values; `source_timestamp` in epoch nanoseconds, `gid` 16 bytes."""
+    """The three values; `source_timestamp` is in epoch nanoseconds, `gid` has 16 bytes."""
 
     sequence_number: int
     source_timestamp: int
@@ -24,7 +24,11 @@ def pack(sequence_number: int, source_timestamp: int, gid: bytes) -> bytes:
 
 
 def unpack(data: bytes) -> Attachment:
-    """Read an attachment, also one without the length byte (after Kilted); raises ValueError for anything else."""
+    """Read an attachment, with or without the length byte (releases after Kilted omit it).
+
+    Raises:
+        ValueError: for anything else.
+    """
     try:
         sequence_number, source_timestamp = _TIMES.unpack_from(data)
     except error:

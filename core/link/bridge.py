@@ -1,9 +1,9 @@
-"""The way to other machines: two sessions, one that meets this machine's processes and one that meets the others.
+"""The route to other machines: an inner session for this machine's processes and an outer one for other machines.
 
-What comes in at one goes out at the other: messages that somebody there has a subscription for, questions with their answers,
-and tokens. Nothing else does, so what others announce is checked and limited here, once, before any process of this user has
-to do with it, and is forgotten with the machine that it came from. (A Zenoh session also shows one password to all it meets,
-or none, so that where this machine's own meeting point asks for one, a single session could not do.)
+Messages that the other side subscribes to, queries with their replies, and tokens are forwarded between the two. Nothing
+else is, so announcements from outside are checked and limited here, once, before any process of this user sees them, and are
+dropped together with the machine they came from. (A Zenoh session presents the same password, or none, to every peer, so one
+session cannot serve both where this machine's own meeting point requires a password.)
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 Report = Callable[[str, Exception], None]
 
 _MOST_MESSAGES = 10_000
-"""Messages that may wait for the bridge's thread; more are dropped, as on a slow network."""
-_ANSWER_SECONDS = 3600.0
-"""A question is open as long as its asker waits; the answer to a goal may take long."""
+"""Messages queued for the bridge's thread; more are dropped, as on a slow network."""
+_QUERY_SECONDS = 3600.0
+"""A query stays open as long as its client waits; the result of a goal may take long."""
 _SLICE = 0.005
 _PAUSE = 0.001
-"""Seconds of passing things on, and of letting the program's own threads have the interpreter in between."""
-_LET_IN = 1.0
-"""Seconds between looks whether there is room for what was refused."""
+"""Seconds of forwarding, and of leaving the interpreter to the program's own threads in between."""
+_RETRY_SECONDS = 1.0
+"""Seconds between attempts to admit tokens that were refused because a limit was reached."""
 _INNER, _OUTER = 0, 1
 _GID_BYTES = 16
 
@@ -44,8 +44,8 @@ _GID_BYTES = 16
 class Bridge:
     """Joins two open sessions for one domain until `close`; it owns them.
 
-    `is_neighbour` says whether a session id is one of this user's processes on this machine. That a machine was not let in
-    for want of the secret is not known here: Zenoh has no event for it, and its log cannot be read from Python.
+    `is_neighbour(zid)` is whether a session is one of this user's processes on this machine. Machines rejected because of
+    the secret are not known here: Zenoh has no event for it, and its log cannot be read from Python.
     """
 
     def __init__(
@@ -64,21 +64,21 @@ class Bridge:
         self._is_neighbour = is_neighbour
         self._work: queue.SimpleQueue[Callable[[], object] | None] = queue.SimpleQueue()
         self._tokens: tuple[dict[str, Any], dict[str, Any]] = {}, {}
-        """By the side on which we declared it, for what is on the other."""
+        """The tokens we declared, by side; each mirrors one of the other side."""
         self._routes: dict[tuple[int, str, str], tuple[Any, Counter[str]]] = {}
-        """What takes messages or questions for an endpoint of the other side, and the tokens of those it is there for."""
+        """The subscriber or queryable that receives for endpoints of the other side, and the tokens of those endpoints."""
         self._admission = Admission(self._lives_here, refusals)
         self._here: Counter[str] = Counter()
-        """The sessions of this machine that have announced anything, processes without a socket included."""
+        """The sessions of this machine that have announced anything, including processes without a socket."""
         self._own_gids: set[bytes] = set()
-        """Of this machine's publishers and clients: nobody else speaks in their names."""
+        """GIDs of this machine's publishers and clients: nobody else may send in their names."""
         self._links: Counter[str] = Counter()
-        """How many links there are to each session that is joined to the outer one."""
+        """Number of links to each session connected to the outer one."""
         self._flooded = False
-        self._let_in = 0.0
+        self._last_retry = 0.0
         self._declared: list[Any] = []
-        self._hearing: list[Any] = []
-        """What hears the tokens of other machines."""
+        self._token_subscribers: list[Any] = []
+        """The subscribers for the tokens of other machines."""
         self._thread = threading.Thread(target=self._run, name="day6-bridge", daemon=True)
         self._thread.start()
         self._follow_links()
@@ -86,7 +86,7 @@ class Bridge:
             self._listen(side)
 
     def close(self) -> None:
-        """Take down what was mirrored and close both sessions, that of this machine's processes first."""
+        """Remove all mirrored tokens and close both sessions, the inner one first."""
         import zenoh
 
         self._work.put(None)
@@ -97,47 +97,47 @@ class Bridge:
         for declared in (*self._tokens, self._routes):
             declared.clear()
         self._declared.clear()
-        self._hearing.clear()
+        self._token_subscribers.clear()
         self._sessions = ()  # type: ignore[assignment]
 
     def _follow_links(self) -> None:
         import zenoh
 
         def on_event(event: zenoh.LinkEvent) -> None:
-            there = event.kind == zenoh.SampleKind.PUT
-            self._work.put(partial(self._take_link, str(event.link.zid), there))
+            present = event.kind == zenoh.SampleKind.PUT
+            self._work.put(partial(self._take_link, str(event.link.zid), present))
 
-        # The event of a transport comes only after all its tokens are withdrawn.
+        # A transport's event comes only after all its tokens are undeclared.
         handler = zenoh.handlers.Callback(callback(on_event), indirect=False)
         outer = self._sessions[_OUTER]
         self._declared.append(outer.info.declare_link_events_listener(handler, history=True))
 
     def _listen(self, side: int) -> None:
-        # A chunk that begins with @, as of the caches of transient-local publishers, is matched by no wildcard.
+        # Wildcards don't match a chunk that begins with @, as in the keys of transient-local publishers' caches.
         caches = f"{self._domain_id}/**/@adv/**"
-        self._declared += [self._hear_messages(side, caches), self._hear_questions(side, caches)]
-        hearing = self._declared if side == _INNER else self._hearing
-        hearing += [self._hear_tokens(side, key) for key in (f"@ros2_lv/{self._domain_id}/**", caches)]
+        self._declared += [self._receive_messages(side, caches), self._receive_queries(side, caches)]
+        subscribers = self._declared if side == _INNER else self._token_subscribers
+        subscribers += [self._subscribe_tokens(side, key) for key in (f"@ros2_lv/{self._domain_id}/**", caches)]
 
-    def _hear_tokens(self, side: int, key: str) -> Any:
+    def _subscribe_tokens(self, side: int, key: str) -> Any:
         import zenoh
 
         handler = zenoh.handlers.Callback(callback(partial(self._on_token, side)), indirect=False)
         return self._sessions[side].liveliness().declare_subscriber(key, handler, history=True)
 
-    def _hear_messages(self, side: int, key: str) -> Any:
+    def _receive_messages(self, side: int, key: str) -> Any:
         import zenoh
 
         handler = zenoh.handlers.Callback(callback(partial(self._on_sample, side)), indirect=False)
         return self._sessions[side].declare_subscriber(key, handler, allowed_origin=zenoh.Locality.REMOTE)
 
-    def _hear_questions(self, side: int, key: str) -> Any:
+    def _receive_queries(self, side: int, key: str) -> Any:
         import zenoh
 
         handler = zenoh.handlers.Callback(callback(partial(self._on_query, side)), indirect=False)
         return self._sessions[side].declare_queryable(key, handler, complete=True, allowed_origin=zenoh.Locality.REMOTE)
 
-    # on Zenoh's threads: nothing here may wait
+    # -- on Zenoh's threads: nothing here may block --------------------------------------------------------------------
 
     def _on_sample(self, side: int, sample: zenoh.Sample) -> None:
         if side == _OUTER and self._is_forged(sample.attachment):
@@ -166,62 +166,62 @@ class Bridge:
     def _is_forged(self, attachment: zenoh.ZBytes | None) -> bool:
         return attachment is not None and attachment.to_bytes()[-_GID_BYTES:] in self._own_gids
 
-    # on the bridge's thread
+    # -- on the bridge's thread ----------------------------------------------------------------------------------------
 
     def _run(self) -> None:
         end = time.monotonic() + _SLICE
         while True:
             try:
-                work = self._work.get(timeout=_LET_IN)
+                work = self._work.get(timeout=_RETRY_SECONDS)
             except queue.Empty:
-                work = self._look_after
+                work = self._do_upkeep
             if work is None:
                 return
             try:
                 work()
-                self._look_after()
+                self._do_upkeep()
             except Exception as error:
-                # One thing could not be passed on (the other side is gone at this moment, say): the others can.
+                # One item could not be forwarded (the other side has just gone, say): the others can.
                 self._report("the bridge to other machines", error)
             if time.monotonic() > end:
                 time.sleep(_PAUSE)
                 end = time.monotonic() + _SLICE
 
-    def _look_after(self) -> None:
+    def _do_upkeep(self) -> None:
         if self._flooded and self._work.empty():
-            self._begin_anew()
+            self._start_over()
         now = time.monotonic()
-        if now - self._let_in > _LET_IN:
-            self._let_in = now
-            for key, token in self._admission.let_in():
+        if now - self._last_retry > _RETRY_SECONDS:
+            self._last_retry = now
+            for key, token in self._admission.admit_waiting():
                 self._mirror(_INNER, key, token)
 
-    def _begin_anew(self) -> None:
-        """After a flood, of which not all was heard: forget what other machines announced, and hear it again."""
+    def _start_over(self) -> None:
+        """After a flood, part of which was dropped: forget what other machines announced, and subscribe again."""
         self._flooded = False
         self._refusals.add("floods")
         self._forget(None)
-        for _ in range(len(self._hearing)):
-            self._hearing.pop().undeclare()
+        for _ in range(len(self._token_subscribers)):
+            self._token_subscribers.pop().undeclare()
         for key in (f"@ros2_lv/{self._domain_id}/**", f"{self._domain_id}/**/@adv/**"):
-            self._hearing.append(self._hear_tokens(_OUTER, key))
+            self._token_subscribers.append(self._subscribe_tokens(_OUTER, key))
 
-    def _take_link(self, zid: str, there: bool) -> None:
-        self._links[zid] += 1 if there else -1
+    def _take_link(self, zid: str, present: bool) -> None:
+        self._links[zid] += 1 if present else -1
         if self._links[zid] > 0:
             return
         del self._links[zid]
-        # Zenoh withdraws its tokens one by one, which takes long when they are many. Behind a router there may be more
-        # sessions than that one; of these we hear by and by.
+        # Zenoh undeclares its tokens one by one, which takes long when there are many. Behind a router there may be more
+        # sessions than that one; we hear of their end later.
         self._forget(zid if self._links else None)
 
     def _forget(self, zid: str | None) -> None:
-        for key in self._admission.of(zid):
+        for key in self._admission.tokens_of(zid):
             self._take_foreign(key, False)
 
     def _take_token(self, side: int, key: str, present: bool) -> None:
         if key in self._tokens[side]:
-            return  # our own, for what is on the other side
+            return  # our own mirror of a token on the other side
         if side == _INNER:
             self._take_own(key, present)
         else:
@@ -231,22 +231,22 @@ class Bridge:
         token = token_of(key)
         if token is None or present == (key in self._tokens[_OUTER]):
             return
-        speaks = token.kind in (EndpointKind.PUBLISHER.value, EndpointKind.CLIENT.value)
+        sends = token.kind in (EndpointKind.PUBLISHER.value, EndpointKind.CLIENT.value)
         if present:
             self._here[token.zid] += 1
-            if speaks:
+            if sends:
                 self._own_gids.add(gid_of(key))
             self._mirror(_OUTER, key, token)
             return
         self._here[token.zid] -= 1
         if not self._here[token.zid]:
             del self._here[token.zid]
-        if speaks:
+        if sends:
             self._own_gids.discard(gid_of(key))
         self._unmirror(_OUTER, key, token)
 
     def _take_foreign(self, key: str, present: bool) -> None:
-        token = self._admission.come(key) if present else self._admission.go(key)
+        token = self._admission.admit(key) if present else self._admission.remove(key)
         if token is None:
             return
         if present:
@@ -258,24 +258,27 @@ class Bridge:
         return zid in self._here or self._is_neighbour(zid)
 
     def _mirror(self, side: int, key: str, token: Token) -> None:
-        # First what receives, then the token: who sees the token may send at once.
-        hear = {EndpointKind.SUBSCRIPTION.value: self._hear_messages, EndpointKind.SERVICE.value: self._hear_questions}
-        if token.kind in hear:
-            way = side, token.kind, token.data_key
-            if way not in self._routes:
-                self._routes[way] = hear[token.kind](side, token.data_key), Counter()
-            self._routes[way][1][key] += 1
+        # The receiver before the token: whoever sees the token may send at once.
+        declare = {
+            EndpointKind.SUBSCRIPTION.value: self._receive_messages,
+            EndpointKind.SERVICE.value: self._receive_queries,
+        }
+        if token.kind in declare:
+            route = side, token.kind, token.data_key
+            if route not in self._routes:
+                self._routes[route] = declare[token.kind](side, token.data_key), Counter()
+            self._routes[route][1][key] += 1
         self._tokens[side][key] = self._sessions[side].liveliness().declare_token(key)
 
     def _unmirror(self, side: int, key: str, token: Token) -> None:
         if (declared := self._tokens[side].pop(key, None)) is not None:
             declared.undeclare()
-        way = side, token.kind, token.data_key
-        if way in self._routes:
-            receiver, users = self._routes[way]
+        route = side, token.kind, token.data_key
+        if route in self._routes:
+            receiver, users = self._routes[route]
             users.pop(key, None)
             if not users:
-                del self._routes[way]
+                del self._routes[route]
                 receiver.undeclare()
 
     def _pass_sample(self, to: int, sample: zenoh.Sample) -> None:
@@ -296,18 +299,18 @@ class Bridge:
         import zenoh
 
         def on_reply(reply: zenoh.Reply) -> None:
-            if (answer := reply.ok) is not None:
-                self._work.put(partial(_answer, query, answer))
+            if (sample := reply.ok) is not None:
+                self._work.put(partial(_forward_reply, query, sample))
 
-        # The question is over when nobody holds it any more: after the last answer has been passed on.
+        # The query ends when nobody holds it any more: after the last reply has been forwarded.
         self._sessions[to].get(
             query.selector,
             zenoh.handlers.Callback(callback(on_reply), lambda: self._work.put(query.drop), indirect=False),
             target=zenoh.QueryTarget.ALL_COMPLETE if query.payload is not None else zenoh.QueryTarget.ALL,
             consolidation=zenoh.ConsolidationMode.NONE,
-            # A cache answers with the keys of its messages, which are not the key that it is asked by.
+            # A cache replies with the keys of its messages, which differ from the key it is queried by.
             accept_replies=query.accepts_replies(),
-            timeout=_ANSWER_SECONDS,
+            timeout=_QUERY_SECONDS,
             payload=query.payload,
             encoding=query.encoding,
             attachment=query.attachment,
@@ -315,12 +318,12 @@ class Bridge:
         )
 
 
-def _answer(query: zenoh.Query, answer: zenoh.Sample) -> None:
-    # By its time a late joiner knows a message that it has been given before.
+def _forward_reply(query: zenoh.Query, sample: zenoh.Sample) -> None:
+    # A late joiner recognises a message it already has by its timestamp.
     query.reply(
-        answer.key_expr,
-        answer.payload,
-        encoding=answer.encoding,
-        attachment=answer.attachment,
-        timestamp=answer.timestamp,
+        sample.key_expr,
+        sample.payload,
+        encoding=sample.encoding,
+        attachment=sample.attachment,
+        timestamp=sample.timestamp,
     )

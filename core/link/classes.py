@@ -1,4 +1,4 @@
-"""From the type name in a token or on an endpoint to the class its bytes become, also for what actions are made of."""
+"""Maps a type name, from a token or an endpoint, to its message or service class, including the parts of actions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ _SERVICE_PARTS = ("_Request", "_Response", "_Event")
 def message_class(type_name: str) -> Any:
     """Return the class of a topic's type: a message, an action's feedback message or a service's event.
 
-    Raises what `get_message` raises for an unknown name.
+    Raises:
+        LookupError, ValueError: as `get_message` does for an unknown name.
     """
     base, separator, part = type_name.rpartition("_")
     if "/action/" in type_name and part == "FeedbackMessage":
@@ -24,7 +25,7 @@ def message_class(type_name: str) -> Any:
 
 
 def service_class(type_name: str) -> Any:
-    """Return the class of a service's type, also of an action's two; raises what `get_service` raises."""
+    """Return the class of a service's type, including an action's two services; raises the errors of `get_service`."""
     base, separator, part = type_name.rpartition("_")
     if "/action/" in type_name and separator + part in _ACTION_SERVICES:
         return getattr(get_action(base).Impl, _ACTION_SERVICES[separator + part])

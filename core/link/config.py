@@ -17,34 +17,34 @@ if TYPE_CHECKING:
 _COMMON = {
     "scouting/multicast/enabled": "false",
     "scouting/gossip/enabled": "true",
-    # Of two processes that hear of each other at once only one calls: of two crossing calls both may be given up.
+    # Of two processes that discover each other at once only one connects: with two crossing connections both may be dropped.
     "scouting/gossip/autoconnect_strategy": '{peer: {to_router: "always", to_peer: "greater-zid"}}',
-    # Zenoh waits this long for others before `open` returns; ours connects while the program goes on.
+    # Zenoh waits this long for peers before `open` returns; ours connects while the program runs on.
     "scouting/delay": "0",
     "open/return_conditions": "{connect_scouted: false, declares: false}",
     "connect/retry": "{period_init_ms: 50, period_max_ms: 250, period_increase_factor: 2}",
     # Needed by the caches of transient-local publishers.
     "timestamping/enabled": "true",
     "transport/shared_memory/enabled": "false",
-    # What a burst fills (batches of 64 KiB, made when needed), and the microseconds a message that may be dropped waits
-    # for room: the receiver's interpreter lets Zenoh's thread in every 5 ms.
+    # The queue a burst fills (batches of 64 KiB, allocated when needed), and the microseconds a droppable message waits for
+    # room in it: the receiver's interpreter gives Zenoh's thread a turn every 5 ms.
     "transport/link/tx/queue/size/data": "16",
     "transport/link/tx/queue/congestion_control/drop/wait_before_drop": "20000",
 }
 
-_STRANGERS = {
+_OTHER_MACHINES = {
     "transport__link__rx__max_message_size": str(MOST_BYTES),
     "transport__unicast__max_sessions": str(MOST_MACHINES),
-    # A machine whose cable was pulled is forgotten after so many milliseconds without a sign of life (four are sent).
+    # A machine whose cable was pulled is dropped after this many milliseconds without a keep-alive (four are sent).
     "transport__link__tx__lease": "4000",
-    # Who does not let us in is not asked four times a second for ever.
+    # A machine that rejects us is not retried four times a second forever.
     "connect__retry": "{period_init_ms: 100, period_max_ms: 2000, period_increase_factor: 2}",
 }
-"""Of the sessions that other machines reach."""
+"""Settings of the sessions that other machines can reach."""
 
 
 def process_config(place: Place, zid: str) -> zenoh.Config:
-    """Return the configuration of a process: a peer with a socket of its own, which keeps trying the meeting point."""
+    """Return the configuration of a process: a peer with its own socket that keeps trying to reach the meeting point."""
     return _config(
         place,
         mode='"peer"',
@@ -57,7 +57,7 @@ def process_config(place: Place, zid: str) -> zenoh.Config:
 
 
 def command_config(place: Place, zid: str) -> zenoh.Config:
-    """Return the configuration of a one-shot command: a client; opening fails when there is no meeting point."""
+    """Return the configuration of a one-shot command: a client, whose opening fails if there is no meeting point."""
     return _config(
         place,
         mode='"client"',
@@ -69,14 +69,14 @@ def command_config(place: Place, zid: str) -> zenoh.Config:
 
 
 def meeting_config(place: Place) -> zenoh.Config:
-    """Return the configuration of the meeting point: a router that tells the processes of one another."""
+    """Return the configuration of the meeting point: a router through which the processes find each other."""
     return _config(place, mode='"router"', listen__endpoints=json.dumps([place.meeting_endpoint]))
 
 
 def outer_config(listen: Sequence[str], connect: Sequence[str], secret: str | None, users: Path) -> zenoh.Config:
-    """Return the configuration of the half of a `Bridge` that meets other machines: a router without this machine's password.
+    """Return the configuration of a `Bridge`'s outer session: a router that does not know this machine's password.
 
-    With a `secret` it shows that one, and asks for it by the file `users`.
+    If there is a `secret`, it presents it, and requires it of others by the file `users`.
     """
     config = _config(
         None,
@@ -85,15 +85,15 @@ def outer_config(listen: Sequence[str], connect: Sequence[str], secret: str | No
         connect__endpoints=json.dumps(list(connect)),
         connect__timeout_ms="-1",
         connect__exit_on_failure="false",
-        **_STRANGERS,
+        **_OTHER_MACHINES,
     )
     if secret is not None:
-        _ask_for_password(config, USER, secret, users)
+        _require_password(config, USER, secret, users)
     return config
 
 
 def inner_config(place: Place) -> zenoh.Config:
-    """Return the configuration of the half that meets the processes of this machine."""
+    """Return the configuration of a `Bridge`'s inner session, connected to the processes of this machine."""
     return _config(
         place,
         mode='"router"',
@@ -113,12 +113,12 @@ def _config(place: Place | None, **settings: str) -> zenoh.Config:
     for name, value in settings.items():
         config.insert_json5(name.replace("__", "/"), value)
     if place is not None and place.tcp:
-        _ask_for_password(config, "day6", password(place), place.folder / "users")
+        _require_password(config, "day6", password(place), place.folder / "users")
     return config
 
 
-def _ask_for_password(config: zenoh.Config, user: str, word: str, users: Path) -> None:
-    """Show a password to all that are met, and ask them for one of those in the file `users`."""
+def _require_password(config: zenoh.Config, user: str, word: str, users: Path) -> None:
+    """Present a password to every peer, and require one of those in the file `users`."""
     config.insert_json5("transport/auth/usrpwd/user", json.dumps(user))
     config.insert_json5("transport/auth/usrpwd/password", json.dumps(word))
     config.insert_json5("transport/auth/usrpwd/dictionary_file", json.dumps(str(users)))

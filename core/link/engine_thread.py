@@ -1,7 +1,7 @@
-"""Whether this thread is inside a callback of Zenoh's.
+"""Whether this thread is inside a Zenoh callback.
 
-Python collects garbage on any thread, and what it collects may undeclare something: a node that nobody holds any more,
-say. Inside a callback that would wait for itself for ever.
+Python collects garbage on any thread, and that may undeclare something: a node nobody references any more, say. Inside a
+callback this would deadlock.
 """
 
 from __future__ import annotations
@@ -11,26 +11,26 @@ from collections.abc import Callable
 from typing import Any
 
 
-class _Mark(threading.local):
-    here = False
+class _CallbackState(threading.local):
+    inside = False
 
 
-_mark = _Mark()
+_state = _CallbackState()
 
 
 def inside_callback() -> bool:
-    """Say whether Zenoh is calling, further up on this thread's stack."""
-    return _mark.here
+    """Return whether Zenoh is further up on this thread's stack."""
+    return _state.inside
 
 
 def callback(function: Callable[..., None]) -> Callable[..., None]:
-    """Return `function` for handing to Zenoh."""
+    """Wrap `function` for handing it to Zenoh."""
 
     def call(*arguments: Any) -> None:
-        _mark.here = True
+        _state.inside = True
         try:
             function(*arguments)
         finally:
-            _mark.here = False
+            _state.inside = False
 
     return call

@@ -16,11 +16,11 @@ class FileLock:
 
     @property
     def held(self) -> bool:
-        """Say whether this object holds the lock."""
+        """Whether this object holds the lock."""
         return self._descriptor is not None
 
     def try_acquire(self) -> bool:
-        """Take the lock if nobody has it; say whether it is held now."""
+        """Take the lock if nobody holds it; return whether this object holds it now."""
         if self._descriptor is not None:
             return True
         descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o600)

@@ -1,7 +1,7 @@
-"""What Python calls in the child of a fork.
+"""The function Python calls in the child of a fork.
 
-Python keeps the function, and with it all that its module knows, until the very end; this module knows nothing that would keep a
-student's nodes from being destroyed before.
+Python keeps the function, and everything its module references, until the interpreter ends; this module references nothing
+that would keep a student's nodes from being destroyed earlier.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ import sys
 
 
 def install() -> None:
-    """Have `after_fork` of this package called in every child; does nothing where there is no fork."""
+    """Have this package's `after_fork` called in every child; does nothing on systems without fork."""
     import os
 
     if hasattr(os, "register_at_fork"):
-        os.register_at_fork(after_in_child=_tell)
+        os.register_at_fork(after_in_child=_forget_links)
 
 
-def _tell() -> None:
+def _forget_links() -> None:
     link = sys.modules.get("day6_tui.core.link")
     if link is not None:
         link.after_fork()

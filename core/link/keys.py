@@ -1,4 +1,4 @@
-"""rmw_zenoh's key expressions: where data travels, and the liveliness tokens that say which nodes and endpoints exist.
+"""rmw_zenoh's key expressions: those of data, and the liveliness tokens of nodes and endpoints.
 
     0/chatter/std_msgs::msg::dds_::String_/RIHS01_…                             messages of a topic, calls of a service
     @ros2_lv/0/<zid>/<node id>/<node id>/NN/%/%/talker                          a node: enclave, namespace, name
@@ -20,13 +20,13 @@ from day6_tui.core.graph.qos import QoS
 from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
 
 LIVELINESS_PREFIX = "@ros2_lv"
-SIGN_PREFIX = "@day6/"
+PRESENCE_PREFIX = "@day6/"
 _NODE = "NN"
 _NO_HASH = "TypeHashNotSupported"
 _NODE_PARTS = 9
 _ENDPOINT_PARTS = 13
 _LONGEST_TOKEN = 2048
-"""Characters: the longest names that ROS allows, one of each, and what stands between them."""
+"""Characters: the longest names ROS allows, one of each, with their separators."""
 _SESSION_ID = re.compile(r"[0-9a-fA-F]{1,32}", re.ASCII)
 _ENTITY_ID = re.compile(r"[0-9]{1,20}", re.ASCII)
 _TYPE = re.compile(r"(?=.{3,255}\Z)[A-Za-z]\w*(?:/[A-Za-z]\w*){1,2}", re.ASCII)
@@ -34,7 +34,7 @@ _HASH = re.compile(r"RIHS[0-9]{2}_[0-9a-f]{1,64}", re.ASCII)
 
 
 class Announcement(NamedTuple):
-    """What a liveliness token says. The fields from `kind` on are empty for a node."""
+    """A parsed liveliness token. The fields from `kind` on are empty for a node."""
 
     zid: str
     node_id: str
@@ -49,28 +49,28 @@ class Announcement(NamedTuple):
 
     @property
     def node_key(self) -> tuple[str, str]:
-        """What is equal for a node and its endpoints, and for nothing else."""
+        """A key shared by a node and its endpoints, and by nothing else."""
         return self.zid, self.node_id
 
 
 def new_zid() -> str:
-    """Return a session id: 16 hexadecimal digits that do not begin with 0, which Zenoh would leave out."""
+    """Return a session id: 16 hexadecimal digits, the first not 0 (Zenoh drops leading zeros)."""
     return f"{int.from_bytes(os.urandom(8), 'little') | 1 << 63:016x}"
 
 
 def all_tokens(domain_id: int) -> str:
-    """Return the key expression of every node and endpoint of a domain."""
+    """Return the key expression that matches every node and endpoint of a domain."""
     return f"{LIVELINESS_PREFIX}/{domain_id}/**"
 
 
-def signs(domain_id: int) -> str:
-    """Return the key expression of everything this project's processes tell one another beside ROS."""
-    return f"{SIGN_PREFIX}{domain_id}/**"
+def all_presence_tokens(domain_id: int) -> str:
+    """Return the key expression that matches every `presence_token` of a domain."""
+    return f"{PRESENCE_PREFIX}{domain_id}/**"
 
 
-def sign(domain_id: int, kind: str, zid: str) -> str:
-    """Return the token of a process that has announced what it has (`here`), or of a meeting point (`meeting`)."""
-    return f"{SIGN_PREFIX}{domain_id}/{kind}/{zid}"
+def presence_token(domain_id: int, kind: str, zid: str) -> str:
+    """Return the token of a process that has announced all its entities (`here`), or of a meeting point (`meeting`)."""
+    return f"{PRESENCE_PREFIX}{domain_id}/{kind}/{zid}"
 
 
 def node_token(node: Node, zid: str) -> str:
@@ -89,17 +89,17 @@ def endpoint_token(endpoint: Endpoint, zid: str) -> str:
 
 
 def data_key(endpoint: Endpoint) -> str:
-    """Return the key expression on which an endpoint's messages, or requests and responses, travel."""
+    """Return the key expression of an endpoint's messages, or of its requests and responses."""
     domain_id = endpoint.node.graph.domain_id
     type_hash = endpoint.type_hash or _NO_HASH
     return f"{domain_id}/{endpoint.topic.strip('/')}/{dds_type(endpoint.type_name)}/{type_hash}"
 
 
 def parse_token(token: str) -> Announcement | None:
-    """Return what a token says, or None for one that no rmw_zenoh makes.
+    """Parse a token; returns None if rmw_zenoh would not produce it.
 
-    Every part is checked by the rules that rcl and rmw have for it, because whoever is on the link can declare any token:
-    a name of several lines would otherwise be several entries of `ros2 node list`.
+    Every part is checked by rcl's and rmw's rules, because anyone on the link can declare any token: a name with line breaks
+    would otherwise be several entries of `ros2 node list`.
     """
     parts = token.split("/")
     if len(token) > _LONGEST_TOKEN or len(parts) < _NODE_PARTS or not all(parts):
@@ -133,23 +133,23 @@ def _endpoint_of(node: Announcement, kind: str, parts: list[str]) -> Announcemen
 
 
 def mangled(name: str) -> str:
-    """Return a name as one chunk of a key: `/team/talker` → `%team%talker`, nothing → `%`."""
+    """Return a name as one chunk of a key: `/team/talker` → `%team%talker`, an empty name → `%`."""
     return name.replace("/", "%") or "%"
 
 
 def demangled(chunk: str) -> str:
-    """Return the name that `mangled` made a chunk of."""
+    """Return the name `mangled` was given."""
     return chunk.replace("%", "/")
 
 
 def dds_type(type_name: str) -> str:
-    """`std_msgs/msg/String` → `std_msgs::msg::dds_::String_`."""
+    """Return the DDS name of a ROS type: `std_msgs/msg/String` → `std_msgs::msg::dds_::String_`."""
     package, _, name = type_name.rpartition("/")
     return f"{package.replace('/', '::')}::dds_::{name}_"
 
 
 def ros_type(dds_name: str) -> str:
-    """`std_msgs::msg::dds_::String_` → `std_msgs/msg/String`."""
+    """Return the ROS name of a DDS type: `std_msgs::msg::dds_::String_` → `std_msgs/msg/String`."""
     return demangled(dds_name).replace("::dds_::", "::").removesuffix("_").replace("::", "/")
 
 

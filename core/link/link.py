@@ -16,14 +16,22 @@ from day6_tui.core.graph.node import Node
 from day6_tui.core.link.announcing import Announcements
 from day6_tui.core.link.config import command_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
-from day6_tui.core.link.gate import Gate
+from day6_tui.core.link.gateway import Gateway
 from day6_tui.core.link.gid import gid_of
-from day6_tui.core.link.keys import SIGN_PREFIX, all_tokens, endpoint_token, new_zid, sign, signs
-from day6_tui.core.link.limits import MOST_SIGNS, MOST_WAITING, Refusals
+from day6_tui.core.link.keys import (
+    PRESENCE_PREFIX,
+    all_presence_tokens,
+    all_tokens,
+    endpoint_token,
+    new_zid,
+    presence_token,
+)
+from day6_tui.core.link.limits import MOST_PRESENCE_TOKENS, MOST_WAITING, Refusals
 from day6_tui.core.link.meeting import MeetingPoint
 from day6_tui.core.link.paths import (
     LinkError,
     Neighbour,
+    Neighbourhood,
     Place,
     close_inherited_sockets,
     meeting_place,
@@ -39,31 +47,31 @@ from day6_tui.core.link.topics import Topics
 if TYPE_CHECKING:
     import zenoh
 
-_LOOK_AGAIN = 1.0
-"""Seconds between looks whether the meeting point needs a keeper; the end of its token makes it look at once."""
-_SEARCH_AGAIN = 0.05
-"""The same while no meeting point is known: a killed keeper's token may end before its lock does."""
+_CHECK_SECONDS = 1.0
+"""Seconds between attempts to become the meeting point's holder; the end of its token triggers one at once."""
+_SEARCH_SECONDS = 0.05
+"""The same while no meeting point is known: a killed holder's token may end before its lock does."""
 _MOST_PROBLEMS = 50
 _LONGEST_PROBLEM = 500
-_SIGN_PARTS = 4
+_PRESENCE_PARTS = 4
 _LONGEST_ZID = 32
 _GATE_PATIENCE = 1.0
 """Seconds that joining waits for the doors to other machines, which open in the background."""
 _SLICE = 0.005
 _PAUSE = 0.001
-"""Seconds of taking announcements, and of letting the program's own threads have the interpreter in between."""
-_LET_IN = 1.0
-"""Seconds between looks whether there is room for what was refused."""
+"""Seconds of processing announcements, and of leaving the interpreter to the program's own threads in between."""
+_RETRY_SECONDS = 1.0
+"""Seconds between attempts to admit what was refused because a limit was reached."""
 
 
 _Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
-"""What waits for the link's thread: a token (there or gone), a mark to set, a local thing to declare or withdraw, or nothing."""
+"""An entry of the link thread's inbox: a token (present or gone), an event to set, a local node or endpoint, or None."""
 
 
 class Link:
     """Keeps one graph joined until `close()`. Made by `day6_tui.core.link.join`.
 
-    `problem` says why there is no link (None if there is); `problems` are the last things that went wrong on it.
+    `problem` is the reason why there is no link (None if there is one); `problems` are the latest errors on it.
     """
 
     def __init__(
@@ -86,42 +94,46 @@ class Link:
         self._secret = secret
         self.refusals = Refusals()
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
-        self._neighbourhood: tuple[int, frozenset[str]] = (-1, frozenset())
-        """When the meeting place had last changed, and the sessions of the processes in it."""
-        self._let_in = 0.0
+        self._neighbourhood: Neighbourhood | None = None
+        self._last_retry = 0.0
         self._place: Place | None = None
         self._meeting: MeetingPoint | None = None
         self._session: zenoh.Session | None = None
-        self._gate: Gate | None = None
+        self._gate: Gateway | None = None
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._announcements: Announcements | None = None
-        self._hearing: list[zenoh.Subscriber[None]] = []
-        self._sign: zenoh.LivelinessToken | None = None
-        self._end_listening: Callable[[], None] | None = None
-        # All that Zenoh's threads ever do with the graph's structure is to put something here: they may hold locks of theirs.
+        self._token_subscribers: list[zenoh.Subscriber[None]] = []
+        self._presence_token: zenoh.LivelinessToken | None = None
+        self._remove_listener: Callable[[], None] | None = None
+        # Zenoh's threads never touch the graph's structure, they only put entries here: they may hold locks of Zenoh's.
         self._inbox: SimpleQueue[_Entry] = SimpleQueue()
         self._changed = threading.Condition()
-        self._signs: defaultdict[str, set[str]] = defaultdict(set)
+        self._presence: defaultdict[str, set[str]] = defaultdict(set)
         self._closed = False
         self._thread = threading.Thread(target=self._run, name="day6-link", daemon=True)
 
-    # life
+    # -- opening and closing -------------------------------------------------------------------------------------------
 
     def open(self) -> None:
-        """Open the session and start the thread that follows the others. Raises LinkError."""
+        """Open the session and start the thread that follows the others.
+
+        Raises:
+            LinkError: the other processes cannot be reached; the message gives the reason.
+        """
         try:
             import zenoh
         except ImportError as error:
             raise LinkError(f"no Zenoh here: {error}") from error
         self._place = place = meeting_place(self.graph.domain_id)
+        self._neighbourhood = Neighbourhood(place)
         try:
             remove_dead_sockets(place)
             if self._one_shot:
                 self._try_as_client()
             else:
                 self._meeting = MeetingPoint(place, self.graph.domain_id)
-                self._meeting.try_to_keep()
+                self._meeting.try_to_hold()
                 self._attach(zenoh.open(process_config(place, self.zid)))
         except LinkError:
             self.close()
@@ -131,13 +143,13 @@ class Link:
             raise LinkError(f"{place.folder}: {error}") from error
         self._thread.start()
         if self._listen or self._connect:
-            self._gate = Gate(
+            self._gate = Gateway(
                 place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report, self._is_neighbour
             )
             self._gate.start(_GATE_PATIENCE)
 
     def close(self) -> None:
-        """Leave: tell the others, remove remote nodes from the graph. A second call does nothing."""
+        """Leave: undeclare everything, remove remote nodes from the graph. A second call does nothing."""
         with self._changed:
             if self._closed:
                 return
@@ -146,8 +158,8 @@ class Link:
         self._inbox.put(None)
         if self._thread.is_alive() and threading.current_thread() is not self._thread:
             self._thread.join(timeout=2.0)
-        if self._end_listening is not None:
-            self._end_listening()
+        if self._remove_listener is not None:
+            self._remove_listener()
             self.graph.transport = None
             self.graph.identify = lambda _: self.graph.new_gid()
         self._close_sessions()
@@ -156,7 +168,7 @@ class Link:
         self._remote.clear()
 
     def _close_sessions(self) -> None:
-        """Close them and let go of every object of Zenoh's, here and now.
+        """Close the sessions and drop every Zenoh object at once.
 
         Their destructors wait for Zenoh's threads; a garbage collection may run on one of those.
         """
@@ -164,7 +176,7 @@ class Link:
             return
         import zenoh
 
-        # The processes of this machine first: a gate that strangers have flooded takes its time.
+        # The processes of this machine first: a gate flooded by other machines takes long.
         owners = [owner for owner in (self._session, self._gate, self._meeting) if owner is not None]
         for closing in (owner.close for owner in owners):
             try:
@@ -174,8 +186,8 @@ class Link:
         announcements, self._announcements = self._announcements, None
         if announcements is not None:
             announcements.clear()
-        self._hearing.clear()
-        self._sign = None
+        self._token_subscribers.clear()
+        self._presence_token = None
         for carrier in (self._topics, self._services):
             if carrier is not None:
                 carrier.close()
@@ -183,54 +195,53 @@ class Link:
 
     @property
     def closed(self) -> bool:
-        """Say whether the link was closed."""
+        """Whether the link has been closed."""
         return self._closed
 
     @property
     def connected(self) -> bool:
-        """Say whether a session is open (a one-shot command has none until it finds a meeting point)."""
+        """Whether a session is open (a one-shot command has none until it finds a meeting point)."""
         return self._session is not None and not self._closed
 
-    # what the graph asks (Transport)
+    # -- the graph's Transport -----------------------------------------------------------------------------------------
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
         """Send a message of a local publisher to its remote subscriptions."""
         if self._topics is not None:
-            self._sending(self._topics.publish, publisher, message, source_timestamp, number)
+            self._send(self._topics.publish, publisher, message, source_timestamp, number)
 
     def send_request(self, client: Client, request: Any, number: int) -> None:
         """Send a request of a local client to the remote servers."""
         if self._services is not None:
-            self._sending(self._services.send_request, client, request, number)
+            self._send(self._services.send_request, client, request, number)
 
     def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
         """Send the response of a local server to a remote client."""
         if self._services is not None:
-            self._sending(self._services.send_response, service, request_id, response)
+            self._send(self._services.send_response, service, request_id, response)
 
-    def _sending(self, send: Callable[..., None], *arguments: object) -> None:
+    def _send(self, send: Callable[..., None], *arguments: object) -> None:
         import zenoh
 
         try:
             send(*arguments)
         except zenoh.ZError as error:
-            # A program goes on when its network does not, as in ROS.
+            # A program goes on without its network, as in ROS.
             if not self._closed:
                 self._report("not sent", error)
 
-    # waiting
+    # -- waiting -------------------------------------------------------------------------------------------------------
 
     def wait_settled(self, timeout: float) -> bool:
-        """Wait until the graph holds what the processes of this machine announced; False if not within `timeout` s.
+        """Wait until the graph holds everything the processes of this machine announced; False after `timeout` seconds.
 
-        Processes are known by their sockets; each says by a token that it has announced what it had.
+        Processes are known by their sockets; each declares a presence token once it has announced all it has.
         """
         deadline = time.monotonic() + timeout
         if self._place is None or self.problem is not None:
             return True
         while True:
-            missing = self._missing()
-            if not missing and (self._session is not None or not self._others()):
+            if not self._is_anyone_missing() and (self._session is not None or not self._others()):
                 break
             left = deadline - time.monotonic()
             if left <= 0:
@@ -245,8 +256,8 @@ class Link:
         assert self._place is not None
         return [each for each in neighbours(self._place) if each.zid != self.zid]
 
-    def _missing(self) -> bool:
-        return any(each.zid not in self._signs["here"] and not remove_if_deaf(each) for each in self._others())
+    def _is_anyone_missing(self) -> bool:
+        return any(each.zid not in self._presence["here"] and not remove_if_deaf(each) for each in self._others())
 
     def _read_all_tokens(self, deadline: float) -> bool:
         import zenoh
@@ -260,7 +271,7 @@ class Link:
         self._inbox.put(taken)
         return taken.wait(max(0.05, deadline - time.monotonic()))
 
-    # the session
+    # -- the session ---------------------------------------------------------------------------------------------------
 
     def _try_as_client(self) -> None:
         import zenoh
@@ -286,10 +297,10 @@ class Link:
         self._services = Services(session, self.zid, self._report, self.refusals)
         self._announcements = Announcements(session, self.zid, self._topics, self._services)
         self._session = session
-        self._hear(session)
+        self._subscribe_tokens(session)
         self.graph.identify = self._identify
         self.graph.transport = self
-        self._end_listening = self.graph.add_listener(self._on_graph_event)
+        self._remove_listener = self.graph.add_listener(self._on_graph_event)
         for node in self.graph.nodes:
             self._follow(node)
             for endpoint in node.endpoints:
@@ -298,22 +309,22 @@ class Link:
         if not self._one_shot:
             if self._place.tcp:
                 self._place.own_socket(self.zid).touch()
-            self._sign = session.liveliness().declare_token(sign(domain_id, "here", self.zid))
+            self._presence_token = session.liveliness().declare_token(presence_token(domain_id, "here", self.zid))
 
-    def _hear(self, session: zenoh.Session) -> None:
-        """Let everything that others announce come into the inbox."""
+    def _subscribe_tokens(self, session: zenoh.Session) -> None:
+        """Subscribe to all announcements of others; they go to the inbox."""
         import zenoh
 
-        for key in (signs(self.graph.domain_id), all_tokens(self.graph.domain_id)):
-            # Zenoh calls on this thread too, from within a declaration. A function of ours there would take a Ctrl-C, which
-            # Zenoh would swallow; in one of Python's own it waits until the program's code goes on.
+        for key in (all_presence_tokens(self.graph.domain_id), all_tokens(self.graph.domain_id)):
+            # Zenoh also calls on this thread, during a declaration. A Python function there would receive a Ctrl-C, and Zenoh
+            # would swallow it; a built-in one leaves it pending until the program's code continues.
             handler = zenoh.handlers.Callback(self._inbox.put, indirect=False)
-            self._hearing.append(session.liveliness().declare_subscriber(key, handler, history=True))
+            self._token_subscribers.append(session.liveliness().declare_subscriber(key, handler, history=True))
 
     def _identify(self, endpoint: Endpoint) -> bytes:
         return gid_of(endpoint_token(endpoint, self.zid))
 
-    # from the local graph to the others
+    # -- from the local graph to the others ----------------------------------------------------------------------------
 
     def _on_graph_event(self, event: GraphEvent) -> None:
         if event.subject.origin is not None or self._closed:
@@ -324,7 +335,7 @@ class Link:
             self._follow(event.subject)
 
     def _follow(self, subject: Node | Endpoint) -> None:
-        """Declare or withdraw a local node or endpoint, whatever it is now: events may come in any order."""
+        """Declare or undeclare a local node or endpoint, by whether it exists now: events may come in any order."""
         import zenoh
 
         announcements = self._announcements
@@ -336,14 +347,14 @@ class Link:
             if not self._closed:
                 self._report("not announced", error)
 
-    # from the others to the local graph
+    # -- from the others to the local graph ----------------------------------------------------------------------------
 
     def _on_reply(self, reply: zenoh.Reply) -> None:
         if reply.ok is not None:
             self._inbox.put((True, str(reply.ok.key_expr)))
 
     def _run(self) -> None:
-        """Take what came in, look after the meeting point; the body of the link's thread."""
+        """Process the inbox and maintain the connection; the body of the link's thread."""
         while True:
             entry: _Entry = None
             with suppress(Empty):
@@ -352,25 +363,25 @@ class Link:
                 return
             try:
                 self._take(entry)
-                self._take_waiting()
-                self._look_after_connection()
+                self._take_backlog()
+                self._maintain_connection()
             except Exception as error:
                 # A listener of the graph failed, or the system refused a socket: the link goes on.
                 self._report("the link's thread", error)
 
-    def _take_waiting(self) -> None:
-        """Take what came in meanwhile, in slices: however much others announce, the program's threads keep their pace."""
+    def _take_backlog(self) -> None:
+        """Process the backlog in slices: however much others announce, the program's threads keep running."""
         end = time.monotonic() + _SLICE
         while not self._inbox.empty() and not self._closed:
             if self._inbox.qsize() > MOST_WAITING:
-                self._begin_anew()
+                self._start_over()
             self._take(self._inbox.get())
             if time.monotonic() > end:
                 time.sleep(_PAUSE)
                 end = time.monotonic() + _SLICE
 
-    def _begin_anew(self) -> None:
-        """Drop all announcements that wait, of which there are too many, and listen anew: that begins with what there is."""
+    def _start_over(self) -> None:
+        """Drop the announcements in the inbox, of which there are too many, and subscribe again, which replays all tokens."""
         import zenoh
 
         for _ in range(self._inbox.qsize()):
@@ -380,9 +391,9 @@ class Link:
         self.refusals.add("floods")
         self._remote.clear()
         if self._session is not None:
-            for _ in range(len(self._hearing)):
-                self._hearing.pop().undeclare()
-            self._hear(self._session)
+            for _ in range(len(self._token_subscribers)):
+                self._token_subscribers.pop().undeclare()
+            self._subscribe_tokens(self._session)
 
     def _take(self, entry: _Entry) -> None:
         import zenoh
@@ -398,68 +409,63 @@ class Link:
         if isinstance(entry, zenoh.Sample):
             entry = entry.kind == zenoh.SampleKind.PUT, str(entry.key_expr)
         present, key = entry
-        if not key.startswith(SIGN_PREFIX):
+        if not key.startswith(PRESENCE_PREFIX):
             if present:
                 self._remote.appear(key)
             else:
                 self._remote.vanish(key)
             return
-        sign_of = key.split("/")
-        if len(sign_of) != _SIGN_PARTS or sign_of[2] not in ("here", "meeting") or len(sign_of[3]) > _LONGEST_ZID:
+        parts = key.split("/")
+        if len(parts) != _PRESENCE_PARTS or parts[2] not in ("here", "meeting") or len(parts[3]) > _LONGEST_ZID:
             self.refusals.add("names")
             return
-        _, _, kind, zid = sign_of
+        _, _, kind, zid = parts
         with self._changed:
             if not present:
-                self._signs[kind].discard(zid)
-            elif len(self._signs[kind]) < MOST_SIGNS or self._is_neighbour(zid):
-                self._signs[kind].add(zid)
+                self._presence[kind].discard(zid)
+            elif len(self._presence[kind]) < MOST_PRESENCE_TOKENS or self._is_neighbour(zid):
+                self._presence[kind].add(zid)
             else:
-                self.refusals.add("signs")
+                self.refusals.add("processes")
             self._changed.notify_all()
 
     def _is_neighbour(self, zid: str) -> bool:
-        """Say whether a session is a process of this user on this machine: in the meeting place nobody else can be."""
-        if self._place is None:
-            return False
-        changed = self._place.folder.stat().st_mtime_ns
-        if self._neighbourhood[0] != changed:
-            self._neighbourhood = changed, frozenset(each.zid for each in neighbours(self._place))
-        return zid in self._neighbourhood[1]
+        """Return whether a session is a process of this user on this machine: nobody else can be in the meeting place."""
+        return self._neighbourhood is not None and zid in self._neighbourhood
 
     def _patience(self) -> float | None:
         if self._remote.has_room:
-            return _LET_IN
+            return _RETRY_SECONDS
         if self._meeting is not None:
-            if self._meeting.kept_here:
+            if self._meeting.held_here:
                 return None
-            return _LOOK_AGAIN if self._signs["meeting"] else _SEARCH_AGAIN
-        return _SEARCH_AGAIN if self._session is None else None
+            return _CHECK_SECONDS if self._presence["meeting"] else _SEARCH_SECONDS
+        return _SEARCH_SECONDS if self._session is None else None
 
-    def _look_after_connection(self) -> None:
+    def _maintain_connection(self) -> None:
         if self._meeting is not None:
-            self._meeting.try_to_keep()
+            self._meeting.try_to_hold()
         elif self._session is None:
             self._try_as_client()
         now = time.monotonic()
-        if now - self._let_in > _LET_IN:
-            self._let_in = now
-            self._remote.let_in()
+        if now - self._last_retry > _RETRY_SECONDS:
+            self._last_retry = now
+            self._remote.admit_waiting()
 
-    # trouble
+    # -- state and errors ----------------------------------------------------------------------------------------------
 
     @property
     def doors(self) -> tuple[Door, ...]:
-        """How it stands with `listen` and `connect`."""
+        """The state of each endpoint of `listen` and `connect`."""
         if self._gate is not None:
             return self._gate.doors
-        # The link itself could not be opened.
+        # Reached when the link itself could not be opened.
         kinds = [(endpoint, True) for endpoint in self._listen] + [(endpoint, False) for endpoint in self._connect]
         return tuple(Door(endpoint, listening, secret=self._secret is not None) for endpoint, listening in kinds)
 
     @property
     def state(self) -> LinkState:
-        """What a person should know: why there is no link, how it stands with everybody's doors, what was refused."""
+        """The state to show to people: the reason if there is no link, all processes' doors, counts of refusals."""
         doors = read_doors(self._place) if self._place is not None else ()
         passed_over = self._place.passed_over if self._place is not None else ()
         refused = Counter(self.refusals.counts)
@@ -468,7 +474,7 @@ class Link:
         return LinkState(self.problem, doors or self.doors, refused, passed_over)
 
     def abandon(self) -> None:
-        """In a forked child: let go without touching Zenoh, whose threads stayed in the parent."""
+        """In a forked child: drop everything without touching Zenoh, whose threads stayed in the parent."""
         self._closed = True
         if self._meeting is not None:
             self._meeting.release_copy()

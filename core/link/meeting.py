@@ -1,5 +1,6 @@
-"""The meeting point: a router session kept by whichever process gets the lock, through which all others get to know
-one another. When its keeper dies, the messages of the others go on, and one of them keeps the next.
+"""The meeting point: a router session, run by whichever process holds a lock, through which all others find each other.
+
+When the holder dies, the messages among the others continue, and one of them becomes the next holder.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.link.config import meeting_config
 from day6_tui.core.link.file_lock import FileLock
-from day6_tui.core.link.keys import sign
+from day6_tui.core.link.keys import presence_token
 from day6_tui.core.link.paths import Place
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class MeetingPoint:
-    """This process's chance to keep the meeting point of a domain."""
+    """The meeting point of a domain, as far as this process holds it or may come to."""
 
     def __init__(self, place: Place, domain_id: int) -> None:
         self._place = place
@@ -26,12 +27,16 @@ class MeetingPoint:
         self._token: zenoh.LivelinessToken | None = None
 
     @property
-    def kept_here(self) -> bool:
-        """Say whether this process keeps it."""
+    def held_here(self) -> bool:
+        """Whether this process runs it."""
         return self._session is not None
 
-    def try_to_keep(self) -> bool:
-        """Become the keeper if there is none; say whether this process is it. Raises zenoh.ZError, OSError."""
+    def try_to_hold(self) -> bool:
+        """Become the holder if there is none; return whether this process is the holder.
+
+        Raises:
+            zenoh.ZError, OSError: the session or the lock file could not be opened.
+        """
         if self._session is not None:
             return True
         if not self._lock.try_acquire():
@@ -43,7 +48,7 @@ class MeetingPoint:
         except (zenoh.ZError, OSError):
             self._lock.release()
             raise
-        self._token = session.liveliness().declare_token(sign(self._domain_id, "meeting", str(session.zid())))
+        self._token = session.liveliness().declare_token(presence_token(self._domain_id, "meeting", str(session.zid())))
         self._session = session
         return True
 
@@ -55,17 +60,17 @@ class MeetingPoint:
         except zenoh.ZError:
             if not self._place.tcp:
                 raise
-        # Nobody keeps the meeting point, but somebody has its port: a program of anybody's.
+        # No process holds the meeting point, so its port is used by an unrelated program.
         self._place.choose_another_port()
         return zenoh.open(meeting_config(self._place))
 
     def close(self) -> None:
-        """Stop keeping it; another process takes over."""
+        """Stop running it; another process takes over."""
         session, self._session = self._session, None
         if session is not None:
             session.close()
         self._lock.release()
 
     def release_copy(self) -> None:
-        """In a forked child: close the child's copy of the lock; the parent keeps it."""
+        """In a forked child: close the child's copy of the lock; the parent still holds it."""
         self._lock.release()

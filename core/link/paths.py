@@ -1,14 +1,14 @@
 """Where the processes of one user, one machine and one ROS domain meet: a folder nobody else may enter.
 
     <base>/<domain>/meet                 socket of the meeting point
-    <base>/<domain>/meeting.lock         held by the process that keeps the meeting point
-    <base>/<domain>/p-<zid>-<pid>        socket of one process (where sockets are TCP: an empty file as its sign)
+    <base>/<domain>/meeting.lock         held by the process that runs the meeting point
+    <base>/<domain>/p-<zid>-<pid>        socket of one process (with TCP sockets: an empty marker file)
 
 `base` is DAY6_RUNTIME_DIR, or else the first of these that nobody else can have prepared: `day6` in XDG_RUNTIME_DIR,
 /tmp/day6-<uid>, ~/.cache/day6-tui/run. Without Unix sockets (Windows, or DAY6_LINK=tcp) everything is on 127.0.0.1, and a
-user and password from a file of mode 0600 keep others out, and keep our processes from whoever takes the port of a keeper that
-died: Zenoh joins nobody that does not ask for the password (the word itself is never sent). Only a program that speaks
-a Zenoh of its own making, asks and accepts any answer, could get in there; Unix sockets do not have this gap.
+user name and password from a file of mode 0600 keep others out. They also keep our processes away from a program that takes
+the port of a dead holder: Zenoh connects to nobody that does not ask for the password (which itself is never sent). Only a
+modified Zenoh that asks for it and accepts any reply could get in there; Unix sockets do not have this gap.
 """
 
 from __future__ import annotations
@@ -23,15 +23,17 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
+from day6_tui.core.whole_file import PRIVATE, replace_file
+
 LONGEST_SOCKET_PATH = 100
-"""Bytes. Systems allow 104 (macOS) to 108, the NUL at the end included."""
+"""Bytes. Systems allow 104 (macOS) to 108, including the final NUL."""
 _SOCKET_NAME_LENGTH = len("p-0123456789abcdef-4194304.lock")
 _YOUNG = 10.0
 """Seconds in which a socket that refuses connections may still be about to listen."""
 
 
 class LinkError(OSError):
-    """The processes of this machine cannot be reached from here; the text says why."""
+    """The processes of this machine cannot be reached; the message gives the reason."""
 
 
 class Place(NamedTuple):
@@ -49,30 +51,31 @@ class Place(NamedTuple):
 
     @property
     def meeting_port(self) -> int:
-        """The port of the meeting point where there are no Unix sockets: the same for one folder, seldom for two."""
+        """The TCP port of the meeting point: derived from the folder, so that two folders seldom share it."""
         with suppress(OSError, ValueError):
             return int((self.folder / "port").read_text(encoding="ascii")[:5])
         return 21000 + crc32(os.fsencode(self.folder)) % 10000
 
     def choose_another_port(self) -> None:
-        """Where another program has the meeting point's port: take a free one. Only for who holds `meeting_lock`; OSError."""
+        """Take a free port because another program uses the meeting point's. Only for the holder of `meeting_lock`.
+
+        Raises:
+            OSError: no port is free, or the file `port` cannot be written.
+        """
         import socket
 
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
-        new = self.folder / f"port-{os.getpid()}"
-        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
-            file.write(str(port).encode())
-        os.replace(new, self.folder / "port")
+        replace_file(self.folder / "port", str(port).encode(), mode=PRIVATE, sync=False, follow=False)
 
     @property
     def meeting_lock(self) -> Path:
-        """The file that the keeper of the meeting point holds locked."""
+        """The file that the holder of the meeting point has locked."""
         return self.folder / "meeting.lock"
 
     def own_socket(self, zid: str) -> Path:
-        """Return the path of the socket (or of the sign) of this process's session."""
+        """Return the path of the socket (or marker file) of this process's session."""
         return self.folder / f"p-{zid}-{os.getpid()}"
 
     def own_endpoint(self, zid: str) -> str:
@@ -81,7 +84,7 @@ class Place(NamedTuple):
 
 
 class Neighbour(NamedTuple):
-    """One process that joined: its session's id and the path of its socket."""
+    """One process that joined: session id, process id and the path of its socket."""
 
     zid: str
     pid: int
@@ -89,9 +92,12 @@ class Neighbour(NamedTuple):
 
 
 def meeting_place(domain_id: int) -> Place:
-    """Return the place for a domain, its folder made and verified; raises LinkError when there is none that is safe.
+    """Return the place for a domain, with its folder created and checked.
 
-    All processes of a user find the same one: the first in which somebody is, else the first that is safe.
+    All processes of a user find the same one: the first that is in use, else the first that is safe.
+
+    Raises:
+        LinkError: no folder is safe.
     """
     tcp = sys.platform == "win32" or os.environ.get("DAY6_LINK") == "tcp"
     found: list[Place] = []
@@ -117,14 +123,34 @@ def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
 
 
 def neighbours(place: Place) -> Iterator[Neighbour]:
-    """Yield the processes whose sockets are there and that are alive, this one included."""
+    """Yield the living processes that have a socket, including this one."""
     for neighbour in _sockets(place):
         if process_exists(neighbour.pid):
             yield neighbour
 
 
+class Neighbourhood:
+    """The sessions of the processes in a meeting place, where nobody else can be: `zid in neighbourhood`.
+
+    The folder is read again only when it has changed. OSError where it is gone.
+    """
+
+    def __init__(self, place: Place) -> None:
+        self._place = place
+        self._read_at = -1
+        self._pids: dict[str, int] = {}
+
+    def __contains__(self, zid: str) -> bool:
+        changed = self._place.folder.stat().st_mtime_ns
+        if self._read_at != changed:
+            self._pids = {each.zid: each.pid for each in neighbours(self._place)}
+            self._read_at = changed
+        pid = self._pids.get(zid)
+        return pid is not None and process_exists(pid)  # a killed one leaves its socket
+
+
 def remove_dead_sockets(place: Place) -> None:
-    """Remove what killed processes left behind."""
+    """Remove the sockets and lock files that killed processes left behind."""
     for neighbour in _sockets(place):
         if not process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
             for path in (neighbour.path, neighbour.path.with_name(neighbour.path.name + ".lock")):
@@ -132,7 +158,7 @@ def remove_dead_sockets(place: Place) -> None:
 
 
 def remove_if_deaf(neighbour: Neighbour) -> bool:
-    """Remove a socket whose process id was given to another process since; say whether it is gone."""
+    """Remove a socket nobody listens on, its process id now being another process's; return whether it is gone."""
     try:
         young = time.time() - neighbour.path.stat().st_mtime < _YOUNG
     except FileNotFoundError:
@@ -144,7 +170,7 @@ def remove_if_deaf(neighbour: Neighbour) -> bool:
 
 
 def close_inherited_sockets(place: Place) -> None:
-    """In a forked child: close the copies of the link's sockets, or the others would not notice the parent's death."""
+    """In a forked child: close the copies of the link's sockets, or the others would not notice when the parent dies."""
     import socket
 
     folder = f"{place.folder}/".encode()
@@ -170,7 +196,11 @@ def _is_in(folder: bytes, address: Callable[[], object]) -> bool:
 
 
 def password(place: Place) -> str:
-    """Return what the processes of this user show one another on TCP; made on first use, in a file of mode 0600."""
+    """Return the password this user's processes present to each other on TCP; created on first use, mode 0600.
+
+    Raises:
+        LinkError: the file holds no password.
+    """
     path = place.folder / "secret"
     try:
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
@@ -186,10 +216,7 @@ def password(place: Place) -> str:
         time.sleep(0.01)
     users = place.folder / "users"
     if not users.exists():
-        new = users.with_name(f"users-{os.getpid()}")
-        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
-            file.write(f"day6:{secret}\n".encode())
-        os.replace(new, users)
+        replace_file(users, f"day6:{secret}\n".encode(), mode=PRIVATE, sync=False, follow=False)
     return secret
 
 
@@ -238,9 +265,9 @@ def _sockets(place: Place) -> Iterator[Neighbour]:
 
 
 def process_exists(pid: int) -> bool:
-    """Say whether a process with this number runs (of whatever user)."""
+    """Return whether a process with this id runs (under any user)."""
     if sys.platform == "win32":
-        return _windowsprocess_exists(pid)
+        return _windows_process_exists(pid)
     try:
         os.kill(pid, 0)
     except ProcessLookupError:
@@ -250,7 +277,7 @@ def process_exists(pid: int) -> bool:
     return True
 
 
-def _windowsprocess_exists(pid: int) -> bool:
+def _windows_process_exists(pid: int) -> bool:
     # os.kill(pid, 0) would send a Ctrl-C there.
     import ctypes
 
@@ -262,7 +289,7 @@ def _windowsprocess_exists(pid: int) -> bool:
 
 
 def _refuses(path: Path) -> bool:
-    """Say whether nobody listens on a Unix socket (a process of another container may, whose id means nothing here)."""
+    """Return whether nobody listens on a Unix socket (a process in another container may, with an id unknown here)."""
     if sys.platform == "win32":
         return False
     import socket

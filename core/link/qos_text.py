@@ -1,4 +1,4 @@
-"""A QoS profile as the text that rmw_zenoh puts at the end of an endpoint's liveliness token.
+"""A QoS profile as the text rmw_zenoh puts at the end of an endpoint's liveliness token.
 
 `reliability:durability:history,depth:deadline s,ns:lifespan s,ns:liveliness,lease s,ns`, where an empty field stands
 for rmw_zenoh's default (reliable, volatile, keep last 42, infinite durations, automatic). Numbers are rmw's.
@@ -25,13 +25,13 @@ _SECOND = 1_000_000_000
 _LARGEST_DEPTH = 0xFFFF_FFFF_FFFF_FFFF
 """rmw's depth is a size_t."""
 _WRITTEN = re.compile(r"[0-9]{0,20}(?:[:,][0-9]{0,20}){10}", re.ASCII)
-"""Eleven numbers, each of which may be left out. Python's `int` alone would also take signs, blanks and foreign digits."""
+"""Eleven numbers, each of which may be omitted. Python's `int` alone would also accept signs, blanks and non-ASCII digits."""
 
 Policy = TypeVar("Policy", bound=IntEnum)
 
 
 def qos_to_text(qos: QoS) -> str:
-    """Return the text of a resolved profile. The depth is always written, as others do whose default differs."""
+    """Return the text of a resolved profile. The depth is always written, because other implementations' default differs."""
     reliability = _unless(qos.reliability, Reliability.RELIABLE)
     durability = _unless(qos.durability, Durability.VOLATILE)
     history = _unless(qos.history, History.KEEP_LAST)
@@ -43,7 +43,11 @@ def qos_to_text(qos: QoS) -> str:
 
 
 def qos_from_text(text: str) -> QoS:
-    """Return the profile a text stands for; raises ValueError for anything that is none."""
+    """Return the profile a text stands for.
+
+    Raises:
+        ValueError: the text is not a profile.
+    """
     fields = [field.split(",") for field in text.split(":")]
     if not _WRITTEN.fullmatch(text) or [len(field) for field in fields] != [1, 1, 2, 2, 2, 3]:
         raise ValueError(f"not a QoS profile: {text!r}")

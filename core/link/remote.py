@@ -1,6 +1,6 @@
-"""What exists in other processes, put into this process's graph as their liveliness tokens come and go.
+"""The nodes and endpoints of other processes, added to and removed from this process's graph by their liveliness tokens.
 
-Only the link's thread changes it. Tokens may come in any order: an endpoint's before its node's makes the node.
+Only the link's thread changes it. Tokens may come in any order: an endpoint's token creates its node if that is missing.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from day6_tui.core.link.limits import (
     MOST_WAITING_FOR_ROOM,
     Refusals,
 )
-from day6_tui.core.link.paths import LinkError, meeting_place, neighbours
-from day6_tui.core.link.strangers import Strangers
+from day6_tui.core.link.paths import LinkError, Neighbourhood, meeting_place
+from day6_tui.core.link.unannounced import UnannouncedSenders
 
 
 class Origin(NamedTuple):
@@ -33,11 +33,11 @@ class Origin(NamedTuple):
 
 
 def lives_here(origin: object, domain_id: int) -> bool:
-    """Say whether what has this origin is in a process of this user on this machine that keeps a socket for the others."""
+    """Return whether an origin is a process of this user on this machine that has a socket for the others."""
     if not isinstance(origin, Origin):
         return False
     try:
-        return any(each.zid == origin.zid for each in neighbours(meeting_place(domain_id)))
+        return origin.zid in Neighbourhood(meeting_place(domain_id))
     except (LinkError, OSError):
         return False
 
@@ -50,9 +50,10 @@ class _RemoteNode:
 
 
 class RemoteGraph:
-    """Keeps the nodes and endpoints of all sessions but `own_zid` in `graph`, as many as `limits` allows.
+    """Keeps the nodes and endpoints of all sessions except `own_zid` in `graph`, as many as `limits` allows.
 
-    `is_neighbour` says whether a session is one of this user's processes on this machine: strangers cannot take their places.
+    `is_neighbour(zid)` is whether a session is one of this user's processes on this machine: other machines cannot use up
+    their share.
     """
 
     def __init__(self, graph: Graph, own_zid: str, refusals: Refusals, is_neighbour: Callable[[str], bool]) -> None:
@@ -64,15 +65,15 @@ class RemoteGraph:
         self._endpoints_of: Counter[str] = Counter()
         self._endpoint_count = 0
         self._waiting: dict[str, None] = {}
-        """Tokens that were refused for want of room, the oldest first."""
+        """Tokens refused because a limit was reached, oldest first."""
         self._room = False
-        """Whether something has gone since they were looked at."""
+        """Whether something has been removed since the waiting tokens were last tried."""
         self._nodes: dict[tuple[str, str], _RemoteNode] = {}
         self._publishers: dict[bytes, Publisher] = {}
-        self._strangers = Strangers()
+        self._unannounced = UnannouncedSenders()
 
     def appear(self, token: str) -> None:
-        """Add what a token announces; a token seen before changes nothing."""
+        """Add the node or endpoint a token announces; a known token changes nothing."""
         announcement = parse_token(token)
         if announcement is None:
             self._refusals.add("names")
@@ -105,8 +106,8 @@ class RemoteGraph:
             self._publishers[endpoint.gid] = endpoint
 
     def vanish(self, token: str) -> None:
-        """Remove what a token announced; with a node go its endpoints."""
-        self._strangers.forget_old()
+        """Remove the endpoint, or the node with its endpoints, that a token announced."""
+        self._unannounced.forget_old()
         if token in self._waiting:
             del self._waiting[token]
             return
@@ -136,15 +137,15 @@ class RemoteGraph:
         self._waiting.clear()
         for key in list(self._nodes):
             self._remove_node(key)
-        self._strangers.clear()
+        self._unannounced.clear()
 
     @property
     def has_room(self) -> bool:
-        """Say whether `let_in` may have something to do."""
+        """Whether `admit_waiting` may have something to do."""
         return self._room and bool(self._waiting)
 
-    def let_in(self) -> None:
-        """Take what was refused for want of room, as far as there is room now. To be called now and then: it looks at all."""
+    def admit_waiting(self) -> None:
+        """Add what was refused because a limit was reached, as far as there is room now. To be called periodically."""
         if not self._room:
             return
         self._room = False
@@ -157,17 +158,17 @@ class RemoteGraph:
             self._refusals.forget("nodes", "endpoints")
 
     def publisher_for(self, gid: bytes, subscription: Subscription) -> Publisher | None:
-        """Return who sent a message to `subscription`; None when their QoS or types do not match.
+        """Return the publisher of a message for `subscription`; None when their QoS or types do not match.
 
-        Callable from any thread. Whoever is not known by its GID (its token is still on the way, or it makes its GIDs
-        in another way than rmw_zenoh) gets a stand-in that is not in the graph.
+        Callable from any thread. A sender whose GID is unknown (its token is still on the way, or its GIDs are not made as
+        rmw_zenoh makes them) gets a placeholder that is not in the graph.
         """
         publisher = self._publishers.get(gid)
         if publisher is not None:
             return publisher if subscription in publisher.matched else None
-        return self._strangers.get((gid, subscription.topic), lambda: self._stand_in(gid, subscription))
+        return self._unannounced.get((gid, subscription.topic), lambda: self._placeholder(gid, subscription))
 
-    def _stand_in(self, gid: bytes, it: Subscription) -> Publisher:
+    def _placeholder(self, gid: bytes, it: Subscription) -> Publisher:
         node = Node(self._graph, "", "/", "/", Origin(""))
         return Publisher(node, it.topic, it.type_name, it.type_hash, it.qos, gid, _same)
 
@@ -200,7 +201,7 @@ class RemoteGraph:
 
     @staticmethod
     def _create_endpoint(node: Node, it: Announcement, gid: bytes) -> Endpoint:
-        # The link itself hands their messages on, made from bytes for each receiver: nothing to copy.
+        # The link delivers their messages itself, deserialized for each receiver: nothing to copy.
         if it.kind == EndpointKind.PUBLISHER:
             return node.create_publisher(it.topic, it.type_name, it.type_hash, it.qos, _same, gid=gid)
         if it.kind == EndpointKind.SUBSCRIPTION:

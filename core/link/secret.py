@@ -1,4 +1,4 @@
-"""The secret of `--secret FILE|WORD`: what other machines must show, and are shown, at this process's doors."""
+"""The secret of `--secret FILE|WORD`, which this process and other machines present to each other at its doors."""
 
 from __future__ import annotations
 
@@ -13,9 +13,12 @@ _LONGEST = 256
 
 
 def secret_of(text: str) -> str:
-    """Return the secret that a file holds, or `text` itself if it is no path of a file; raises ValueError that says why not.
+    """Return the secret in a file, or `text` itself if it is not a path.
 
-    A word on a command line can be read by every user of the machine, so a file that others can read is refused, too.
+    A word on a command line can be read by every user of the machine; a file that others can read is refused.
+
+    Raises:
+        ValueError: the secret cannot be used; the message gives the reason.
     """
     if not (os.path.lexists(text) or "/" in text or os.sep in text):
         return _checked(text, "the secret")
@@ -27,11 +30,11 @@ def secret_of(text: str) -> str:
 
 
 def _read(path: str) -> str:
-    # Not blocking: a FIFO has no end.
+    # Non-blocking, because opening a FIFO waits for its writer.
     with os.fdopen(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), "rb") as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
-            raise ValueError(f"{path} is no file")
+            raise ValueError(f"{path} is not a file")
         if sys.platform != "win32" and status.st_mode & 0o077:
             raise ValueError(f"other users can read {path}; do: chmod 600 {path}")
         return file.read(4 * _LONGEST).decode("utf-8", errors="replace").strip()

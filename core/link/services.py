@@ -25,15 +25,15 @@ if TYPE_CHECKING:
     import zenoh
 
 _FOREVER = 10 * 365 * 24 * 3600.0
-"""Seconds. A service may take as long as it likes (an action's result does), but Zenoh wants a limit."""
-_ASK_AGAIN = (0.05, 0.2, 0.5, 1.0)
+"""Seconds. A service may take any time (as an action's result does), but Zenoh requires a limit."""
+_RETRY_AFTER = (0.05, 0.2, 0.5, 1.0)
 """Seconds after which a request that found no server is sent again."""
-_MOST_OPEN_QUESTIONS = 5000
-"""Of one server. The oldest go first: their clients never hear of them, as with a lost request."""
+_MOST_OPEN_REQUESTS = 5000
+"""Of one server. The oldest are dropped first: their clients get no response, as with a lost request."""
 
 
 class Services:
-    """Carries requests to remote servers and to local ones, and the responses back."""
+    """Carries requests between clients and servers of different processes, and the responses back."""
 
     def __init__(self, session: zenoh.Session, zid: str, report: Report, refusals: Refusals) -> None:
         self._session: zenoh.Session | None = session
@@ -42,25 +42,25 @@ class Services:
         self._refusals = refusals
         # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
         self._lock = threading.RLock()
-        self._questions: dict[Service, dict[RequestId, zenoh.Query]] = {}
+        self._open_requests: dict[Service, dict[RequestId, zenoh.Query]] = {}
         self._clients: dict[Client, tuple[bytes, zenoh.CancellationToken]] = {}
 
     def serve(self, service: Service) -> Any:
-        """Take requests for a local server from now on; `undeclare()` of what is returned ends it."""
+        """Receive requests for a local server from now on, until `undeclare()` of the returned queryable."""
         import zenoh
 
-        self._questions[service] = {}
+        self._open_requests[service] = {}
         return self._open_session().declare_queryable(
             data_key(service),
-            zenoh.handlers.Callback(callback(self._asked(service)), indirect=False),
+            zenoh.handlers.Callback(callback(self._receiver(service)), indirect=False),
             complete=True,
             allowed_origin=zenoh.Locality.REMOTE,
         )
 
     def send_response(self, service: Service, request_id: RequestId, response: Any) -> None:
-        """Answer a question that came by Zenoh; another, or one answered before, is passed over."""
+        """Reply to a request that came by Zenoh; does nothing for any other, or one replied to already."""
         with self._lock:
-            query = self._questions.get(service, {}).pop(request_id, None)
+            query = self._open_requests.get(service, {}).pop(request_id, None)
         if query is None:
             return
         attachment = pack(request_id.sequence_number, service.node.graph.now_ns(), request_id.client_gid)
@@ -68,11 +68,11 @@ class Services:
             query.reply(data_key(service), serialize(response), attachment=attachment)
 
     def send_request(self, client: Client, request: Any, number: int) -> None:
-        """Ask all remote servers; their responses arrive at `client`."""
+        """Send a request to all remote servers; their responses arrive at `client`."""
         gid, _ = self._open_client(client)
-        self._ask(client, serialize(request), pack(number, client.node.graph.now_ns(), gid), 0)
+        self._send(client, serialize(request), pack(number, client.node.graph.now_ns(), gid), 0)
 
-    def _ask(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
+    def _send(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
         import zenoh
 
         answered = False
@@ -83,11 +83,11 @@ class Services:
             self._take_reply(client, reply)
 
         def done() -> None:
-            # Between machines a server's token may arrive before the way to it is known, and a query that finds nobody
-            # ends at once: ask again while there is a server.
-            if answered or attempt == len(_ASK_AGAIN) or self._session is None or not _has_remote_server(client):
+            # Between machines a server's token may arrive before the route to it is known, and a query that finds nobody
+            # ends at once: retry while there is a server.
+            if answered or attempt == len(_RETRY_AFTER) or self._session is None or not _has_remote_server(client):
                 return
-            timer = threading.Timer(_ASK_AGAIN[attempt], self._ask_again, (client, payload, attachment, attempt + 1))
+            timer = threading.Timer(_RETRY_AFTER[attempt], self._retry, (client, payload, attachment, attempt + 1))
             timer.daemon = True
             timer.start()
 
@@ -98,7 +98,7 @@ class Services:
             target=zenoh.QueryTarget.ALL_COMPLETE,
             consolidation=zenoh.ConsolidationMode.NONE,
             congestion_control=zenoh.CongestionControl.BLOCK,
-            # A queue of their own: calls, and the answers to them, do not wait behind messages.
+            # A queue of their own: requests and responses do not wait behind messages.
             priority=zenoh.Priority.INTERACTIVE_HIGH,
             timeout=_FOREVER,
             payload=payload,
@@ -107,21 +107,21 @@ class Services:
             cancellation_token=cancellation,
         )
 
-    def _ask_again(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
+    def _retry(self, client: Client, payload: bytes, attachment: bytes, attempt: int) -> None:
         if self._session is None or not _has_remote_server(client):
             return
         try:
-            self._ask(client, payload, attachment, attempt)
+            self._send(client, payload, attachment, attempt)
         except Exception as error:
             self._report(f"a request to {client.topic} was lost", error)
 
     def close(self) -> None:
-        """Let go of the session, of open questions and of open requests; nothing is asked again."""
+        """Drop the session and all open requests, received or sent; nothing is retried."""
         with self._lock:
             self._session = None
-            questions, self._questions = self._questions, {}
+            requests, self._open_requests = self._open_requests, {}
             self._clients.clear()
-        for of_one_server in questions.values():
+        for of_one_server in requests.values():
             for query in of_one_server.values():
                 query.drop()
 
@@ -131,7 +131,7 @@ class Services:
         return self._session
 
     def withdraw(self, endpoint: Service | Client) -> None:
-        """Forget a server with its open questions, or a client with its open requests."""
+        """Forget a server or a client with its open requests."""
         if isinstance(endpoint, Client):
             with self._lock:
                 opened = self._clients.pop(endpoint, None)
@@ -139,8 +139,8 @@ class Services:
                 opened[1].cancel()
             return
         with self._lock:
-            questions = self._questions.pop(endpoint, {})
-        for query in questions.values():
+            requests = self._open_requests.pop(endpoint, {})
+        for query in requests.values():
             query.drop()
 
     def _open_client(self, client: Client) -> tuple[bytes, zenoh.CancellationToken]:
@@ -153,11 +153,11 @@ class Services:
                 opened = self._clients[client] = (gid, zenoh.CancellationToken())
             return opened
 
-    def _asked(self, service: Service) -> Callable[[zenoh.Query], None]:
+    def _receiver(self, service: Service) -> Callable[[zenoh.Query], None]:
         request_class: type | None = None
 
         def receive(query: zenoh.Query) -> None:
-            # Runs on Zenoh's thread: nothing here may wait, and nothing may get out.
+            # Runs on Zenoh's thread: nothing here may block, and no exception may escape.
             nonlocal request_class
             try:
                 if query.attachment is None or query.payload is None:
@@ -178,15 +178,15 @@ class Services:
         return receive
 
     def _remember(self, service: Service, request_id: RequestId, query: zenoh.Query) -> bool:
-        """Keep a question until it is answered; say whether it is a new one."""
+        """Keep a request until its response is sent; return whether it is a new one."""
         oldest = None
         with self._lock:
-            questions = self._questions.get(service)
-            new = questions is not None and request_id not in questions
-            if questions is not None and new:
-                if len(questions) >= _MOST_OPEN_QUESTIONS:
-                    oldest = questions.pop(next(iter(questions)))
-                questions[request_id] = query
+            requests = self._open_requests.get(service)
+            new = requests is not None and request_id not in requests
+            if requests is not None and new:
+                if len(requests) >= _MOST_OPEN_REQUESTS:
+                    oldest = requests.pop(next(iter(requests)))
+                requests[request_id] = query
         if oldest is not None:
             oldest.drop()
         if not new:

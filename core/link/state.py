@@ -1,6 +1,6 @@
-"""What a person is told about the link: its doors to other machines, and what came from others and was not taken.
+"""The link's state as shown to people: its doors to other machines, and counts of what was refused.
 
-Plain data. The process with the doors writes theirs into the meeting place, where the user's other processes read them.
+Plain data. The process with the doors writes their state into the meeting place, where the user's other processes read it.
 """
 
 from __future__ import annotations
@@ -15,13 +15,14 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from day6_tui.core.link.paths import Place, process_exists
+from day6_tui.core.whole_file import PRIVATE, replace_file
 
 _PREFIX = "doors-"
 _LONGEST_FILE = 65536
 
 
 class DoorState(str, Enum):
-    """How it stands with one endpoint of `--listen` or `--connect`."""
+    """The state of one endpoint of `--listen` or `--connect`."""
 
     OPENING = "opening"
     OPEN = "open"
@@ -29,57 +30,57 @@ class DoorState(str, Enum):
     IN_USE = "in use"
     """Another program listens on this port."""
     NO_NAME = "no name"
-    """Nobody knows the host's name."""
+    """The host name cannot be resolved."""
     NOBODY = "nobody"
-    """The machine is there, but no program listens on that port."""
+    """The machine answers, but no program listens on that port."""
     NO_ANSWER = "no answer"
     NOT_LET_IN = "not let in"
-    """A program answers there, but it does not let us in: another secret, or no Zenoh."""
+    """A program answers, but rejects us: its secret differs, or it is not Zenoh."""
     FAILED = "failed"
-    """For a reason of the system's."""
+    """For a reason given by the operating system."""
 
 
 class Door(NamedTuple):
-    """One endpoint of `--listen` (`listening`) or `--connect`; `joined` counts the machines that came in by it."""
+    """One endpoint of `--listen` (`listening`) or `--connect`; `joined` is the number of machines connected by it."""
 
     endpoint: str
     listening: bool
     state: DoorState = DoorState.OPENING
     secret: bool = False
-    """Whether a secret is asked for."""
+    """Whether a secret is required."""
     joined: int = 0
     reason: str = ""
-    """The system's words, with FAILED."""
+    """The operating system's message, if FAILED."""
 
 
 class LinkState(NamedTuple):
-    """`problem` says why there is no link; `refused` counts what was not taken, by the names of `limits`."""
+    """`problem` is the reason if there is no link; `refused` counts refusals by the reasons given to `limits.Refusals`."""
 
     problem: str | None = None
     doors: tuple[Door, ...] = ()
     refused: Mapping[str, int] = MappingProxyType({})
     passed_over: tuple[str, ...] = ()
-    """Why the processes of this user do not meet in the usual folder."""
+    """The reasons why the processes of this user do not meet in the usual folder."""
 
 
 def write_doors(place: Place, doors: tuple[Door, ...]) -> None:
-    """Let the user's other processes know of this process's doors. Raises OSError."""
-    path = _file(place)
-    new = path.with_name(f"new-{path.name}")
-    descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-    with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-        json.dump([[*door] for door in doors], file)
-    os.replace(new, path)
+    """Publish this process's doors to the user's other processes.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    text = json.dumps([[*door] for door in doors])
+    replace_file(_file(place), text.encode("utf-8"), mode=PRIVATE, sync=False, follow=False)
 
 
 def remove_doors(place: Place) -> None:
-    """Take back what `write_doors` wrote."""
+    """Remove the file of `write_doors`."""
     with suppress(OSError):
-        _file(place).unlink(missing_ok=True)
+        _file(place).unlink()
 
 
 def read_doors(place: Place) -> tuple[Door, ...]:
-    """Return the doors of all this user's processes of a domain; what a killed process left is removed."""
+    """Return the doors of all this user's processes in a domain; files of killed processes are removed."""
     found: list[Door] = []
     with suppress(OSError):
         for name in sorted(os.listdir(place.folder)):

@@ -1,4 +1,4 @@
-"""Messages between a local endpoint and Zenoh."""
+"""Messages between local publishers and subscriptions and Zenoh."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 Report = Callable[[str, Exception], None]
 
-_LONGEST_WAY = 0.1
-"""Seconds."""
+_LONGEST_ROUTE_WAIT = 0.1
+"""Seconds that a new publisher waits for its first subscription."""
 
 
-class _Outlet(NamedTuple):
+class _ZenohPublisher(NamedTuple):
     """A Zenoh publisher, its GID, and the number of the last message it sent when it was opened."""
 
     publisher: Any
@@ -40,17 +40,17 @@ class _Outlet(NamedTuple):
 
 
 def _wait_for_route(publisher: zenoh.Publisher) -> None:
-    """Let a new Zenoh publisher find its way: over a router a subscription's token may arrive before the subscription.
+    """Wait for a new Zenoh publisher's route: over a router a subscription's token may arrive before the subscription.
 
-    In one machine the way is known at once; the first message is worth a tenth of a second elsewhere.
+    Within one machine the route is known at once; elsewhere the first message is worth a tenth of a second.
     """
-    deadline = time.monotonic() + _LONGEST_WAY
+    deadline = time.monotonic() + _LONGEST_ROUTE_WAIT
     while not _has_route(publisher) and time.monotonic() < deadline:
         time.sleep(0.001)
 
 
 def _has_route(publisher: zenoh.Publisher) -> bool:
-    status: Any = publisher.matching_status  # a MatchingStatus, whatever its stub says
+    status: Any = publisher.matching_status  # a MatchingStatus; Zenoh's stub is wrong
     return bool(status.matching)
 
 
@@ -75,40 +75,40 @@ class Topics:
         self._never_wait = never_wait
         # Reentrant: a garbage collection may withdraw an endpoint in the middle of anything.
         self._lock = threading.RLock()
-        self._outlets: dict[Publisher, _Outlet] = {}
+        self._publishers: dict[Publisher, _ZenohPublisher] = {}
         self._own_gids: set[bytes] = set()
-        """The publishers of this process: a late joiner's question for what was kept reaches their caches too."""
+        """This process's publishers: a late joiner's query for kept messages reaches their caches too."""
 
     def publish(self, publisher: Publisher, message: Any, source_timestamp: int, number: int) -> None:
-        """Send one message. The Zenoh publisher is declared with the first."""
-        outlet = self._outlets.get(publisher)
-        if outlet is None:
-            outlet = self.open(publisher)
+        """Send one message, declaring the Zenoh publisher if it is the first."""
+        declared = self._publishers.get(publisher)
+        if declared is None:
+            declared = self.open(publisher)
             if publisher.cache is None and not self._never_wait:
-                _wait_for_route(outlet.publisher)
-        if number > outlet.replayed:
-            outlet.put(message, source_timestamp, number)
+                _wait_for_route(declared.publisher)
+        if number > declared.replayed:
+            declared.put(message, source_timestamp, number)
 
-    def open(self, publisher: Publisher) -> _Outlet:
-        """Declare the Zenoh publisher; what a transient-local one has kept goes into Zenoh's cache, too."""
+    def open(self, publisher: Publisher) -> _ZenohPublisher:
+        """Declare the Zenoh publisher; the messages a transient-local one has kept go into Zenoh's cache."""
         with self._lock:
-            outlet = self._outlets.get(publisher)
-            if outlet is None:
+            declared = self._publishers.get(publisher)
+            if declared is None:
                 gid = gid_of(endpoint_token(publisher, self._zid))
                 self._own_gids.add(gid)
-                outlet = _Outlet(self._declare(publisher), gid, 0)
+                declared = _ZenohPublisher(self._declare(publisher), gid, 0)
                 for message, source_timestamp, number in publisher.kept():
                     # Through `copy`: a publisher may keep something smaller than messages (rclpy's /rosout does).
-                    outlet.put(publisher.copy(message), source_timestamp, number)
-                    outlet = outlet._replace(replayed=number)
-                self._outlets[publisher] = outlet
-            return outlet
+                    declared.put(publisher.copy(message), source_timestamp, number)
+                    declared = declared._replace(replayed=number)
+                self._publishers[publisher] = declared
+            return declared
 
     def subscribe(self, subscription: Subscription) -> Any:
-        """Receive for a local subscription from now on; `undeclare()` of what is returned ends it.
+        """Receive for a local subscription from now on, until `undeclare()` of the returned subscriber.
 
-        Each subscription has a Zenoh subscriber of its own: so each late joiner gets what publishers kept, and no
-        volatile one does.
+        Each subscription has its own Zenoh subscriber, so that every late joiner gets the messages publishers kept, and
+        volatile ones do not.
         """
         import zenoh
 
@@ -128,17 +128,17 @@ class Topics:
         )
 
     def withdraw(self, publisher: Publisher) -> None:
-        """Forget a publisher that was destroyed."""
+        """Undeclare a publisher that was destroyed."""
         with self._lock:
-            outlet = self._outlets.pop(publisher, None)
-        if outlet is not None:
-            outlet.publisher.undeclare()
+            declared = self._publishers.pop(publisher, None)
+        if declared is not None:
+            declared.publisher.undeclare()
 
     def close(self) -> None:
-        """Let go of the session and of every publisher in it."""
+        """Drop the session and every publisher in it."""
         with self._lock:
             self._session = None
-            self._outlets.clear()
+            self._publishers.clear()
 
     def _open_session(self) -> zenoh.Session:
         if self._session is None:
@@ -167,11 +167,11 @@ class Topics:
         )
 
     def _receiver(self, subscription: Subscription) -> Callable[[zenoh.Sample], None]:
-        wanted: type | None = None
+        message_type: type | None = None
 
         def receive(sample: zenoh.Sample) -> None:
-            # Runs on Zenoh's thread: nothing here may wait, and nothing may get out.
-            nonlocal wanted
+            # Runs on Zenoh's thread: nothing here may block, and no exception may escape.
+            nonlocal message_type
             try:
                 if subscription.destroyed or sample.attachment is None:
                     return
@@ -181,9 +181,9 @@ class Topics:
                 publisher = self._remote.publisher_for(gid, subscription)
                 if publisher is None or (publisher.cache is not None and publisher.expired(source_timestamp)):
                     return
-                if wanted is None:
-                    wanted = message_class(subscription.type_name)
-                message = deserialize(sample.payload.to_bytes(), wanted)
+                if message_type is None:
+                    message_type = message_class(subscription.type_name)
+                message = deserialize(sample.payload.to_bytes(), message_type)
                 publisher.delivered += 1
                 subscription.receive((message, source_timestamp, number, publisher))
             except Exception as error:

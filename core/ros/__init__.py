@@ -1,5 +1,10 @@
-"""What a ROS installation provides, laid out as people know it from /opt/ros.
+"""The contents of a ROS installation, laid out as in /opt/ros.
 
-`python/` goes on `sys.path` of every program (rclpy, the message packages); it is never imported as a sub-package of this one.
-`share/` holds interface texts and package manifests, `programs/` the executables of our packages, `ros2/` the `ros2` command.
+`python/` is put on `sys.path` of every program (rclpy, the message packages); it is never imported as a sub-package of this
+one. `share/` has interface texts and package manifests, `programs/` the executables of our packages, `ros2/` the `ros2`
+command.
+
+These are in several layers. The modules here are below all of them: `distribution`, `program_index` (the existing executables
+and commands), `executables` (the commands as real files), `left_out` (C++ that a build left out) and `environment` (the paths
+of all this, and the variables of a ROS program). `ros2` may import the programs, and both may import `python/`.
 """

@@ -1,7 +1,7 @@
 """ROS's commands, `python3` and `pytest` as real executables, so that `subprocess.run(["ros2", …])` of any program finds them.
 
-They lie in one folder per installation, below the user's data folder. It is made when it is first needed and never changed: its
-name says what is in it, so another installation has another one.
+They are in one folder per installation, below the user's data folder. It is created when first needed and never changed: its
+name is a hash of its contents, so another installation has another folder.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-from day6_tui.core.ros.programs import COMMANDS
-from day6_tui.core.session.places import data_folder
+from day6_tui.core.places import data_folder
+from day6_tui.core.ros.program_index import COMMANDS
 
 _SELF = ("-m", "day6_tui.tui.main")
 """The arguments with which our Python is `day6-tui`, wherever its own script may be."""
 
 
 def ros_commands() -> list[str]:
-    """Every command of ROS that is one here: ros2, colcon, rviz2 and their like."""
+    """Return every command of ROS that exists here: ros2, colcon, rviz2 …"""
     return ["ros2", "colcon", *COMMANDS]
 
 
 def with_executables(path: str) -> str:
-    """Return a PATH on which the folder comes first; unchanged where it can be made nowhere."""
+    """Return a PATH with the folder first, unchanged if it cannot be created."""
     entries = [entry for entry in path.split(os.pathsep) if entry]
     there = [entry for entry in entries if os.path.basename(entry) == _digest() and os.path.isdir(entry)]
     ours = there[0] if there else _folder()
@@ -37,11 +37,11 @@ def with_executables(path: str) -> str:
 
 @cache
 def texts(system: str = os.name) -> dict[str, str]:
-    """The files for a system ('posix' or 'nt'), `{name: text}`."""
+    """Return the files for a system ('posix' or 'nt'), `{name: text}`."""
     arguments: dict[str, tuple[str, ...]] = {"python3": (), "python": (), "pytest": ("-m", "pytest"), "day6-tui": _SELF}
     arguments.update({name: (*_SELF, name) for name in ros_commands()})
     if system == "nt":
-        # A batch file is read in the console's old code page, so the interpreter's path comes by the environment.
+        # A batch file is read in the console's old code page, so the interpreter's path is passed in the environment.
         return {f"{name}.bat": f'@"%DAY6_PYTHON%" {" ".join(words)} %*\r\n' for name, words in arguments.items()}
     return {name: f'#!/bin/sh\nexec {shlex.join([sys.executable, *words])} "$@"\n' for name, words in arguments.items()}
 
@@ -53,7 +53,7 @@ def _digest() -> str:
 
 @cache
 def _folder() -> str | None:
-    """The folder's path, made if it is not there; None where nothing can be written."""
+    """Return the folder's path, created if missing; None if it cannot be written."""
     folder = data_folder() / _digest()
     if folder.is_dir():
         return str(folder)
@@ -66,12 +66,12 @@ def _folder() -> str | None:
         os.rename(new, folder)
     except OSError:
         shutil.rmtree(new, ignore_errors=True)
-        return str(folder) if folder.is_dir() else None  # another process made it at the same moment, or nobody can
+        return str(folder) if folder.is_dir() else None  # another process has just created it, or it cannot be created
     return str(folder)
 
 
 def write_executables(folder: Path) -> None:
-    """Put the files into a folder. Raises OSError."""
+    """Write the files into a folder. Raises OSError."""
     for name, text in texts().items():
         file = folder / name
         file.write_bytes(text.encode("utf-8"))

@@ -1,6 +1,7 @@
-"""What a program of ours runs in: the world clock, the scheduler, and a session with streams, ROS context and windows.
+"""What our own programs run in: the world clock, the scheduler, and a session with streams, ROS context and windows.
 
-`session.Session` is what a program gets, `task` what it waits with, `scheduler` what runs it, `local` the same in a real
-terminal; `signals` and `guardian` are about real processes. May import `core.graph` and, inside functions, rclpy. Knows nothing
-of shells and terminals, which build on it.
+A program gets a `session.Session`, waits with `task`, is run by `scheduler` (by `local` in a real terminal) and reads its
+command line with `argument_parser`; `signals` is about real processes. May import rclpy (inside
+functions, for programs without a node), `core.link` and whatever those import. Knows nothing about launch, programs, shells
+and terminals.
 """

@@ -1,4 +1,4 @@
-"""What a program writes while a window of it has the terminal: kept, and printed when the terminal is free again."""
+"""Output of a program while one of its windows has the terminal: kept, and printed once the terminal is free again."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 MOST_LINES = 1000
-"""What is kept; of more the oldest lines go, and their number is said."""
+"""Lines that are kept; beyond that the oldest are dropped, and their number is printed."""
 _LONGEST_LINE = 4096
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 
@@ -17,11 +17,12 @@ _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 class Sink(Protocol):
     """Where the lines go in the end."""
 
-    def write(self, text: str) -> int: ...
+    def write(self, text: str) -> int:
+        """Take `text`; returns its length, as `io.TextIOBase.write` does."""
 
 
 class Backlog:
-    """Lines for one or more outputs, in the order in which they were written. Any thread may write and look."""
+    """Lines for one or more outputs, in the order in which they were written. Any thread may write and read."""
 
     def __init__(self) -> None:
         self._lines: deque[tuple[Sink | None, str]] = deque(maxlen=MOST_LINES)
@@ -35,7 +36,7 @@ class Backlog:
         """Grows with every line."""
 
     def write(self, sink: Sink | None, text: str) -> None:
-        """Keep `text` for `sink`; with None it has been written already, and is kept only to be looked at."""
+        """Keep `text` for `sink`; None if it has been written already and is kept only to be shown."""
         with self._lock:
             *lines, rest = (self._open.pop(sink, "") + text).split("\n")
             if len(rest) > _LONGEST_LINE:
@@ -52,7 +53,7 @@ class Backlog:
             self.on_change()
 
     def lines(self) -> list[str]:
-        """The lines that are kept, oldest first, without their ends and colours."""
+        """The kept lines, oldest first, without newlines and colours."""
         with self._lock:
             return [_COLOURS.sub("", line).rstrip("\n") for _, line in self._lines]
 
@@ -63,7 +64,7 @@ class Backlog:
             return _COLOURS.sub("", self._lines[-1][1]).rstrip("\n") if self._lines else ""
 
     def release(self) -> None:
-        """Write everything to where it was meant for, and begin anew."""
+        """Write every line to its sink and start empty again."""
         with self._lock:
             kept = [*self._lines, *self._open.items()]
             dropped, self.dropped = self.dropped, 0

@@ -1,8 +1,8 @@
 """The world clock: the one time our own programs read.
 
-It is paced by the wall but advances only through what the scheduler has run: before a timer that is due at T runs, the clock
-reads exactly T, and it never passes a timer that has not run. Under load it therefore falls behind the wall and never skips
-a tick. Paused, it stands; at another speed a second of the wall is that many seconds of the world.
+It is paced by wall time but advances only as far as the scheduler has run: when a timer due at T runs, the clock reads exactly
+T, and it never passes a timer that has not run. Under load it therefore falls behind wall time and never skips a tick. Paused,
+it stands still; at another speed a wall second is that many world seconds.
 
 Real ROS has no such clock; to a program it looks like the system clock and the steady clock of the machine.
 """
@@ -12,7 +12,6 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from typing import Protocol
 
 NANOSECONDS = 1_000_000_000
 MIN_SPEED = 0.1
@@ -24,21 +23,11 @@ def nanoseconds(seconds: float) -> int:
     return round(seconds * NANOSECONDS)
 
 
-class TimeSource(Protocol):
-    """What a ROS context needs to tell the time."""
-
-    def now_ns(self) -> int:
-        """Nanoseconds since 1970 (the ROS and system clock)."""
-
-    def steady_ns(self) -> int:
-        """Nanoseconds since some fixed moment, never going back."""
-
-
 class WorldClock:
     """World time in nanoseconds: `steady_ns` starts at 0 with the world, `now_ns` is that plus the wall time of the start.
 
-    `wall` is the pacing clock (ns, monotonic). With `wall=None` nothing moves by itself: tests call `step`.
-    The scheduler that owns the clock calls `target_ns`, `hold`, `release` and `fall_behind`; everybody else only reads.
+    `wall` is the pacing clock (ns, monotonic). With `wall=None` it does not move by itself: tests call `step`.
+    Only the scheduler that owns the clock calls `target_ns`, `hold`, `release` and `fall_behind`.
     All methods may be called from any thread.
     """
 
@@ -51,18 +40,18 @@ class WorldClock:
         self._speed = 1.0
         self._paused = wall is None
         self._reading = 0
-        """The last value anybody may have seen."""
+        """The latest value anything may have read."""
         self._free_until: int | None = 0
         """While the scheduler idles the clock runs freely up to here (None: no limit); -1 while it is held."""
         self.on_change: Callable[[], None] | None = None
-        """Called when pace or target changed from outside, so that a waiting scheduler looks again."""
-
-    # -- reading -------------------------------------------------------------------------------------------------------
+        """Called when pace or target was changed from outside, so that a waiting scheduler reads the clock again."""
 
     def now_ns(self) -> int:
+        """World time in nanoseconds since 1970 (the ROS and system clock)."""
         return self._epoch_ns + self.steady_ns()
 
     def steady_ns(self) -> int:
+        """World time in nanoseconds since the world began; never goes back."""
         limit = self._free_until
         if limit is not None and limit < 0:
             return self._reading
@@ -82,18 +71,18 @@ class WorldClock:
 
     @property
     def paused(self) -> bool:
+        """Whether the clock is paused."""
         return self._paused
 
-    # -- pace ----------------------------------------------------------------------------------------------------------
-
     def pause(self) -> None:
-        """Let the world stand still. Keys and messages from outside are still handled, at the time it stands at."""
+        """Stop the clock. Keys and messages from outside are still handled, at the time where it stopped."""
         with self._lock:
             self._rebase(self._target())
             self._paused = True
         self._changed()
 
     def resume(self) -> None:
+        """Go on at the clock's speed from where it stopped. Does nothing with `wall=None`."""
         with self._lock:
             if self._wall is None:
                 return
@@ -102,7 +91,11 @@ class WorldClock:
         self._changed()
 
     def set_speed(self, factor: float) -> None:
-        """Set the pace. Raises ValueError outside 0.1 to 10."""
+        """Set the pace to `factor` world seconds per wall second.
+
+        Raises:
+            ValueError: `factor` is outside 0.1 to 10.
+        """
         if not MIN_SPEED <= factor <= MAX_SPEED:
             raise ValueError(f"speed must be between {MIN_SPEED} and {MAX_SPEED}, not {factor}")
         with self._lock:
@@ -111,12 +104,10 @@ class WorldClock:
         self._changed()
 
     def step(self, seconds: float) -> None:
-        """Move the paused world on by `seconds`: everything due until then runs, tick by tick."""
+        """Move the paused clock on by `seconds`: everything due until then runs, tick by tick."""
         with self._lock:
             self._rebase(self._target() + nanoseconds(seconds))
         self._changed()
-
-    # -- for the scheduler ---------------------------------------------------------------------------------------------
 
     def target_ns(self) -> int:
         """World time at which the world should be by now."""
@@ -130,7 +121,7 @@ class WorldClock:
             self._reading = max(self._reading, steady_ns)
 
     def release(self, limit_ns: int | None) -> None:
-        """Nothing is being run: follow the wall, up to the next deadline."""
+        """Nothing is running: follow wall time, up to `limit_ns`, the next deadline (None: no limit)."""
         with self._lock:
             self._free_until = limit_ns
 
@@ -140,7 +131,7 @@ class WorldClock:
             self._rebase(max(target_ns, self._reading))
 
     def wall_seconds_until(self, steady_ns: int) -> float | None:
-        """Seconds of the wall until the world reaches `steady_ns`; None while it stands still before it."""
+        """Wall seconds until the clock reaches `steady_ns`; None while it is paused before that."""
         with self._lock:
             left = steady_ns - self._target()
             if left <= 0:
@@ -149,14 +140,14 @@ class WorldClock:
                 return None
             return left / self._speed / NANOSECONDS
 
-    # -- inside, with the lock held ------------------------------------------------------------------------------------
-
     def _target(self) -> int:
+        """World time at which the world should be by the wall. The caller holds the lock."""
         if self._paused or self._wall is None:
             return self._anchor_world
         return self._anchor_world + int((self._wall() - self._anchor_wall) * self._speed)
 
     def _rebase(self, world_ns: int) -> None:
+        """Go on from `world_ns` now. The caller holds the lock."""
         self._anchor_world = world_ns
         if self._wall is not None:
             self._anchor_wall = self._wall()

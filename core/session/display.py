@@ -1,20 +1,26 @@
-"""Windows: a program opens one with its model, the desktop draws what it finds in the list.
+"""Windows: a program opens one with its model, the desktop draws every window in the list.
 
-Nothing is drawn here and nothing is posted anywhere. The desktop compares `Display.version` with what it saw last and reads
-`windows` again when it changed; a window's content it reads from the model whenever it draws a frame.
+Nothing is drawn here and nothing is posted anywhere. The desktop compares `Display.version` with the version it saw last and
+reads `windows` again when it changed; it reads a window's content from the model whenever it draws a frame.
 """
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import Generic, TypeVar
+
+Model = TypeVar("Model", covariant=True)
+"""The data behind a window. A window only passes it on, so a window of any model is a `Window[object]`."""
+
+Opened = TypeVar("Opened")
+"""The same for `Display.open`."""
 
 
-class Window:
-    """One window of one program. `kind` names the drawing ('turtlesim', 'rqt_graph', …), `model` is what it draws."""
+class Window(Generic[Model]):
+    """One window of one program. `kind` names the drawing ('turtlesim', 'rqt_graph', …), `model` is the data it draws."""
 
-    def __init__(self, display: Display, number: int, kind: str, title: str, model: Any) -> None:
+    def __init__(self, display: Display, number: int, kind: str, title: str, model: Model) -> None:
         self.number = number
         """Unique for the life of the display."""
         self.kind = kind
@@ -22,15 +28,15 @@ class Window:
         self.model = model
         self.closed = False
         self.on_close: Callable[[], None] | None = None
-        """What happens when the user closes the window (any thread); `Session.display` sets it to end the program."""
+        """Called when the user closes the window (any thread); `Session.display` sets it to end the program."""
         self._display = display
 
     def close(self) -> None:
-        """The program takes its window away."""
+        """Close the window from the program."""
         self._display._remove(self)
 
     def close_by_user(self) -> None:
-        """The user closed the window: it goes at once, then its program is told."""
+        """Close the window for the user: it disappears at once, then `on_close` is called."""
         if not self.closed:
             self._display._remove(self)
             if self.on_close is not None:
@@ -45,18 +51,19 @@ class Display:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._windows: list[Window] = []
+        self._windows: list[Window[object]] = []
         self._opened = 0
         self.version = 0
-        """Grows whenever a window came or went."""
+        """Grows whenever a window is opened or closed."""
 
     @property
-    def windows(self) -> list[Window]:
+    def windows(self) -> list[Window[object]]:
         """A copy of the list, oldest first."""
         with self._lock:
             return list(self._windows)
 
-    def open(self, kind: str, title: str, model: Any) -> Window:
+    def open(self, kind: str, title: str, model: Opened) -> Window[Opened]:
+        """Open a window with its model on top of the others and return it."""
         with self._lock:
             self._opened += 1
             window = Window(self, self._opened, kind, title, model)
@@ -64,7 +71,7 @@ class Display:
             self.version += 1
             return window
 
-    def _remove(self, window: Window) -> None:
+    def _remove(self, window: Window[object]) -> None:
         with self._lock:
             window.closed = True
             if window in self._windows:
@@ -73,14 +80,15 @@ class Display:
 
 
 class ProgramDisplay(Display):
-    """A display as one program sees it: its windows vanish with it, and closing one interrupts it."""
+    """One program's view of a display: its windows are closed when it ends, and closing one interrupts it."""
 
     def __init__(self, display: Display, on_close: Callable[[], None]) -> None:
         super().__init__()
         self._display = display
         self._on_close = on_close
 
-    def open(self, kind: str, title: str, model: Any) -> Window:
+    def open(self, kind: str, title: str, model: Opened) -> Window[Opened]:
+        """Open a window on the machine's display; when the user closes it, the program is interrupted."""
         window = self._display.open(kind, title, model)
         window.on_close = self._on_close
         with self._lock:
@@ -88,5 +96,6 @@ class ProgramDisplay(Display):
         return window
 
     def close(self) -> None:
+        """Close all windows of the program."""
         for window in self.windows:
             window.close()

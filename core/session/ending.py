@@ -1,8 +1,8 @@
 """Ends this process in bounded time, whatever a signal or a key finds it doing.
 
-Whoever runs for long says by which steps it ends and how many seconds each may take: first in order, then in a hurry. The steps
-are taken on a thread of their own, because the main thread may be waiting for a terminal that takes no more output, for a
-program, or for a library's destructors. Who gets through all steps and is still there is ended by force.
+A long-running program passes the steps by which it ends and how many seconds each may take: first in order, then in a hurry.
+The steps run on a thread of their own, because the main thread may be waiting for a terminal that takes no more output, for a
+program, or for a library's destructors. A process that still runs after the last step is ended by force.
 """
 
 from __future__ import annotations
@@ -16,57 +16,57 @@ from collections.abc import Callable
 from queue import Empty, SimpleQueue
 from typing import NamedTuple
 
-GIVE_BACK_SECONDS = 0.5
-"""What giving the terminal back may take at the end by force: a terminal that is stuck cannot be written to."""
+RESTORE_SECONDS = 0.5
+"""Seconds that restoring the terminal may take at a forced end: a terminal that is stuck cannot be written to."""
 
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
 _log = logging.getLogger(__name__)
 
 
 class Step(NamedTuple):
-    """One way to ask for the end: `act` returns at once (it is called on a foreign thread), then `seconds` are waited."""
+    """One way to request the end: `act` returns at once (it is called on another thread), then up to `seconds` are waited."""
 
     act: Callable[[], object]
     seconds: float | None
-    """None: as long as nobody insists."""
+    """None: until the next signal or key."""
 
 
 class Ending:
-    """The end of this process, which comes once: by `begin`, or by the first signal after `listen`.
+    """The end of this process, which comes once: by `begin`, or by the first signal after `handle_signals`.
 
-    Another signal takes the next step at once; only SIGHUP does not, which the system and the shell both send when a terminal
-    window is closed. `number` is the first signal, 0 if there was none.
+    Another signal starts the next step at once, except SIGHUP, which both the system and the shell send when a terminal window
+    is closed. `number` is the first signal, 0 if there was none.
     """
 
     def __init__(self, *steps: Step) -> None:
         self.number = 0
         self.begun = False
-        self.give_back: Callable[[], object] | None = None
-        """Called when it ends by force: what else gives the terminal back. May block; nobody waits for it for long."""
-        self.nudge: Callable[[], object] | None = None
-        """Called after every signal, from a foreign thread: wakes the main thread, where handlers of signals run."""
+        self.restore_terminal: Callable[[], object] | None = None
+        """Called at a forced end to restore the terminal. May block: it gets RESTORE_SECONDS."""
+        self.wake_main_thread: Callable[[], object] | None = None
+        """Called after every signal, from another thread: wakes the main thread, where signal handlers run."""
         self._steps = steps
-        # Of the queues only this one may be used by a handler that interrupts another use of it.
+        # SimpleQueue is the only queue that is safe in a signal handler which interrupts another use of it.
         self._orders: SimpleQueue[bool] = SimpleQueue()
-        """True: another step. False: it is over."""
+        """True: take the next step. False: everything has ended."""
         threading.Thread(target=self._watch, name="day6-ending", daemon=True).start()
 
     @property
     def status(self) -> int:
-        """The exit status that tells of the signal, 0 if there was none."""
+        """The exit status for the signal (128 + its number), 0 if there was none."""
         return 128 + self.number if self.number else 0
 
     def begin(self) -> None:
-        """End because the user wishes it (a key). Without effect when it has begun."""
+        """End at the user's wish (a key). Does nothing once the end has begun."""
         if not self.begun:
             self.begun = True
             self._orders.put(True)
 
-    def listen(self, terminal: int | None = None) -> None:
-        """Let SIGINT, SIGTERM and SIGHUP begin the end, from now on. On the main thread.
+    def handle_signals(self, terminal: int | None = None) -> None:
+        """Let SIGINT, SIGTERM and SIGHUP begin the end, from now on. Call it on the main thread.
 
-        So does the end of `terminal` (a descriptor), whose SIGHUP goes to the shell alone where we are not its child any more,
-        and which nobody hears who was started by `nohup`.
+        So does a hang-up of `terminal` (a descriptor): its SIGHUP goes to the shell alone where we are no longer its child,
+        and is ignored in a program that was started by `nohup`.
         """
         for name in _NAMES:
             number = getattr(signal, name, None)
@@ -74,25 +74,25 @@ class Ending:
                 signal.signal(number, self._handle)
         self._attend(terminal)
 
-    def overhear(self) -> None:
-        """The same for signals that are answered by handlers which are set already; on Windows those have to call `heard`."""
+    def watch_signals(self) -> None:
+        """The same, with signal handlers that are already installed; on Windows they have to call `signal_received`."""
         self._attend(None)
 
-    def heard(self, number: int) -> None:
-        """A handler was called with this signal."""
+    def signal_received(self, number: int) -> None:
+        """To be called by signal handlers: on Windows they are the only ones that see the signal."""
         if sys.platform == "win32":
             self._signalled(number)
 
     def _attend(self, terminal: int | None) -> None:
         if sys.platform != "win32":
-            # The system may hand a signal to any thread, and then the main one, where handlers run, sleeps on.
+            # The system may deliver a signal to any thread; the main one, where handlers run, then sleeps on.
             reading, writing = os.pipe()
             os.set_blocking(writing, False)
             signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
             threading.Thread(target=self._read, args=(reading, terminal), name="day6-signals", daemon=True).start()
 
     def over(self) -> None:
-        """Everything has ended: from here on a signal ends the process by itself, and silently. On the main thread."""
+        """Everything has ended: from here on a signal ends the process by default, silently. Call it on the main thread."""
         for name in _NAMES:
             number = getattr(signal, name, None)
             if number is not None and signal.getsignal(number) == self._handle:
@@ -102,7 +102,7 @@ class Ending:
         self._orders.put(False)
 
     def _handle(self, number: int, frame: object) -> None:
-        self.heard(number)
+        self.signal_received(number)
 
     def _read(self, reading: int, terminal: int | None) -> None:
         if sys.platform == "win32":
@@ -112,23 +112,23 @@ class Ending:
         poll = select.poll()
         poll.register(reading, select.POLLIN)
         if terminal is not None:
-            poll.register(terminal, 0)  # nothing but its end
+            poll.register(terminal, 0)  # only its hang-up
         while True:
             for descriptor, _ in poll.poll():
                 if descriptor == reading:
                     numbers = os.read(reading, 64)
                 else:
                     poll.unregister(descriptor)
-                    # Some systems cannot poll a terminal, and say so at once.
+                    # Some systems cannot poll a terminal and report that at once.
                     numbers = b"" if os.isatty(descriptor) else bytes([signal.SIGHUP])
                 for number in numbers:
                     if number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                         self._signalled(number)
                 try:
-                    if self.nudge is not None:
-                        self.nudge()
+                    if self.wake_main_thread is not None:
+                        self.wake_main_thread()
                 except Exception:
-                    _log.exception("waking the main thread failed")  # signals have to be heard all the same
+                    _log.exception("waking the main thread failed")  # signals must be handled all the same
 
     def _signalled(self, number: int) -> None:
         again = self.begun
@@ -153,15 +153,15 @@ class Ending:
         self._force()
 
     def _force(self) -> None:
-        if self.give_back is not None:
-            giving = threading.Thread(target=self.give_back, name="day6-give-back", daemon=True)
-            giving.start()
-            giving.join(GIVE_BACK_SECONDS)
+        if self.restore_terminal is not None:
+            restoring = threading.Thread(target=self.restore_terminal, name="day6-restore-terminal", daemon=True)
+            restoring.start()
+            restoring.join(RESTORE_SECONDS)
         os._exit(self.status or 1)
 
 
 def leave(status: int) -> None:
-    """Exit at once with `status`: everything has been closed, and Python's way out could only still hang."""
+    """Exit at once with `status`: everything has been closed, and Python's own shutdown could only hang."""
     try:
         sys.stdout.flush()
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""The folder this process works in, also when somebody has removed it."""
+"""The working folder of this process, even after it has been removed."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import sys
 from pathlib import Path
 
 LOST = "error retrieving current directory: getcwd: cannot access parent directories: No such file or directory"
-"""What bash says of a folder that is gone (builtins/common.def)."""
+"""Bash's message for a working folder that is gone (builtins/common.def)."""
 
 
 def working_folder() -> Path:
-    """Return the current folder; where that is gone a path in which nothing is found and nothing can be made.
+    """Return the current folder; if it is gone, a path in which nothing is found and nothing can be created.
 
-    Not the path it had: making a folder there would bring it back for everybody but this process.
+    Not its old path: creating a folder there would bring it back for every process except this one.
     """
     try:
         return Path.cwd()

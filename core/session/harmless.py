@@ -1,8 +1,8 @@
-"""Makes texts that others wrote harmless for a terminal: a file's name, a log line, a robot's joint may hold any character.
+"""Makes text from outside harmless for a terminal: a file's name, a log line, a robot's joint may contain any character.
 
-What steers a terminal, turns the direction of a line or stands for no character at all is written out, as `cat -v` and
+Characters that control a terminal, change the direction of a line or are no characters at all are escaped as `cat -v` and
 Python's `repr` do: `^[` for ESC, `\\x9b` for a C1 control, `\\u202e` for a reversal. What people write stays as it is,
-also joined emoji, Persian and Indic joiners, combining marks and the private use areas that fonts keep their icons in.
+including joined emoji, Persian and Indic joiners, combining marks and the private use areas that fonts keep their icons in.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from unicodedata import category
 
 _CONTROLS = "\x00-\x1f\x7f-\x9f"
 _UNSEEN = (
-    "\xad\u034f\u061c\u17b4\u17b5\u180e"  # no width, or a hyphen that may not be there
+    "\xad\u034f\u061c\u17b4\u17b5\u180e"  # no width, or a soft hyphen
     "\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f"  # directions, lines, invisible operators
     "\ufeff\ufff9-\ufffb\U0001bca0-\U0001bca3\U0001d173-\U0001d17a"
     "\U000e0000-\U000e00ff\U000e01f0-\U000e0fff"  # tags: a second, invisible text
@@ -25,29 +25,30 @@ _NO_CHARACTERS = "\ud800-\udfff\ufdd0-\ufdef" + "".join(
     chr(plane << 16 | 0xFFFE) + chr(plane << 16 | 0xFFFF) for plane in range(16)
 )
 _LAST_PLANE = "\U00100000-\U0010ffff"
-"""Private like two others; U+10EEEE in it stands for a picture in some terminals."""
+"""A private use area like two others; U+10EEEE in it is the placeholder of a picture in some terminals."""
 
 _HARMFUL = re.compile(f"[{_CONTROLS}{_UNSEEN}{_NO_CHARACTERS}{_LAST_PLANE}]")
 _STRANGE = re.compile(f"[{_UNSEEN}{_NO_CHARACTERS}{_LAST_PLANE}]")
 _IN_A_STREAM = re.compile(
     r"\x1b\[[0-9;:]{0,64}m|\r\n|[\n\t]|" + f"([{_CONTROLS}{_UNSEEN}{_NO_CHARACTERS}{_LAST_PLANE}])",
 )
-"""Colours, ends of lines and tabs, which pass, before what does not (the group)."""
+"""Colours, newlines and tabs pass; the group matches everything that does not."""
 
 
 class Output(Protocol):
-    """What says of itself whether it is a terminal."""
+    """Anything that knows whether it is a terminal."""
 
-    def isatty(self) -> bool: ...
+    def isatty(self) -> bool:
+        """Return whether it is a terminal."""
 
 
 def one_line(text: str) -> str:
-    """Return `text` as one line of cells: every control character is written out, newline and tab too."""
+    """Return `text` as one line of cells: every control character is escaped, including newline and tab."""
     return text if text.isprintable() else _HARMFUL.sub(_written, text)
 
 
 def in_a_list(name: str, output: Output) -> str:
-    """Return somebody's `name` as an entry of a list: on a terminal one line, so that it cannot pass for several entries."""
+    """Return `name` as an entry of a list: one line on a terminal, so that it cannot look like several entries."""
     return one_line(name) if output.isatty() else name
 
 
@@ -59,22 +60,22 @@ def lines(text: str) -> str:
 
 
 def quotable(text: str) -> str:
-    """Return `text` as it may stand between the quotes of graphviz's language: it ends neither the quotes nor the line."""
+    """Return `text` escaped for a quoted string of graphviz: it ends neither the quotes nor the line."""
     return one_line(text).replace("\\", "\\\\").replace('"', '\\"')
 
 
 def same_length(text: str, *, pictures: bool) -> str:
-    """Return `text` with one cell for every harmful character but tabs, where places are counted by characters.
+    """Return `text` with one cell for every harmful character but tabs, for texts in which positions are counted in characters.
 
-    With `pictures` a control character becomes Unicode's picture of it, without them a question mark.
+    With `pictures` a control character becomes its Unicode control picture, otherwise a question mark.
     """
     return text if text.isprintable() else _HARMFUL.sub(_picture if pictures else _question, text)
 
 
 def for_emulation(text: str) -> str:
-    """Return `text` with its control characters, which a VT emulation understands, and a stand-in for what is no text.
+    """Return `text` with its control characters, which a VT emulation understands; other harmful characters become U+FFFD.
 
-    What only has no width becomes NUL, which a terminal passes over: the length stays.
+    Characters without width become NUL, which a terminal ignores, so the length stays the same.
     """
     return text if text.isascii() else _STRANGE.sub(_stand_in, text)
 
@@ -98,13 +99,13 @@ def _written(found: re.Match[str]) -> str:
     code = ord(found[0])
     if code < 0x20 or code == 0x7F:
         return "^" + chr(code ^ 0x40)
-    if 0xDC80 <= code <= 0xDCFF:  # Python's stand-in for a byte that is not UTF-8 (surrogateescape)
+    if 0xDC80 <= code <= 0xDCFF:  # a byte that is not UTF-8, as Python decodes it (surrogateescape)
         code -= 0xDC00
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
 KEEP_BYTES = "day6_keep_bytes"
-"""Error handler for pipes and files: a byte that was no UTF-8 in a name leaves as it came; what cannot be encoded is '?'."""
+"""Error handler for pipes and files: a byte that was not UTF-8 is written unchanged; anything else unencodable becomes '?'."""
 
 
 def _encode_badly(error: UnicodeError) -> tuple[bytes, int]:
@@ -118,18 +119,18 @@ codecs.register_error(KEEP_BYTES, _encode_badly)
 
 
 class TerminalText:
-    """A text file that is a terminal: `write` makes harmless what it gets, `control` is for our own sequences."""
+    """A text file that is a terminal: `write` makes its text harmless, `control` is for our own escape sequences."""
 
     def __init__(self, file: TextIO) -> None:
         self._file = file
 
     def write(self, text: str) -> int:
-        """Write text that anyone may have made; returns its length."""
+        """Write text from any source; returns its length."""
         self._file.write(lines(text))
         return len(text)
 
     def control(self, sequence: str) -> None:
-        """Write what steers the terminal, and nothing that came from outside."""
+        """Write an escape sequence unchanged; never pass text from outside."""
         self._file.write(sequence)
 
     def __getattr__(self, name: str) -> Any:
@@ -137,7 +138,7 @@ class TerminalText:
 
 
 def guarded(file: TextIO) -> TextIO:
-    """Return `file` as it is to be written to: a terminal gets no harmful text, pipes and files get every byte."""
+    """Return `file` wrapped for output: a terminal gets no harmful text, pipes and files get every byte."""
     if isinstance(file, TerminalText):
         return file
     terminal = file.isatty()
@@ -147,7 +148,7 @@ def guarded(file: TextIO) -> TextIO:
 
 
 def guard_standard_streams() -> None:
-    """Use `guarded` for what this process prints, messages of argparse and of Python itself among it."""
+    """Use `guarded` for everything this process prints, including messages of argparse and of Python itself."""
     for name in ("stdout", "stderr"):
         file = getattr(sys, name)
         if file is not None:

@@ -1,4 +1,4 @@
-"""Splits what a terminal sends into keys: one character, or one escape sequence."""
+"""Splits a terminal's input into keys: one character, or one escape sequence."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|O[ -~]|\x1b?\[[0-?]*[ -/]*[@-~]|[^\x1b\[O])", re.DOTALL)
 
 LONGEST_SEQUENCE = 256
-"""Characters an escape sequence can have; what goes on for longer is none, and nobody shall look for its end again and again."""
+"""The most characters an escape sequence has; anything longer isn't one, so its end is not searched for again and again."""
 
 
 def key_end(text: str, at: int) -> int:

@@ -27,34 +27,34 @@ if TYPE_CHECKING:
 
 
 GRACE = 2.0
-"""Seconds that a child has to end after SIGTERM."""
+"""Seconds that a child gets to end after SIGTERM."""
 
 
 INSIST_SECONDS = 0.5
-"""What a program may take to end when its user has insisted; then it is ended by force."""
+"""Seconds that a program gets to end once its user has insisted; then it is ended by force."""
 
 SIGNALS_TO_INSIST = 3
-"""Signals by which a user insists; two are enough for a command that asks and goes, and for a window."""
+"""Signals by which a user insists; two are enough for a one-shot command and for a window."""
 
 
 class Foreground:
-    """A program that has opened a window, while that window has the terminal for itself."""
+    """A program while its window has the terminal to itself."""
 
     def __init__(
         self, scheduler: Scheduler, program: Program, display: Display, backlog: Backlog, ending: Ending
     ) -> None:
         self.scheduler = scheduler
-        """Runs in a thread of its own meanwhile."""
+        """Runs in its own thread during that time."""
         self.program = program
         self.display = display
         self.backlog = backlog
-        """What the program has written and writes; the terminal gets afterwards what it has not got yet."""
+        """The program's output so far; the terminal gets the unwritten part afterwards."""
         self.ending = ending
-        """How the process ends by force; whoever draws says there how the terminal is given back."""
+        """How the process ends by force; the code that draws sets its `restore_terminal`."""
 
     @property
     def over(self) -> bool:
-        """Whether the terminal is to be given back: the program has ended or closed its last window."""
+        """Whether the terminal is free again: the program has ended or closed its last window."""
         return self.program.status is not None or not self.display.windows
 
 
@@ -63,7 +63,7 @@ Show = Callable[[Foreground], None]
 
 
 def has_terminal() -> bool:
-    """Say whether a window can be drawn: on a terminal, and not by a job in the background (`&`)."""
+    """Return whether a window can be drawn: on a terminal, and not by a job in the background (`&`)."""
     if sys.stdin is None or sys.stderr is None or not (sys.stdin.isatty() and sys.stderr.isatty()):
         return False
     if os.environ.get("TERM") == "dumb":
@@ -79,10 +79,10 @@ def has_terminal() -> bool:
 def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show | None = None) -> int:
     """Run one program on the real terminal, on this machine's graph, in this thread. Returns its exit status.
 
-    `one_shot` is for a command that asks and goes (see `core.link.join`). With `show` the program has a display, and that
-    draws its windows on the terminal; without it, it does without windows.
-    Ctrl-C interrupts it, SIGTERM and SIGHUP terminate it; a third Ctrl-C ends one that does not listen. Half a second after the
-    second signal (with a display or `one_shot`; otherwise the third) the process ends by force, whatever it does.
+    `one_shot` is for a command that queries and ends (see `core.link.join`). With `show` the program has a display, whose
+    windows `show` draws on the terminal; otherwise it has no windows.
+    Ctrl-C interrupts the program, SIGTERM and SIGHUP terminate it; a third Ctrl-C kills one that ignores the others. Half a
+    second after the second signal (with a display or `one_shot`; otherwise the third) the process ends by force.
     """
     from day6_tui.core.graph import graph_for_domain
     from day6_tui.core.graph.domain import domain_from_text
@@ -124,10 +124,10 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
     session.python = _python_in_place
     program = Program(session, main)
     insisting = 2 if one_shot or display is not None else SIGNALS_TO_INSIST
-    ending = Ending(*[Step(_ask, None)] * (insisting - 1), Step(_ask, INSIST_SECONDS))
-    ending.give_back = stdin.restore
+    ending = Ending(*[Step(_already_signalled, None)] * (insisting - 1), Step(_already_signalled, INSIST_SECONDS))
+    ending.restore_terminal = stdin.restore
     restore = _handle_signals(scheduler, program, ending)
-    ending.overhear()
+    ending.watch_signals()
     try:
         while program.status is None:
             scheduler.run(lambda: program.status is not None or (display is not None and bool(display.windows)))
@@ -147,7 +147,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
 
 
 def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -> None:
-    """Let the program's windows have the terminal; what it writes meanwhile is printed afterwards."""
+    """Let the program's windows have the terminal; its output of that time is printed afterwards."""
     for output in outputs:
         output.hold(True)
     foreground.scheduler.start()
@@ -161,8 +161,8 @@ def _show(show: Show, foreground: Foreground, outputs: tuple[RealOutput, ...]) -
             foreground.backlog.release()
 
 
-def _ask() -> None:
-    """The signal itself has asked the program."""
+def _already_signalled() -> None:
+    """Do nothing: the signal handler has already interrupted or terminated the program."""
 
 
 def _handle_signals(scheduler: Scheduler, program: Program, ending: Ending) -> Callable[[], None]:
@@ -171,20 +171,20 @@ def _handle_signals(scheduler: Scheduler, program: Program, ending: Ending) -> C
     presses = 0
 
     def stuck() -> bool:
-        """Whether the program does not come to its next wait; it is interrupted in the middle then, as any Python program."""
+        """Whether the program does not reach its next wait; it is then interrupted in the middle, like any Python program."""
         here = threading.get_ident() == scheduler._thread_id
         return here and scheduler.stuck_for > STUCK_SECONDS
 
     def interrupt(number: int, frame: object) -> None:
         nonlocal presses
         presses += 1
-        ending.heard(number)
+        ending.signal_received(number)
         scheduler.call_soon_threadsafe(program.interrupt if presses < 3 else program.kill)
         if stuck():
             raise KeyboardInterrupt
 
     def terminate(number: int, frame: object) -> None:
-        ending.heard(number)
+        ending.signal_received(number)
         scheduler.call_soon_threadsafe(lambda: program.send(from_system(number)))
         if stuck():
             raise KilledBySignal(from_system(number))
@@ -204,11 +204,11 @@ def _handle_signals(scheduler: Scheduler, program: Program, ending: Ending) -> C
 
 
 async def _python_in_place(session: Session, args: list[str]) -> int:
-    """`python3 ARGS` as a child on the same terminal, whose Ctrl-C reaches it without us; else as `shell.process.run_python`.
+    """Run `python3 ARGS` as a child on the same terminal, whose Ctrl-C reaches it directly; else as `shell.process.run_python`.
 
-    It stays in our process group, so it is ours to end: also by its guardian, when we are killed ourselves.
+    The child stays in our process group, so we have to end it; its guardian does if we are killed.
     """
-    from day6_tui.core.session.guardian import guard_process, release_process
+    from day6_tui.core.guardian import guard_process, release_process
     from day6_tui.core.session.signals import from_system, to_system
 
     done = Signal()
@@ -231,7 +231,7 @@ async def _python_in_place(session: Session, args: list[str]) -> int:
         try:
             await wait_for(done)
         except KeyboardInterrupt:
-            continue  # the terminal told it too, and it may have something to finish
+            continue  # the child got it from the terminal as well, and may have something to finish
         except KilledBySignal as order:
             popen.send_signal(to_system(order.number))
             await session.wait(done, GRACE)

@@ -1,4 +1,4 @@
-"""Where the log lines of a program's nodes go: its standard error, or standard output if its environment says so."""
+"""The output for log lines of a program's nodes: its standard error, or standard output if its environment says so."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LogOutput:
-    """A stream of its own for log lines. A closed terminal and a full disk swallow them, as rcl's console output does."""
+    """A separate stream for log lines. A closed terminal and a full disk swallow them, as with rcl's console output."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
@@ -27,5 +27,5 @@ class LogOutput:
             return
 
     def isatty(self) -> bool:
-        """Say whether lines are coloured by their severity."""
+        """Return whether lines are coloured by their severity."""
         return (self._session.stdout if self._to_stdout else self._session.stderr).isatty()

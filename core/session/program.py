@@ -1,4 +1,4 @@
-"""Starts a program in its session and says what its end means, in the numbers and words a shell knows."""
+"""Runs a program in its session and turns its end into an exit status and messages as a shell knows them."""
 
 from __future__ import annotations
 
@@ -32,16 +32,17 @@ class Program:
 
     @property
     def pid(self) -> int:
+        """The process number on the simulated machine."""
         return self.session.pid
 
     async def wait(self) -> int:
-        """Wait for the end; return the exit status (128 + signal for a program that a signal ended)."""
+        """Wait for the end; return the exit status (128 + signal for a program that was killed by a signal)."""
         await wait_for(self.done)
         assert self.status is not None
         return self.status
 
     def send(self, number: int) -> None:
-        """Deliver a signal by its number; those that a program may ignore by default are ignored."""
+        """Deliver a signal by its number; signals whose default action is to be ignored are ignored."""
         action = _SIGNALS.get(number)
         if action is not None:
             action(self)
@@ -49,20 +50,25 @@ class Program:
             self._task.throw(KilledBySignal(number))
 
     def interrupt(self) -> None:
+        """SIGINT: raise KeyboardInterrupt in the program where it waits, unless a command that it runs takes it."""
         self.session.interrupt()
 
     def terminate(self) -> None:
+        """SIGTERM: raise `Terminated` in the program where it waits."""
         self.session.terminate()
 
     def kill(self) -> None:
+        """SIGKILL: cancel the program's task; only `finally` blocks run."""
         self._task.cancel()
 
     def stop(self) -> None:
+        """SIGSTOP: the program takes no step until `resume`; its watchers are notified."""
         self.stopped = True
         self.session.stop()
-        self._tell()
+        self._notify_watchers()
 
     def resume(self) -> None:
+        """SIGCONT: let a stopped program go on."""
         self.stopped = False
         self.session.resume()
 
@@ -70,7 +76,7 @@ class Program:
         try:
             self.status = await _status_of(self.session, main)
             if self._task.undelivered is not None:
-                raise self._task.undelivered  # a signal that came before it was over, and found no wait to be raised in
+                raise self._task.undelivered  # a signal came before the end, and there was no wait to raise it in
         except KeyboardInterrupt:
             self._killed(SIGINT)
         except KilledBySignal as end:
@@ -78,14 +84,14 @@ class Program:
         except TaskCancelled:
             self._killed(SIGKILL)
         except BrokenPipeError:
-            # Nobody reads what it says any more: a real program gets SIGPIPE and ends without a word.
+            # Nobody reads its output any more: a real program gets SIGPIPE and ends silently.
             self._killed(SIGPIPE)
         finally:
             if self.status is None:
                 self.status = 1
             self.session.close()
             self.done.set()
-            self._tell()
+            self._notify_watchers()
 
     def watch(self, signal: Signal) -> None:
         """Set `signal` whenever the program ended or was stopped (at once, if it has ended)."""
@@ -93,7 +99,7 @@ class Program:
         if self.done.is_set():
             signal.set()
 
-    def _tell(self) -> None:
+    def _notify_watchers(self) -> None:
         for signal in self._watchers:
             signal.set()
 
@@ -103,13 +109,13 @@ class Program:
 
 
 async def _status_of(session: Session, main: Main) -> int:
-    """The status that `main` ends with; what could not be written of its output is part of that."""
+    """Return the exit status of `main`, taking into account output that could not be written."""
     try:
         status = await _end_of(session, main)
         session.stdout.flush()
     except WriteError as error:
         status = session.on_write_error(session, error)
-    with contextlib.suppress(WriteError):  # nobody is left to be told
+    with contextlib.suppress(WriteError):  # there is nowhere left to report it
         session.stderr.flush()
     return status
 
@@ -141,7 +147,7 @@ _SIGNALS = {
     19: Program.stop,
     20: Program.stop,
 }
-"""By Linux signal number: INT KILL TERM CONT STOP TSTP; what `kill -NUMBER` means on the simulated machine."""
+"""By Linux signal number: INT KILL TERM CONT STOP TSTP; the effect of `kill -NUMBER` on the simulated machine."""
 
 _ENDING = frozenset({1, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14})
-"""Signals that end a program which does not handle them."""
+"""Other signals that end a program."""

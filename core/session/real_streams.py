@@ -23,9 +23,9 @@ T = TypeVar("T")
 
 
 class RealOutput(OutputStream):
-    """Our own standard output or error. A reader that went away breaks it like a pipe.
+    """Our own standard output or error. It breaks like a pipe when its reader is gone.
 
-    Text for a terminal is made harmless (`harmless`), as `ls` and `git` do; into pipes and files it goes as it is.
+    Text for a terminal is made harmless (`harmless`), as `ls` and `git` do; pipes and files get it unchanged.
     """
 
     def __init__(self, file: TextIO) -> None:
@@ -37,12 +37,14 @@ class RealOutput(OutputStream):
 
     @property
     def columns(self) -> int:
+        """Width of the real terminal in cells, 80 without one."""
         try:
             return os.get_terminal_size(self._file.fileno()).columns
         except (OSError, ValueError):
             return 80
 
     def write(self, text: str) -> int:
+        """Write `text` now, or to the backlog while it is held. Raises BrokenPipeError and WriteError."""
         if self._muted:
             return len(text)
         if self._backlog is not None:
@@ -52,6 +54,7 @@ class RealOutput(OutputStream):
         return self._try(self._file.write, text)
 
     def control(self, sequence: str) -> None:
+        """Write `sequence` unfiltered; dropped while a window has the terminal."""
         if isinstance(self._file, TerminalText):
             if not self._muted and not self._held:
                 self._try(self._file.control, sequence)
@@ -61,16 +64,17 @@ class RealOutput(OutputStream):
     def _try(self, write: Callable[[str], T], text: str) -> T:
         with self._failing():
             return write(text)
-        raise AssertionError("it is written or it fails")
+        raise AssertionError("either written or raised")
 
     def flush(self) -> None:
+        """Hand everything to the system. Raises BrokenPipeError and WriteError."""
         if not self._muted:
             with self._failing():
                 self._file.flush()
 
     @contextlib.contextmanager
     def _failing(self) -> Iterator[None]:
-        """Inside, a reader that has gone mutes this stream, and what a full disk does not take is dropped (WriteError)."""
+        """Inside, a missing reader mutes this stream, and output that a full disk does not take is dropped (WriteError)."""
         try:
             yield
         except BrokenPipeError:
@@ -85,7 +89,7 @@ class RealOutput(OutputStream):
             raise WriteError(error.errno, error.strerror) from None
 
     def _drop_waiting(self) -> None:
-        """Empty the file's buffer, which Python would try to write again each time and at its own end."""
+        """Empty the file's buffer, which Python would otherwise try to write again each time and at exit."""
         number = self._file.fileno()
         kept = os.dup(number)
         try:
@@ -97,66 +101,73 @@ class RealOutput(OutputStream):
             os.close(kept)
 
     def copy_to(self, backlog: Backlog) -> None:
-        """Let `backlog` know everything that is written, if this is a terminal (a file need not be watched)."""
+        """Copy everything that is written to `backlog`, if this is a terminal (a file needs no copy)."""
         if self.isatty():
             self._backlog = backlog
 
     def hold(self, held: bool) -> None:
-        """Write nothing for the present: the backlog has it."""
+        """While `held`, write only to the backlog."""
         if self._backlog is not None:
             self.flush_quietly()
             self._held = held
 
     def mute(self) -> None:
-        """Write nothing any more."""
+        """Discard everything written from now on."""
         self.flush_quietly()
         self._muted = True
 
     def flush_quietly(self) -> None:
+        """Flush; a reader that has gone and a full disk are ignored."""
         with contextlib.suppress(BrokenPipeError, WriteError):
             self.flush()
 
     def isatty(self) -> bool:
+        """Return whether it is a terminal."""
         return self._file.isatty()
 
     def fileno(self) -> int | None:
+        """The file descriptor, after a flush; None if the stream has none."""
         try:
             self.flush()
             return self._file.fileno()
         except (OSError, ValueError):
-            return None  # a test's capture
+            return None  # captured by a test
 
 
 class RealInput(InputStream):
-    """Our own standard input; read by a thread that starts with the first read."""
+    """Our own standard input, read by a thread that starts at the first read."""
 
     def __init__(self) -> None:
         self._waiting: deque[str] = deque()
         """Decoded text not yet returned; '' marks the end."""
         self._rest = TypedText()
         self._line: list[str] = []
-        """The parts of a line whose end has not come."""
+        """The parts of a line that is not complete."""
         self._arrived = Signal()
         self._thread: threading.Thread | None = None
         self._saved: list[object] | None = None
         self._raw_signals = True
 
     def isatty(self) -> bool:
+        """Return whether it is a terminal; False where the process was started without standard input."""
         return sys.stdin is not None and sys.stdin.isatty()
 
     def fileno(self) -> int | None:
+        """The file descriptor, None if there is none."""
         try:
             return sys.stdin.fileno()
         except (AttributeError, OSError, ValueError):
             return None
 
     async def read_key(self) -> str:
+        """Return the next key; '' at the end of the input."""
         while (key := self._rest.take_key()) is None:
             if not await self._more():
                 return END_OF_INPUT
         return key
 
     async def read_line(self) -> str:
+        """Return the next line with its newline; '' at the end of the input."""
         while True:
             line, ended = self._rest.take_up_to("\n")
             self._line.append(line)
@@ -185,7 +196,7 @@ class RealInput(InputStream):
         try:
             self._read_bytes()
         finally:
-            self._waiting.append("")  # the end, also where reading failed: somebody waits for it
+            self._waiting.append("")  # the end, also after a failed read: a task may be waiting for it
             self._arrived.set()
 
     def _read_bytes(self) -> None:
@@ -205,7 +216,7 @@ class RealInput(InputStream):
 
     def _read_windows(self) -> None:
         if sys.platform != "win32":
-            raise NotImplementedError("only there")
+            raise NotImplementedError("only for Windows")
         import msvcrt
 
         arrows = {"H": "\x1b[A", "P": "\x1b[B", "M": "\x1b[C", "K": "\x1b[D"}
@@ -214,13 +225,14 @@ class RealInput(InputStream):
             if char in ("\x00", "\xe0"):
                 char = arrows.get(msvcrt.getwch(), "")
             if char == "\x03" and self._raw_signals:
-                _thread.interrupt_main()  # while this reads, Ctrl-C is a key there
+                _thread.interrupt_main()  # while getwch reads, Ctrl-C arrives as a key
             elif char:
                 self._waiting.append(char)
                 self._arrived.set()
 
     @contextlib.contextmanager
     def raw(self, *, signals: bool = True) -> Iterator[None]:
+        """Switch the terminal to unbuffered input without echo inside (also after SIGCONT), and restore it afterwards."""
         if sys.platform == "win32" or not self.isatty():
             yield
             return
@@ -232,7 +244,7 @@ class RealInput(InputStream):
         self._raw_signals = signals
         self._set_raw()
         continued = signal.getsignal(signal.SIGCONT)
-        with contextlib.suppress(ValueError):  # only the main thread may
+        with contextlib.suppress(ValueError):  # only allowed in the main thread
             signal.signal(signal.SIGCONT, lambda number, frame: self._set_raw())
         try:
             yield
@@ -243,7 +255,7 @@ class RealInput(InputStream):
 
     def _set_raw(self) -> None:
         if sys.platform == "win32":
-            raise NotImplementedError("no termios there")
+            raise NotImplementedError("Windows has no termios")
         import termios
 
         fd = sys.stdin.fileno()
@@ -254,7 +266,7 @@ class RealInput(InputStream):
         termios.tcsetattr(fd, termios.TCSADRAIN, mode)
 
     def restore(self) -> None:
-        """Give the terminal back as it was found. May be called at any time."""
+        """Restore the terminal's mode from before `raw`. May be called at any time."""
         if sys.platform != "win32" and self._saved is not None:
             import termios
 

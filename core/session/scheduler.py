@@ -1,9 +1,9 @@
 """Runs all cooperative programs on one thread, at exact times of the world clock.
 
-Tasks (`core.session.task`) wait for signals and for times of the world clock. The scheduler takes the earliest deadline the
-wall has reached, sets the clock to exactly that deadline, runs everything that is due and ready until nothing is, and goes on
-to the next. With nothing to do it blocks in its inbox, without polling. Other threads touch it only through
-`call_soon_threadsafe` and `Signal.set`. There is no asyncio in this: it would cost every program process its import, and its
+Tasks (`core.session.task`) wait for signals and for times of the world clock. The scheduler takes the earliest deadline that
+wall time has reached, sets the clock to exactly that deadline, runs everything that is due and ready until nothing is left,
+and goes on to the next. With nothing to do it blocks in its inbox, without polling. Other threads touch it only through
+`call_soon_threadsafe` and `Signal.set`. It does not use asyncio, whose import would slow down every program process and whose
 clock cannot be set.
 """
 
@@ -22,27 +22,27 @@ from collections.abc import Callable, Coroutine
 from queue import Empty, SimpleQueue
 from typing import Any
 
-from day6_tui.core.session import patient_files
+from day6_tui.core.session import blocking_files
 from day6_tui.core.session.clock import WorldClock, nanoseconds
 from day6_tui.core.session.task import YIELD, Task, Wait
 
 MAX_LAG_NS = nanoseconds(0.25)
-"""A world that is further behind the wall than this gives the lag up instead of rushing after it."""
+"""A world further behind wall time than this drops the lag instead of catching up."""
 
 STEPS_PER_DEADLINE = 10_000
-"""Programs that keep waking each other at one moment get so many steps before time moves on."""
+"""Steps that programs which keep waking each other get at one moment before time moves on."""
 
 SETTLE_SECONDS = 0.02
-"""Wall seconds that programs which keep going on may keep others from being heard: a Ctrl-C, the next deadline."""
+"""Wall seconds for which programs that never wait may delay anything else: a Ctrl-C, the next deadline."""
 
 PAUSE_AFTER_FAILURE = 0.05
-"""Wall seconds until the thread that runs all programs goes on after a mistake of ours in it: it may come every time."""
+"""Wall seconds that the thread of all programs pauses after a bug in it, which may recur every time."""
 
 LONGEST_WAIT = 0.1 if os.name == "nt" else math.inf
-"""Seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
+"""The most seconds that the main thread waits at a time: on Windows a thread that waits for a lock does not notice Ctrl-C."""
 
 BUSY_ANNOUNCEMENT = 0.03
-"""Wall seconds after which a scheduler that never comes to rest says that something happened."""
+"""Wall seconds after which a scheduler that never idles announces activity."""
 
 STUCK_SECONDS = 0.5
 """Wall seconds of one step after which Ctrl-C is raised in the middle of it."""
@@ -51,12 +51,12 @@ _log = logging.getLogger(__name__)
 
 
 class Scheduler:
-    """Owns a world clock and the tasks that live by it. Run it with `start` (own thread), `run` or `advance` (the caller's)."""
+    """Owns a world clock and the tasks that wait on it. Run it with `start` (own thread), `run` or `advance` (the caller's)."""
 
     def __init__(self, clock: WorldClock, *, may_wait: bool = False) -> None:
         self.clock = clock
         self.may_wait = may_wait
-        """It runs one program at a real terminal, which may wait for the system, as for a pipe that is its file."""
+        """Whether its program may block: it is the only one, at a real terminal, and may for instance open a named pipe."""
         clock.on_change = self.wake
         self._inbox: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
         self._ready: deque[tuple[Task, int, bool]] = deque()
@@ -69,7 +69,7 @@ class Scheduler:
         self._thread: threading.Thread | None = None
         self._stopping = False
         self._worked: bool = False
-        """Something ran since `on_activity` was called last."""
+        """Whether anything ran since the last call of `on_activity`."""
         self._announced = 0.0
         self.on_activity: Callable[[], None] | None = None
         """Called on the scheduler's thread after something ran: a screen may have to be drawn. Must return at once."""
@@ -81,18 +81,18 @@ class Scheduler:
         self._inbox.put(function)
 
     def wake(self) -> None:
-        """Make a waiting scheduler look at its clock again."""
+        """Make a waiting scheduler read its clock again."""
         self._inbox.put(None)
 
     @property
     def stuck_for(self) -> float:
-        """How many wall seconds the step that is being taken has taken so far; 0 if none is."""
+        """Wall seconds since the current step began; 0 between steps."""
         return time.monotonic() - self._step_began if self._running is not None else 0.0
 
     def insist(self) -> None:
-        """Ctrl-C was pressed: raise KeyboardInterrupt in a program that does not come to its next wait, soon. Any thread.
+        """Ctrl-C was pressed: soon raise KeyboardInterrupt in a program that does not reach its next wait. Any thread.
 
-        All programs stand still behind it, and so does the Ctrl-C. A call into C is interrupted when it returns.
+        Such a program holds up all others, and the Ctrl-C too. A call into C is interrupted when it returns.
         """
         if self.stuck_for > STUCK_SECONDS / 2:
             threading.Thread(target=self._break_in, args=(self._step_began,), name="day6-insist", daemon=True).start()
@@ -107,7 +107,7 @@ class Scheduler:
             )
 
     def spawn(self, coroutine: Coroutine[Any, Any, Any], name: str = "task") -> Task:
-        """Start a task; its first step comes with the next turn."""
+        """Start a task; its first step is taken in the next turn."""
         task = Task(self, coroutine, name)
 
         def enter() -> None:
@@ -120,14 +120,14 @@ class Scheduler:
     # -- running -------------------------------------------------------------------------------------------------------
 
     def start(self) -> None:
-        """Run in a thread of its own until `stop`."""
+        """Run in a new thread until `stop`."""
         if self._thread is None:
             self._stopping = False
             self._thread = threading.Thread(target=self._thread_main, name="day6-programs", daemon=True)
             self._thread.start()
 
     def stop(self, timeout: float = 2.0) -> None:
-        """End the thread of `start`. Tasks that are left stay where they are."""
+        """End the thread of `start`, waiting at most `timeout` seconds. Unfinished tasks stay where they are."""
         self._stopping = True
         self.wake()
         thread = self._thread
@@ -157,7 +157,7 @@ class Scheduler:
         end = self._without_waits()
         try:
             while self._turn(wait=False, longest=math.inf):
-                pass  # what came before this moment runs before time moves
+                pass  # anything ready at this moment runs before time moves
             if seconds:
                 self.clock.step(seconds)
                 while self._turn(wait=False, longest=math.inf):
@@ -167,10 +167,10 @@ class Scheduler:
             self._thread_id = previous
 
     def _without_waits(self) -> Callable[[], None]:
-        """Until the returned call, this thread opens no file that would keep everybody waiting, and is watched."""
+        """Until the returned function is called, opening a blocking file fails on this thread, and tests watch it."""
         if self.may_wait:
             return _nothing
-        opened = patient_files.end if patient_files.begin() else _nothing
+        opened = blocking_files.end if blocking_files.begin() else _nothing
         watched = _watched()
 
         def end() -> None:
@@ -186,9 +186,9 @@ class Scheduler:
             try:
                 self._turn(wait=True, longest=math.inf)
             except KeyboardInterrupt:
-                continue  # of `insist`, for a step that was over at this very moment
+                continue  # from `insist`, for a step that ended at this very moment
             except Exception:
-                # All programs stand still without this thread, and every other one has not failed.
+                # All programs need this thread, and the others have not failed.
                 _log.exception("a turn of the scheduler failed")
                 with contextlib.suppress(Empty):
                     self._run_item(self._inbox.get(timeout=PAUSE_AFTER_FAILURE))
@@ -196,10 +196,10 @@ class Scheduler:
         self._thread_id = None
 
     def _turn(self, *, wait: bool, longest: float) -> bool:
-        """Do what is ready, or the next deadline, or wait. Returns False when there was nothing to do (and `wait` is off)."""
+        """Run what is ready, or the next deadline, or wait. Returns False if there was nothing to do and `wait` is false."""
         if (self._drain() or self._ready) and self._settle(paced=wait):
             return True
-        # Either nothing is ready, or programs keep waking each other; then time has to go on all the same.
+        # Either nothing is ready, or programs keep waking each other; in both cases time has to go on.
         deadline = self._next_deadline()
         target = self.clock.target_ns()
         if deadline is not None and deadline <= target:
@@ -233,7 +233,7 @@ class Scheduler:
         return True
 
     def _drain(self) -> bool:
-        """Run what other threads left. The clock then reads the wall's time, though never past a deadline that has not run."""
+        """Run the calls of other threads. The clock then reads wall time, but never past a deadline that has not run."""
         if self._inbox.empty():
             return False
         self._hold_at_wall(self._next_deadline())
@@ -259,14 +259,14 @@ class Scheduler:
             _log.exception("a call into the scheduler failed")
 
     def announce_activity(self) -> None:
-        """Something happened that a view may want to show (any thread). What runs after this is announced once more."""
+        """Announce that a view may have to be redrawn (any thread). Anything that runs after this is announced again."""
         self._announced = time.monotonic()
         notify = self.on_activity
         if notify is not None:
             notify()
 
     def _settle(self, *, paced: bool) -> bool:
-        """Step what is ready until nothing is; False if that took too many steps, or (`paced`) too long, and something is."""
+        """Step tasks until none is ready; False if that took too many steps or (`paced`) too long, and some still are."""
         self._worked = True
         ready = self._ready
         began = time.monotonic() if paced else math.inf
@@ -348,7 +348,7 @@ class Scheduler:
         return None
 
     def _forget_stale_deadlines(self) -> None:
-        """Drop the deadlines of waits that a signal ended first, before they pile up."""
+        """Drop deadlines of waits that a signal has already ended, before they pile up."""
         self._deadlines = [entry for entry in self._deadlines if entry[3] == entry[2]._ticket and not entry[2].finished]
         heapq.heapify(self._deadlines)
 
@@ -391,7 +391,7 @@ class Scheduler:
 
 
 def _watched() -> Callable[[], None]:
-    """In tests and for debugging: let `core.session.watch` look whether this thread waits until the returned call."""
+    """In tests and for debugging: let `core.session.watch` check this thread until the returned function is called."""
     if "DAY6_WATCH" not in os.environ:
         return _nothing
     from day6_tui.core.session import watch
@@ -400,4 +400,4 @@ def _watched() -> Callable[[], None]:
 
 
 def _nothing() -> None:
-    """There is nothing to end."""
+    """Do nothing, where there is nothing to end."""

@@ -1,7 +1,7 @@
-"""What a cooperative program gets: its arguments, streams, clock, ROS context, windows, and ways to wait.
+"""The session of a cooperative program: its arguments, streams, clock, ROS context, windows, and ways to wait.
 
 A program is `async def main(session: Session) -> int | None`. It runs on the scheduler's thread, never blocks, and touches
-nothing process-wide. `day6_tui.core.session.program.Program` starts one and says what its end means.
+nothing process-wide. `day6_tui.core.session.program.Program` starts one and derives its exit status.
 """
 
 from __future__ import annotations
@@ -18,19 +18,21 @@ from day6_tui.core.session.folder import working_folder
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.streams import InputStream, OutputStream, WriteError
 from day6_tui.core.session.task import Signal, Task, TaskCancelled, let_others_run, sleep_until, wait_for
-from day6_tui.core.session.write_errors import told
+from day6_tui.core.session.write_errors import report_write_error
 
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
+    from day6_tui.core.session.host import Host
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
     from rclpy.node import Node
+    from rclpy.task import Future
 
 _log = logging.getLogger(__name__)
 
 
 class KilledBySignal(BaseException):
-    """A program ends as if by the signal `number` (Linux numbers); raised by the program or thrown into it."""
+    """Ends a program as if by the signal `number` (Linux numbers); raised by the program or thrown into it."""
 
     def __init__(self, number: int) -> None:
         super().__init__(f"signal {number}")
@@ -45,7 +47,7 @@ class Terminated(KilledBySignal):
 
 
 class Session:
-    """One running program's view of the machine. See the module's first lines; created by a terminal, `exec` or `local`."""
+    """One running program's view of the machine. See the module's docstring; created by a terminal, `exec` or `local`."""
 
     def __init__(
         self,
@@ -73,19 +75,17 @@ class Session:
         self.stderr: OutputStream = OutputStream() if stderr is None else stderr
         self.display: Display | None = None if display is None else ProgramDisplay(display, self.interrupt)
         self.background = False
-        """Whether nobody waits for it: it was launched, or started with `&`, or without a terminal."""
-        self.shell: Any = None
-        """The shell (`core/shell/language/interpreter.Shell`) that started the program, None in `local`; for built-ins."""
-        self.shell_end: Exception | None = None
-        """What a built-in wants its shell to do when it has returned: exit, break out of a loop …"""
+        """Whether no shell waits for it: it was launched, or started with `&`, or without a terminal."""
+        self.host: Host | None = None
+        """The shell that started the program; None in `local`."""
         self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None
         """Runs `python3 ARGS` as a process with this session's streams and returns its status; see `run_python`."""
-        self.on_write_error: Callable[[Session, OSError], int] = told
-        """Says that this program's output could not be written, and what status that means; a shell has words of its own."""
+        self.on_write_error: Callable[[Session, OSError], int] = report_write_error
+        """Reports that this program's output could not be written and returns its status; a shell has its own messages."""
         self.on_interrupt: Callable[[], bool] | None = None
-        """Asked first at Ctrl-C; True means that somebody else (a command this one runs) was interrupted instead."""
+        """Called first at Ctrl-C; True means that a command which this program runs was interrupted instead."""
         self.on_stop: Callable[[bool], None] | None = None
-        """Called with True when the program is stopped and with False when it goes on (it passes that on to its processes)."""
+        """Called with True when the program is stopped and with False when it is resumed, to pass that on to its processes."""
         self.task: Task | None = None
         """The task that runs `main`."""
         self._children: list[Task] = []
@@ -98,7 +98,7 @@ class Session:
 
     @property
     def graph(self) -> Graph | None:
-        """The graph of the program's ROS domain; it may be joined to other processes only when it is first asked for."""
+        """The graph of the program's ROS domain; it may be joined to other processes only at its first use."""
         graph = self._graph
         if callable(graph):
             graph = self._graph = graph()
@@ -108,7 +108,11 @@ class Session:
 
     @property
     def context(self) -> Context:
-        """This program's own ROS context: on the machine's graph, by the world clock, logging to this session's stderr."""
+        """This program's own ROS context: on the machine's graph, with the world clock, logging to this session's stderr.
+
+        Raises:
+            RuntimeError: the session has no graph.
+        """
         if self._context is None:
             from day6_tui.core.session.log_output import LogOutput
             from rclpy._log_file import LogFile
@@ -126,6 +130,7 @@ class Session:
 
     @property
     def executor(self) -> SingleThreadedExecutor:
+        """The executor that `spin`, `spin_until` and `spin_some` use, on this program's context."""
         if self._executor is None:
             from rclpy.executors import SingleThreadedExecutor
 
@@ -134,7 +139,7 @@ class Session:
         return self._executor
 
     def create_node(self, name: str, **keywords: Any) -> Node:
-        """Return `rclpy.node.Node(name, …)` in this program's context, which has the ROS arguments of its command line."""
+        """Return `rclpy.node.Node(name, …)` in this program's context, which uses the ROS arguments of its command line."""
         from rclpy.node import Node
 
         node = Node(name, context=self.context, **keywords)
@@ -142,7 +147,7 @@ class Session:
         return node
 
     async def spin(self, *nodes: Node) -> None:
-        """Run callbacks until the context is shut down; exceptions of callbacks come out here, as of `rclpy.spin`."""
+        """Run callbacks until the context is shut down; raises exceptions of callbacks, as `rclpy.spin` does."""
         executor = self.executor
         for node in nodes:
             executor.add_node(node)
@@ -152,15 +157,15 @@ class Session:
             for node in nodes:
                 executor.remove_node(node)
 
-    async def spin_until(self, future: Any, timeout: float | None = None) -> bool:
-        """Run callbacks of the nodes in `executor` until `future.done()`; False when `timeout` world seconds passed first."""
+    async def spin_until(self, future: Future[Any], timeout: float | None = None) -> bool:
+        """Run callbacks of the nodes in `executor` until `future.done()`; False if `timeout` world seconds pass first."""
         deadline = self._deadline(timeout)
         future.add_done_callback(lambda _: self._ros_wake.set())
         await self._spin_while(lambda: self.context.ok() and not future.done(), deadline)
         return bool(future.done())
 
     def spin_some(self) -> None:
-        """Run what is ready now, once: at most one message of each subscription, as `rclcpp::spin_some`."""
+        """Run everything that is ready now, once: at most one message per subscription, as `rclcpp::spin_some`."""
         self.executor._run_ready()
 
     async def _spin_while(self, condition: Callable[[], bool], until_ns: int | None) -> None:
@@ -200,7 +205,7 @@ class Session:
     # -- tasks and other programs --------------------------------------------------------------------------------------
 
     def spawn(self, coroutine: Coroutine[Any, Any, Any]) -> Task:
-        """Start a child task, ended with the program. An exception in it comes out of the program's main task."""
+        """Start a child task, which ends with the program. An exception in it is raised in the program's main task."""
         task = self.scheduler.spawn(coroutine, f"{self.name} (child)")
         self._children.append(task)
         task.on_done = self._child_done
@@ -214,12 +219,16 @@ class Session:
             self.task.throw(error)
 
     async def execute(self, main: Callable[[Session], Awaitable[int | None]], argv: list[str]) -> int:
-        """Go on as another program: same process number, streams and environment, other arguments. Returns its status."""
+        """Go on as another program with the same process number, streams and environment. Returns its status."""
         self.argv = argv
         return (await main(self)) or 0
 
     async def run_python(self, args: list[str]) -> int:
-        """Go on as `python3 ARGS…` in a process of its own, on this session's streams. Returns its exit status."""
+        """Go on as `python3 ARGS…` in a separate process on this session's streams. Returns its exit status.
+
+        Raises:
+            RuntimeError: this session cannot start processes.
+        """
         if self.python is None:
             raise RuntimeError("no processes can be started from here")
         return await self.python(self, args)
@@ -238,7 +247,7 @@ class Session:
             self.stdout.flush()
 
     def print_error(self, *values: object, sep: str = " ", end: str = "\n") -> None:
-        """`print(…, file=sys.stderr)`. If that cannot be written either, there is nobody to tell."""
+        """`print(…, file=sys.stderr)`. A text that cannot be written is dropped."""
         with contextlib.suppress(WriteError):
             self.stderr.write(sep.join(map(str, values)) + end)
 
@@ -256,7 +265,7 @@ class Session:
             self.task.throw(KeyboardInterrupt())
 
     def terminate(self) -> None:
-        """SIGTERM: `Terminated` is raised in the program where it waits; nobody catches it, `finally` blocks run."""
+        """SIGTERM: `Terminated` is raised in the program where it waits; its `finally` blocks run."""
         if self.task is not None:
             self.task.throw(Terminated())
 
@@ -268,7 +277,7 @@ class Session:
             task.hold()
 
     def resume(self) -> None:
-        """SIGCONT."""
+        """SIGCONT: the program's tasks go on."""
         if self.on_stop is not None:
             self.on_stop(False)
         for task in self._all_tasks():
@@ -278,7 +287,7 @@ class Session:
         return ([self.task] if self.task is not None else []) + self._children
 
     def close(self) -> None:
-        """Release everything the program held. Called once by whoever ran it, on the scheduler's thread."""
+        """Release everything the program held. Called once by its runner, on the scheduler's thread."""
         if self._closed:
             return
         self._closed = True
@@ -296,7 +305,7 @@ class Session:
             try:
                 step()
             except Exception:
-                # One broken clean-up must not keep the others from running.
+                # One failed clean-up must not keep the others from running.
                 _log.exception("cleaning up after %s", self.name)
 
 
@@ -305,7 +314,7 @@ class Ticks:
 
     def __init__(self, clock: WorldClock, period_ns: int) -> None:
         if period_ns <= 0:
-            raise ValueError("a period must be longer than nothing")
+            raise ValueError("a period must be positive")
         self._next = clock.steady_ns()
         self._period = period_ns
         self._count = 0
@@ -321,4 +330,4 @@ class Ticks:
 
 
 Main = Callable[[Session], Coroutine[Any, Any, "int | None"]]
-"""A program: what a module under core/ros/programs, a `ros2` verb and a shell built-in have as `main`."""
+"""A program: the `main` of a module under core/ros/programs, of a `ros2` verb or of a shell built-in."""

@@ -1,4 +1,4 @@
-"""The numbers and words of signals on the simulated machine, which are Linux's, and the numbers of the system underneath."""
+"""Signal numbers and texts of the simulated machine, which are Linux's, and their numbers on the host system."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ TEXTS = {
     15: "Terminated",
     24: "CPU time limit exceeded",
 }
-"""What a shell says of a program that a signal ended."""
+"""The shell's message for a program that was ended by a signal."""
 
 _NAMES = {number: name for name, number in NUMBERS.items()}
 
 
 def to_system(number: int) -> int:
-    """Return the number of a signal of ours on this system (macOS counts some of them otherwise); others stay as they are."""
+    """Return the host system's number of a signal (macOS has other numbers for some); unknown ones stay as they are."""
     return int(getattr(signal, f"SIG{_NAMES.get(number)}", number))
 
 
 def from_system(number: int) -> int:
-    """Return our number of a signal of this system; one that is no signal there stays as it is."""
+    """Return the simulated machine's number of a signal of the host system; unknown ones stay as they are."""
     try:
         name = signal.Signals(number).name
     except ValueError:

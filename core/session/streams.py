@@ -1,7 +1,7 @@
-"""What a program reads from and writes to: the base classes, an in-process pipe, and files.
+"""The streams of a program: the base classes, an in-process pipe, and files.
 
 Writing never blocks, because a cooperative program must not: `write` puts the text somewhere bounded and returns. A program
-that can produce without end calls `await stream.drain()` between its writes.
+with unlimited output calls `await stream.drain()` between its writes.
 """
 
 from __future__ import annotations
@@ -18,62 +18,66 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol, TextIO
 
-from day6_tui.core.session.patient_files import WITHOUT_END, refuse
+from day6_tui.core.session.blocking_files import WITHOUT_END, refuse
 from day6_tui.core.session.task import Signal, let_others_run, wait_for
 
 END_OF_INPUT = ""
 
 PIPE_HIGH = 256 * 1024
-"""Characters in a pipe from which `drain` waits."""
+"""Characters in a pipe from which on `drain` waits."""
 
 PIPE_LIMIT = 4 * 1024 * 1024
-"""Characters a pipe holds; what is written beyond that without draining is dropped, whole writes at a time.
+"""Characters a pipe holds; writes beyond that without draining are dropped, each as a whole.
 
-One write after draining is taken whole, however long: a message of megabytes is one.
+One write after draining is always taken as a whole: a message of megabytes is a single write.
 """
 
 CAPTURE_LIMIT = 64 * 1024 * 1024
-"""Characters that `$(command)` keeps; bash goes on until there is no memory."""
+"""Characters that `$(command)` keeps; bash goes on until memory runs out."""
 
 
 FILE_BLOCK = 64 * 1024
-"""Bytes that wait before they are written to a file: what a program says at once is there when it ends anyway."""
+"""Bytes that are buffered before they are written to a file; the rest is written when the program ends."""
 
 
 class WriteError(OSError):
-    """A program's output could not be written: the disk is full, or a limit was reached. BrokenPipeError is none of these."""
+    """A program's output could not be written: the disk is full, or a limit was reached. Not raised for a broken pipe."""
 
 
 DRAINS_IN_A_ROW = 16
-"""Writes of a program, each followed by `drain`, after which others have their turn although nothing holds it back."""
+"""Writes followed by `drain` after which other programs get their turn even if there is room."""
 
 LONGEST_LINE = 1 << 20
-"""Characters of a file's line that are read in one go; /dev/zero has no other end."""
+"""The most characters of a file's line that are read at once; /dev/zero has no newline."""
 
 
 class KeyReceiver(Protocol):
-    """A process on a pty: gets keys as they are typed and the size of its window."""
+    """A process on a pty: receives keys as they are typed and the size of its window."""
 
-    def keys(self, text: str) -> None: ...
+    def keys(self, text: str) -> None:
+        """Take keys as the terminal sends them."""
 
-    def resize(self, columns: int, rows: int) -> None: ...
+    def resize(self, columns: int, rows: int) -> None:
+        """Take the window's new size in cells."""
 
-    def wants_signal_keys(self) -> bool: ...
+    def wants_signal_keys(self) -> bool:
+        """Return whether Ctrl-C and the like are keys to it (ISIG is off)."""
 
 
 class TerminalSide(Protocol):
-    """What a process on a pty must know of the simulated terminal behind it."""
+    """The simulated terminal behind a pty, as its process needs to know it."""
 
     columns: int
     rows: int
     output: OutputStream
-    """Takes text as a pty delivers it."""
+    """Takes the text that the pty delivers."""
 
 
 class InputStream:
-    """Where a program reads. This base class is the empty input (`< /dev/null`)."""
+    """A program's input. This base class is the empty input (`< /dev/null`)."""
 
     def isatty(self) -> bool:
+        """Return whether it is a terminal."""
         return False
 
     def fileno(self) -> int | None:
@@ -104,31 +108,31 @@ class InputStream:
         yield
 
     def fork(self) -> InputStream:
-        """On a terminal: the end of it for a job started here, which gets the keys while it has the focus. Else the same."""
+        """On a terminal: return the input of a job started here, which gets the keys while it has the focus. Else return self."""
         return self
 
     def focus(self) -> None:
-        """On a terminal: take the keys of the reader this was forked from (of a job in the background: once that has them)."""
+        """On a terminal: take the keys of the input this was forked from (in the background: once that one has them)."""
 
     def unfocus(self) -> None:
         """On a terminal: give the keys back to the reader this was forked from."""
 
     def terminal_of(self, *outputs: OutputStream) -> TerminalSide | None:
-        """The simulated terminal that this stream and at least one of `outputs` belong to, None if there is none."""
+        """Return the simulated terminal that this stream and at least one of `outputs` belong to, None if there is none."""
         return None
 
     def pass_keys_to(self, receiver: KeyReceiver | None) -> None:
-        """On a terminal: hand every key to `receiver` as it is typed, unechoed (None: handle them here again)."""
+        """On a terminal: pass every key to `receiver` as it is typed, without echo (None: handle keys here again)."""
 
-    def give_back(self, text: str) -> None:
-        """On a terminal: keys that were handed on and not read; whoever reads next gets them."""
+    def push_back(self, text: str) -> None:
+        """On a terminal: return keys that were passed on but not read; the next reader gets them."""
 
     def close(self) -> None:
-        """Say that nobody will read from here any more."""
+        """Close the reading end."""
 
 
 class OutputStream:
-    """Where a program writes. This base class is the bottomless output (`> /dev/null`)."""
+    """A program's output. This base class discards everything (`> /dev/null`)."""
 
     _drains = 0
 
@@ -140,30 +144,39 @@ class OutputStream:
         return 80
 
     def write(self, text: str) -> int:
-        """Append text, never waiting. Raises BrokenPipeError when nobody can ever read it."""
+        """Append text without ever waiting; returns its length.
+
+        Raises:
+            BrokenPipeError: the reader is gone.
+        """
         return len(text)
 
     def control(self, sequence: str) -> None:
-        """Write what steers a terminal (clear it, go up a line): where `write` lets only text pass, this is for the rest."""
+        """Write an escape sequence (clear the screen, go up a line), which `write` would make harmless on a real terminal."""
         self.write(sequence)
 
     def flush(self) -> None:
-        """Does nothing where nothing is held back."""
+        """Write buffered text; does nothing on unbuffered streams."""
 
     async def drain(self) -> None:
-        """Wait until the reader has caught up, and now and then for others. Raises BrokenPipeError when it is gone."""
+        """Wait until the reader has caught up, and now and then let other programs run.
+
+        Raises:
+            BrokenPipeError: the reader is gone.
+        """
         self._drains += 1
         if self._drains % DRAINS_IN_A_ROW == 0:
             await let_others_run()
 
     def keyboard(self) -> InputStream | None:
-        """On a terminal: the keys of the job in front there, as /dev/tty gives them; None elsewhere."""
+        """On a terminal: return the keys of its foreground job, as from /dev/tty; None elsewhere."""
         return None
 
     def wait_for_room(self) -> None:
-        """For a thread that copies into this stream: block it, for a bounded time, while too much is waiting here."""
+        """For a thread that copies into this stream: block it, for a bounded time, while the stream is too full."""
 
     def isatty(self) -> bool:
+        """Return whether it is a terminal."""
         return False
 
     def fileno(self) -> int | None:
@@ -171,7 +184,7 @@ class OutputStream:
         return None
 
     def close(self) -> None:
-        """Say that nothing more will be written."""
+        """Close the writing end."""
 
 
 class Pipe:
@@ -190,28 +203,30 @@ class Pipe:
         self._reader_closed = False
         self._lock = threading.Lock()
         self.dropped = 0
-        """Characters that did not fit."""
+        """Number of characters dropped because the pipe was full."""
         self.reader: InputStream = PipeReader(self)
         self.writer: OutputStream = PipeWriter(self)
 
 
 class PipeReader(InputStream):
-    """The end of a pipe from which a program reads."""
+    """The reading end of a pipe."""
 
     def __init__(self, pipe: Pipe) -> None:
         self._pipe = pipe
         self._rest = ""
         """Text taken from the pipe."""
         self._at = 0
-        """How much of that was returned."""
+        """Index of its first character that has not been returned."""
 
     async def read_key(self) -> str:
+        """Return the next character, waiting for it; '' once the writer is closed and everything is read."""
         if self._at == len(self._rest):
             self._rest, self._at = await self._next_chunk(), 0
         self._at += 1
         return self._rest[self._at - 1 : self._at]
 
     async def read_line(self) -> str:
+        """Return the next line, waiting for its newline; '' once the writer is closed and everything is read."""
         parts: list[str] = []
         while True:
             end = self._rest.find("\n", self._at) + 1
@@ -240,6 +255,7 @@ class PipeReader(InputStream):
                 await wait_for(pipe._readable)
 
     def close(self) -> None:
+        """Break the pipe: drops what is in it, and the writer's next write fails."""
         pipe = self._pipe
         pipe._reader_closed = True
         with pipe._lock:
@@ -249,12 +265,17 @@ class PipeReader(InputStream):
 
 
 class PipeWriter(OutputStream):
-    """The end of a pipe into which a program writes; BrokenPipeError when nobody reads any more."""
+    """The writing end of a pipe; it raises BrokenPipeError once the reader has closed its end."""
 
     def __init__(self, pipe: Pipe) -> None:
         self._pipe = pipe
 
     def write(self, text: str) -> int:
+        """Append text; what exceeds PIPE_LIMIT is dropped.
+
+        Raises:
+            BrokenPipeError: when an end is closed.
+        """
         pipe = self._pipe
         if pipe._reader_closed or pipe._writer_closed:
             raise BrokenPipeError(32, "Broken pipe")
@@ -270,16 +291,23 @@ class PipeWriter(OutputStream):
         return len(text)
 
     async def drain(self) -> None:
+        """Wait until the pipe has been read.
+
+        Raises:
+            BrokenPipeError: when the reader has gone.
+        """
         await wait_for(self._pipe._drained)
         if self._pipe._reader_closed:
             raise BrokenPipeError(32, "Broken pipe")
 
     def wait_for_room(self) -> None:
+        """Block the calling thread while PIPE_HIGH characters or more are in the pipe."""
         pipe = self._pipe
         while pipe._size >= PIPE_HIGH and not pipe._reader_closed:
-            time.sleep(0.01)  # a copying thread has nothing else to do; the scheduler never comes here
+            time.sleep(0.01)  # a copying thread has nothing else to do; the scheduler's thread never gets here
 
     def close(self) -> None:
+        """End the reader's input once it has read what is in the pipe."""
         self._pipe._writer_closed = True
         self._pipe._readable.set()
 
@@ -292,10 +320,12 @@ class TextInput(InputStream):
         self._at = 0
 
     async def read_key(self) -> str:
+        """Return the next character; '' at the end of the text."""
         self._at += 1
         return self._text[self._at - 1 : self._at]
 
     async def read_line(self) -> str:
+        """Return the next line with its newline; '' at the end of the text."""
         end = self._text.find("\n", self._at)
         end = len(self._text) if end < 0 else end + 1
         line, self._at = self._text[self._at : end], end
@@ -306,7 +336,7 @@ _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(
 
 
 def _pipe(path: Path) -> int | None:
-    """Open a named pipe for writing if `path` is one: without waiting for its reader, there has to be one (ENXIO)."""
+    """Open `path` for writing if it is a named pipe, without waiting for a reader (ENXIO if there is none)."""
     try:
         mode = path.stat().st_mode
     except OSError:
@@ -322,30 +352,34 @@ class FileInput(InputStream):
 
     def __init__(self, path: Path) -> None:
         mode = path.stat().st_mode
-        if str(path) not in WITHOUT_END:  # those are read a line at a time, and others have their turn
+        if str(path) not in WITHOUT_END:  # those are read a line at a time, and other programs get their turn
             refuse(str(path), mode, writing=False)
         number = os.open(path, os.O_RDONLY | _AT_ONCE)
-        # Every byte gets out again as it was (FileOutput), and only a newline ends a line.
+        # FileOutput writes every byte back unchanged, and only a newline ends a line.
         self._file: TextIO = os.fdopen(number, encoding="utf-8", errors="surrogateescape", newline="\n")
 
     def fileno(self) -> int | None:
+        """The descriptor of the open file."""
         return self._file.fileno()
 
     async def read_key(self) -> str:
+        """Return the next character; '' at the end of the file."""
         return self._file.read(1)
 
     async def read_line(self) -> str:
+        """Return the next line with its newline, at most LONGEST_LINE characters; '' at the end of the file."""
         return self._file.readline(LONGEST_LINE)
 
     def close(self) -> None:
+        """Close the file."""
         self._file.close()
 
 
 class FileOutput(OutputStream):
     """Writes a file (`> FILE`, `>> FILE`). The constructor raises OSError as `open` does.
 
-    What cannot be written is dropped and remembered as an error, as C's stdio does it: `write` and `close` never raise, `flush`
-    and `drain` do, once. Any thread may write.
+    Bytes that cannot be written are dropped and the error is kept, as in C's stdio: `write` and `close` never raise, `flush` and
+    `drain` do, once. Any thread may write.
     """
 
     def __init__(self, path: Path, *, append: bool = False) -> None:
@@ -355,11 +389,13 @@ class FileOutput(OutputStream):
         self._lock = threading.Lock()
 
     def fileno(self) -> int | None:
+        """The descriptor of the open file, after everything waiting has been written to it."""
         with self._lock:
             self._put()
         return self._file.fileno()
 
     def write(self, text: str) -> int:
+        """Keep `text`, and write blocks of FILE_BLOCK bytes to the file. Never raises."""
         with self._lock:
             self._waiting += text.encode("utf-8", "surrogateescape")
             if len(self._waiting) >= FILE_BLOCK:
@@ -367,16 +403,21 @@ class FileOutput(OutputStream):
         return len(text)
 
     def flush(self) -> None:
-        """Write what waits. Raises the first WriteError (or BrokenPipeError) since the last time."""
+        """Write the buffer. Raises the first WriteError (or BrokenPipeError) since the last time."""
         with self._lock:
             self._put()
         self._raise_problem()
 
     async def drain(self) -> None:
+        """Raise the first WriteError (or BrokenPipeError) since the last time."""
         self._raise_problem()
 
     def close(self) -> None:
-        with self._lock, contextlib.suppress(OSError):  # whoever wants to know has flushed
+        """Write what waits and close the file. Never raises."""
+        with (
+            self._lock,
+            contextlib.suppress(OSError),
+        ):  # errors are raised by `flush`, which comes first where they matter
             self._put()
             self._file.close()
 
@@ -386,12 +427,12 @@ class FileOutput(OutputStream):
             raise problem
 
     def _put(self) -> None:
-        """Write what waits; as much of it as fits is in the file afterwards, as with the system's own programs."""
+        """Write the buffer; as much of it as fits ends up in the file, as with the system's own programs."""
         data, self._waiting = memoryview(self._waiting), bytearray()
         try:
             while data and not self._file.closed:
                 written = self._file.write(data)
-                if written is None:  # a pipe whose reader is slower
+                if written is None:  # a pipe that is full
                     raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
                 data = data[written:]
         except BrokenPipeError as error:
@@ -401,7 +442,7 @@ class FileOutput(OutputStream):
 
 
 class Captured(OutputStream):
-    """Keeps what is written (`$(command)`, tests). Beyond CAPTURE_LIMIT it breaks like a pipe, and `is_cut` says so."""
+    """Keeps its text (`$(command)`, tests). Beyond CAPTURE_LIMIT it breaks like a pipe and `is_cut` is set."""
 
     def __init__(self) -> None:
         self._parts: list[str] = []
@@ -409,6 +450,11 @@ class Captured(OutputStream):
         self.is_cut = False
 
     def write(self, text: str) -> int:
+        """Keep `text`.
+
+        Raises:
+            BrokenPipeError: beyond CAPTURE_LIMIT.
+        """
         if self._size + len(text) > CAPTURE_LIMIT:
             self.is_cut = True
             raise BrokenPipeError(32, "Broken pipe")
@@ -417,8 +463,10 @@ class Captured(OutputStream):
         return len(text)
 
     async def drain(self) -> None:
-        await let_others_run()  # nobody has to catch up, but a program without end must not stop the others
+        """Let other programs run."""
+        await let_others_run()  # no reader has to catch up, but an endless program must not hold up the others
 
     @property
     def text(self) -> str:
+        """Everything that was written."""
         return "".join(self._parts)

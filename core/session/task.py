@@ -1,6 +1,6 @@
-"""What programs wait with: signals, times of the world clock, and the tasks that do the waiting.
+"""Signals, waits and tasks: how programs wait for each other and for times of the world clock.
 
-A task is a coroutine that waits on two things only, a `Signal` and a time. `core.session.scheduler` runs it.
+A task is a coroutine that waits for two things only, a `Signal` and a time. `core.session.scheduler` runs it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ class Signal:
         self._waiters: dict[Task, int] = {}
 
     def set(self) -> None:
-        # The order matters: a waiter enters the table before it looks at the flag, so one of the two sees the other.
+        """Set the flag and wake every task that waits for it (any thread)."""
+        # The order matters: a waiter enters the table before it reads the flag, so one of the two sees the other.
         self._set = True
         if self._waiters:
             waiters, self._waiters = self._waiters, {}
@@ -33,14 +34,16 @@ class Signal:
                 task.scheduler._wake(task, ticket)
 
     def clear(self) -> None:
+        """Clear the flag: tasks that wait from now on wait for the next `set`."""
         self._set = False
 
     def is_set(self) -> bool:
+        """Return whether the flag is set."""
         return self._set
 
 
 class Wait:
-    """What a task yields to the scheduler: wake me by this signal or at this steady world time, whichever is first."""
+    """Yielded by a task to the scheduler: wake it by this signal or at this steady world time (ns), whichever is first."""
 
     __slots__ = ("deadline_ns", "signal")
 
@@ -53,15 +56,15 @@ class Wait:
 
 
 YIELD = Wait(None, 0)
-"""What a task yields that only wants to let others run."""
+"""Yielded by a task that only lets others run."""
 
 
 class TaskCancelled(BaseException):
-    """Thrown into a task that is ended from outside; a BaseException, so that no `except Exception` of a program keeps it."""
+    """Thrown into a task that is ended from outside; a BaseException, so that no `except Exception` of a program catches it."""
 
 
 class Task:
-    """A running coroutine. `done` is set when it has ended; then either `result` or `exception` tells how."""
+    """A running coroutine. `done` is set when it has ended; `result` or `exception` then holds its outcome."""
 
     def __init__(self, scheduler: Scheduler, coroutine: Coroutine[Any, Any, Any], name: str) -> None:
         self.scheduler = scheduler
@@ -73,7 +76,7 @@ class Task:
         """Called once, on the scheduler's thread, when the task has ended."""
         self._coroutine = coroutine
         self._ticket = 0
-        """Number of the present wait: a wake-up that carries an older number comes too late and is ignored."""
+        """Number of the current wait: a wake-up with an older number comes too late and is ignored."""
         self._pending: deque[BaseException] = deque()
         self._begun = False
         self._waiting = True
@@ -82,15 +85,16 @@ class Task:
 
     @property
     def finished(self) -> bool:
+        """Whether the task has ended, however it ended."""
         return self.done.is_set()
 
     def throw(self, error: BaseException) -> None:
-        """Raise `error` in the task where it waits (any thread; at its next wait if it runs just now)."""
+        """Raise `error` in the task where it waits (any thread; at its next wait if it is running)."""
         self.scheduler.call(lambda: self.scheduler._throw(self, error))
 
     @property
     def undelivered(self) -> BaseException | None:
-        """What `throw` has not raised yet."""
+        """The first error given to `throw` that has not been raised yet."""
         return self._pending[0] if self._pending else None
 
     def cancel(self) -> None:
@@ -102,6 +106,7 @@ class Task:
         self.scheduler.call(lambda: self.scheduler._hold(self))
 
     def release(self) -> None:
+        """Step the task again after `hold`; a wake-up that came meanwhile is delivered now."""
         self.scheduler.call(lambda: self.scheduler._release(self))
 
     async def join(self) -> None:
@@ -111,24 +116,24 @@ class Task:
 
 
 async def wait_for(signal: Signal, deadline_ns: int | None = None) -> bool:
-    """Wait for `signal` until the steady world time `deadline_ns`; True if it is set, False if the time came first."""
+    """Wait for `signal` until the steady world time `deadline_ns`; True if it is set, False if the time was reached first."""
     if signal.is_set():
         return True
     return await Wait(signal, deadline_ns)
 
 
 async def sleep_until(deadline_ns: int) -> None:
-    """Wait until the steady world time `deadline_ns`; the clock then reads exactly that (unless it was past already)."""
+    """Wait until the steady world time `deadline_ns`; the clock then reads exactly that (unless it was already past)."""
     await Wait(None, deadline_ns)
 
 
 async def let_others_run() -> None:
-    """Go to the end of the queue of everything that is ready at this moment."""
+    """Go to the end of the queue of ready tasks."""
     await YIELD
 
 
 async def in_turns(work: Generator[None, None, _Result]) -> _Result:
-    """Do work that yields now and then, and let others run each time; returns what it returns."""
+    """Run a generator, letting others run at each yield; return its return value."""
     while True:
         try:
             next(work)

@@ -1,4 +1,4 @@
-"""Work that would stall every program is done in a thread while its program waits."""
+"""Runs work that would stall every program in a thread, while its program waits."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ _Result = TypeVar("_Result")
 
 
 async def in_thread(function: Callable[[], _Result]) -> _Result:
-    """Run `function` in a thread of its own and return what it returns; its exception comes out here.
+    """Run `function` in a new thread and return its result or raise its exception.
 
-    A program that is interrupted while it waits leaves the thread behind; what it still does is lost.
+    A program that is interrupted while it waits leaves the thread behind; its result is lost.
     """
     done = Signal()
     results: list[_Result] = []

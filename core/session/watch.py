@@ -1,9 +1,9 @@
-"""A debug check: names the stack where the thread that runs all programs waits for the system, on with DAY6_WATCH=FILE.
+"""A debug check: logs the stack wherever the thread that runs all programs blocks. Enabled by DAY6_WATCH=FILE.
 
-Two looks at it, because neither sees everything. Calls that wait by their nature are noticed when they are made, on any machine
-and however short they are. Whatever else stops the thread is noticed by another one: it stands in the same line for a second
-and gets no processor time, though samples were taken all the while (so it is no machine that stands still, nor a loaded one,
-which gives every thread some milliseconds a second).
+Two checks, because neither sees everything. Calls that always block are noticed when they are made, on any machine and however
+short they are. Anything else that stops the thread is noticed by a sampling thread: it stays at the same instruction for a second
+without processor time, although samples were taken all the time (so the machine was neither suspended nor merely loaded, which
+still gives every thread some milliseconds a second).
 """
 
 from __future__ import annotations
@@ -24,22 +24,22 @@ from typing import Any
 VARIABLE = "DAY6_WATCH"
 EVERY = 0.1
 SAMPLES = 10
-"""Samples, one every 0.1 s, in which a thread stands still before that is called waiting."""
+"""Samples, one every 0.1 s, in which a thread makes no progress before it counts as blocked."""
 
 STILL = 0.005
-"""Seconds of processor time within them below which it does."""
+"""Seconds of processor time below which it makes no progress."""
 
 _AUDITED = ("subprocess.Popen", "socket.connect", "socket.getaddrinfo", "os.system")
 _ALLOWED = (("threading.py", "start"),)
-"""File and function that may wait: a thread that is started says so at once."""
+"""File and function that may block: a new thread confirms its start at once."""
 
 _threads: set[int] = set()
-_told: set[str] = set()
+_reported: set[str] = set()
 _installed = False
 
 
 def begin() -> bool:
-    """From now on this thread must not wait. Returns False if that held already."""
+    """From now on this thread must not block. Returns False if that was so already."""
     _install()
     thread = threading.get_ident()
     if thread in _threads:
@@ -49,7 +49,7 @@ def begin() -> bool:
 
 
 def end() -> None:
-    """It may wait again."""
+    """Let this thread block again."""
     _threads.discard(threading.get_ident())
 
 
@@ -78,14 +78,14 @@ def _guard(place: Any, name: str, waits: Callable[..., bool]) -> None:
     @functools.wraps(original)
     def guarded(*arguments: Any, **keywords: Any) -> Any:
         if threading.get_ident() in _threads and waits(*arguments, **keywords):
-            _tell(f"{name}()", sys._getframe(1))
+            _report(f"{name}()", sys._getframe(1))
         return original(*arguments, **keywords)
 
     setattr(place, name, guarded)
 
 
 def _waits_for_file(fd: int, *_: object) -> bool:
-    """Whether reading and writing may wait for somebody: a pipe, a socket or a terminal that was not told otherwise."""
+    """Whether reading and writing may block: a pipe, a socket or a terminal in blocking mode."""
     if sys.platform == "win32":
         return False
     try:
@@ -100,7 +100,7 @@ def _audit(event: str, arguments: tuple[Any, ...]) -> None:
     if threading.get_ident() not in _threads:
         return
     if event in _AUDITED:
-        _tell(event, sys._getframe(1))
+        _report(event, sys._getframe(1))
     elif event == "open" and isinstance(arguments[0], (str, bytes)):
         if arguments[2] & getattr(os, "O_NONBLOCK", 0):
             return
@@ -109,11 +109,11 @@ def _audit(event: str, arguments: tuple[Any, ...]) -> None:
         except (OSError, ValueError):
             return
         if stat.S_ISFIFO(mode):
-            _tell(f"opening the pipe {arguments[0]!r}", sys._getframe(1))
+            _report(f"opening the pipe {arguments[0]!r}", sys._getframe(1))
 
 
 def _sample() -> None:
-    """Watch from outside, where the system tells the processor time of a thread."""
+    """Sample the watched threads, where the system knows the processor time of a thread."""
     if sys.platform == "win32" or not hasattr(time, "pthread_getcpuclockid"):
         return
     standing: dict[int, tuple[object, float, int]] = {}
@@ -122,7 +122,7 @@ def _sample() -> None:
         frames = sys._current_frames()
         for thread in list(_threads):
             frame = frames.get(thread)
-            if frame is None or frame.f_code.co_name == "_turn":  # in its inbox it waits for work
+            if frame is None or frame.f_code.co_name == "_turn":  # waiting in its inbox for work
                 standing.pop(thread, None)
                 continue
             place = (id(frame), frame.f_lasti)
@@ -131,13 +131,13 @@ def _sample() -> None:
             if before is None or before[0] != place or used - before[1] > STILL:
                 standing[thread] = (place, used, 1)
             elif before[2] == SAMPLES:
-                _tell(f"a wait of more than {EVERY * SAMPLES:g} s", frame)
+                _report(f"a wait of more than {EVERY * SAMPLES:g} s", frame)
                 standing[thread] = (place, used, 0)
             else:
                 standing[thread] = (place, before[1], before[2] + 1)
 
 
-def _tell(what: str, frame: FrameType | None) -> None:
+def _report(what: str, frame: FrameType | None) -> None:
     lines = traceback.format_stack(frame)
     here = frame
     while here is not None:
@@ -145,8 +145,8 @@ def _tell(what: str, frame: FrameType | None) -> None:
             return
         here = here.f_back
     text = f"the scheduler's thread waits: {what}\n{''.join(lines[-12:])}\n"
-    if text in _told:
+    if text in _reported:
         return
-    _told.add(text)
+    _reported.add(text)
     with open(os.environ[VARIABLE], "a", encoding="utf-8") as file:
         file.write(text)

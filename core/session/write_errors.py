@@ -1,7 +1,7 @@
-"""What a program says, and with which status it ends, when its output could not be written (a full disk).
+"""Messages and exit statuses of programs whose output could not be written (a full disk).
 
-GNU's programs check their output once more when they end (gnulib, closeout.c); each has its status for trouble. A Python
-program learns of it while the interpreter ends, which is status 120 (CPython, Py_FinalizeEx).
+GNU programs check their output once more when they end (gnulib, closeout.c); each has its own status for failure. In Python the
+error appears while the interpreter ends, with status 120 (CPython, Py_FinalizeEx).
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ _WORDS: dict[str, tuple[str, int]] = {
     **dict.fromkeys(("grep", "egrep", "fgrep"), ("grep: write error: {reason}", 2)),
     **dict.fromkeys(("ros2", "colcon", "xacro", "rosdep", "pip", "pip3"), _PYTHON),
 }
-"""By the name of the program: text and status where they are not the usual ones."""
+"""By program name: message and status where they differ from the usual ones."""
 
 
-def told(session: Session, error: OSError) -> int:
-    """Say on the program's standard error what could not be written; returns the status it ends with."""
+def report_write_error(session: Session, error: OSError) -> int:
+    """Print the error on the program's standard error; return the program's exit status."""
     text, status = _WORDS.get(session.name, _USUAL)
     session.print_error(text.format(name=session.name, reason=error.strerror, number=error.errno))
     return status

@@ -1,10 +1,10 @@
 """The simulated machine and its terminals: the desk, the shell's language, its commands, students' processes.
 
-- The machine: `desk.Desk` is all of it without a drawing; `execute` runs lines on it without a screen.
-- A terminal: `terminal.Terminal`, its picture (`screen`, `rows`, `width`), its keys (`discipline`), the line being typed
+- The machine: `desk.Desk` is all of it except the drawing; `execute` runs lines on it without a screen.
+- A terminal: `terminal.Terminal`, its picture (`screen`, `rows`), its keys (`discipline`), the line being typed
   (`line_editor`, `edit_line`, `history`, `recall`, `completion`), the shell's life in it (`login`, `prompt`).
 - The language is in `language/`: reading, expanding, running, jobs.
-- Commands: `commands` says which program a name stands for; ours are in `builtins/`, the editors' model in `editing/`.
+- Commands: `commands` maps a name to its program; ours are in `builtins/`, the editors' model in `editing/`.
 - Students' programs: `process` here, `launch_process` and `memory` on the other side.
 - The real terminal and other editors: `subshell`, `real_completion`, `ide`.
 

@@ -1,18 +1,18 @@
-"""Text of the shell that may stand for any bytes: what is not UTF-8 is in it as in Python's file names (surrogateescape).
+"""Text of the shell that can represent any bytes: what is not UTF-8 is encoded as in Python's file names (surrogateescape).
 
-So a byte of a file, a pipe or a name comes out again as it came in; a terminal shows a stand-in for it.
+So a byte of a file, a pipe or a name comes out as it came in; a terminal shows a replacement character.
 """
 
 from __future__ import annotations
 
 
 def of_byte(value: int) -> str:
-    """Return what stands for one byte."""
+    """Return the text for one byte."""
     return chr(value) if value < 0x80 else chr(0xDC00 + value)
 
 
 def of_code(code: int) -> str:
-    """Return what stands for the UTF-8 of a code point; also one that is no character, as bash's `\\u` does."""
+    """Return the text for the UTF-8 of a code point, even one that isn't a character, as bash's `\\u` does."""
     return chr(min(code, 0x10FFFF)).encode("utf-8", "surrogatepass").decode("utf-8", "surrogateescape")
 
 

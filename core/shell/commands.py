@@ -1,4 +1,4 @@
-"""Which program a command name stands for."""
+"""Maps command names to programs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs import load, named_by
+from day6_tui.core.ros.program_index import named_by, place_of_command
+from day6_tui.core.ros.programs import load
 from day6_tui.core.session.session import Main, Session
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "machine": "nproc lsb_release locale",
         "display": "tput dircolors lesspipe",
         "find": "find",
-        "columns": "cut tr sed diff",
+        "columns": "cut tr rev sed diff",
         "pager": "less more man",
         "packages": "sudo apt apt-get rosdep pip pip3",
         "edit": "nano gedit vim vi code mousepad gnome-text-editor",
@@ -52,7 +53,7 @@ _MODULE_OF = {name: module for module, names in MODULES.items() for name in name
 
 _ALSO_BUILTIN = "pushd popd dirs jobs fg bg wait kill disown echo printf help type command true false : test ["
 SHELL_BUILTINS = frozenset((*MODULES["state"], *MODULES["variables"], *_ALSO_BUILTIN.split())) - {"stty"}
-"""What is part of bash itself; all others have a place in /usr/bin or /opt/ros."""
+"""Built-ins of bash itself; all other commands have a place in /usr/bin or /opt/ros."""
 
 
 def command_names() -> list[str]:
@@ -70,23 +71,19 @@ def builtin(name: str) -> Main | None:
 
 
 def place_of(name: str) -> str:
-    """Where `which` says a command is: '' for what is part of the shell."""
+    """The path that `which` prints for a command; '' for a built-in of the shell."""
     if name not in _MODULE_OF or name in SHELL_BUILTINS - {"echo", "printf", "kill", "test", "[", "true", "false"}:
         return ""
-    if name in ("ros2", "rviz2", "check_urdf", "urdf_to_graphviz", "xacro") or name.startswith("rqt"):
-        from day6_tui.core.ros.environment import DISTRO
-
-        return f"/opt/ros/{DISTRO}/bin/{name}"
-    return f"/usr/bin/{name}"
+    return place_of_command(name) or f"/usr/bin/{name}"
 
 
 LONGEST_ARGUMENT = 128 * 1024
 LONGEST_ARGUMENTS = 2 * 1024 * 1024
-"""Bytes that Linux hands to a program, its variables included (execve(2): MAX_ARG_STRLEN, a quarter of an 8 MB stack)."""
+"""Bytes that Linux passes to a program, its variables included (execve(2): MAX_ARG_STRLEN, a quarter of an 8 MB stack)."""
 
 
 def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
-    """Whether the system would not start a program with these arguments; what is part of the shell takes any."""
+    """Whether these arguments are too long for a program; built-ins of the shell take any."""
     if not argv or argv[0] not in _MODULE_OF or argv[0] in SHELL_BUILTINS:
         return False
     texts = [*argv, *(f"{name}={value}" for name, value in environment.items())]
@@ -97,12 +94,12 @@ def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
 
 
 def list_too_long(name: str, shell: Shell) -> Main:
-    """A program that says so, as bash does."""
+    """Return a program that reports that, as bash does."""
     return _saying(f"{shell.name}: {place_of(name)}: Argument list too long", 126)
 
 
 def find_command(name: str, shell: Shell) -> Main:
-    """The program for `name`: a function, one of ours, a file (with a / in it), or one that says `command not found`."""
+    """Return the program for `name`: a function, one of ours, a file (with a / in it), or one that prints `command not found`."""
     if name in shell.functions:
         from day6_tui.core.shell.language.functions import calling
 
@@ -135,7 +132,7 @@ def _file(name: str, shell: Shell) -> Main:
 
 
 def _first_line(path: Path) -> str:
-    """What `#!` names, '' if the file begins with something else."""
+    """The interpreter after `#!`, '' if the file begins with something else."""
     try:
         with path.open("rb") as file:
             line = file.readline(256).decode("utf-8", "replace").strip()

@@ -1,4 +1,4 @@
-"""Tab: commands, files, variables, and through the `ros2` command packages, executables, nodes, topics, types."""
+"""Tab completion: commands, files, variables and, from the `ros2` command, packages, executables, nodes, topics, types."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ _NEEDS_BACKSLASH = frozenset(" \t'\"\\$&;|()<>*?[]{}`!#")
 
 
 COMPLETED = ("ros2", "colcon")
-"""The commands that know what can stand behind them."""
+"""The commands that complete their own arguments."""
 
 
 async def own_words(
     words: list[str], session: Session, cwd: Path, environment: Mapping[str, str]
 ) -> Iterable[str] | None:
-    """Return what one of `COMPLETED` offers as the last of `words`; None where a file is wanted."""
+    """Return the completions that one of `COMPLETED` offers for the last of `words`; None where a file is expected."""
     if words[0] == "colcon":
         from day6_tui.core.workspace.completion import complete
 
@@ -38,7 +38,7 @@ async def own_words(
 
 
 class Completer:
-    """What could stand where the cursor is."""
+    """Finds completions for the text before the cursor."""
 
     def __init__(self, shell: Shell, session: Session) -> None:
         self._shell = shell

@@ -1,4 +1,4 @@
-"""The whole simulated machine without its drawing: world clock, programs, graph, link, terminals, windows, home folder."""
+"""The whole simulated machine except its drawing: world clock, programs, graph, link, terminals, windows, home folder."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.graph.domain import DomainError, domain_from_text
 from day6_tui.core.graph.graph import Graph
+from day6_tui.core.places import default_home
 from day6_tui.core.ros.environment import activate, program_environment
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
-from day6_tui.core.session.places import default_home
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
@@ -48,11 +48,11 @@ _PASSED_ON = (
     "TMP",
     "PATH",
     "PYTHONPATH",
-    # Where the link's folder is found from: a student's process must come to the same one as we do.
+    # The link's folder is derived from these: a student's process must find the same one as we do.
     "XDG_RUNTIME_DIR",
     "LOCALAPPDATA",
     "USERPROFILE",
-    # Without these Windows starts programs badly or not at all.
+    # Without these, Windows starts programs badly or not at all.
     "APPDATA",
     "COMSPEC",
     "PATHEXT",
@@ -97,7 +97,7 @@ class Desk:
         self.scheduler = Scheduler(self.clock)
         self.display: Display | None = Display() if display else None
         self.programs: dict[int, Program] = {}
-        """What runs, by process number."""
+        """Running programs by process id."""
         self.terminals: list[Terminal] = []
         self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
         self._joined: set[Graph] = set()
@@ -190,7 +190,7 @@ class Desk:
             stderr=streams.stderr,
             display=self.display,
         )
-        session.shell = shell
+        session.host = shell
         session.python = run_python
         program = Program(session, main)
         self.programs[program.pid] = program
@@ -206,7 +206,7 @@ class Desk:
     # -- time ----------------------------------------------------------------------------------------------------------
 
     def pause(self) -> None:
-        """Let the world stand still; students' processes are stopped too (where the system can)."""
+        """Pause the world; students' processes are stopped too (where the system can)."""
         self.clock.pause()
         self._stop_processes(True)
 
@@ -215,7 +215,7 @@ class Desk:
         self.clock.resume()
 
     def step(self, seconds: float = 0.016) -> None:
-        """Move the paused world on; processes stay stopped."""
+        """Advance the paused world; processes stay stopped."""
         self.clock.step(seconds)
 
     def set_speed(self, factor: float) -> None:
@@ -263,7 +263,7 @@ class Desk:
             self._join_in_background(graph)
 
     def link_on_demand(self) -> None:
-        """Join a graph when a program first uses it, and before it does (a script that uses none should not pay for it)."""
+        """Join a graph just before a program first uses it (a script that uses none should not pay for it)."""
         self._on_demand = self._join_link
 
     def _join_in_background(self, graph: Graph) -> None:
@@ -278,7 +278,7 @@ class Desk:
         try:
             join(graph, never_wait=True, listen=self._listen, connect=self._connect, secret=self._secret)
         except Exception:
-            # Without the link the desk still works for itself; who asks for other processes sees none.
+            # Without the link the desk still works by itself; other processes are just not visible.
             _log.warning("the link could not be opened", exc_info=True)
 
     def close(self) -> None:
@@ -322,7 +322,7 @@ class Desk:
                 return
 
     def hurry(self) -> None:
-        """Give programs no time any more: who ends them goes over to SIGKILL. From any thread."""
+        """Stop waiting for programs: whatever is ending them goes on to SIGKILL at once. Any thread."""
         self._hurried = True
         with self._changed:
             self._changed.notify_all()
@@ -343,7 +343,7 @@ def domain_of(env: Mapping[str, str]) -> int:
 
 
 def _own_domain() -> int:
-    """The domain that the desk itself looks at: the environment's, and 0 where every program will refuse that one."""
+    """The domain that the desk itself uses: the environment's, or 0 if every program will refuse that one."""
     try:
         return domain_of(os.environ)
     except DomainError:

@@ -1,7 +1,7 @@
-"""The line discipline of a simulated terminal: echo, line editing in cooked mode, raw keys, and the keys that mean signals.
+"""The line discipline of a simulated terminal: echo, line editing in cooked mode, raw keys, and the keys that send signals.
 
 Everything here runs on the scheduler's thread. As in a kernel there is one queue per terminal, so what is typed ahead reaches
-whoever reads next, while the mode belongs to the reader in the foreground and cannot be left behind by a program that died.
+the next reader, while the mode belongs to the reader in the foreground and cannot be left behind by a program that died.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.streams import END_OF_INPUT, InputStream, KeyReceiver, OutputStream
 from day6_tui.core.session.task import Signal, sleep_until, wait_for
 from day6_tui.core.session.typed_text import END_OF_FILE, TypedText
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.width import char_width
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
 INTERRUPT, SUSPEND, QUIT, ERASE, KILL_LINE, KILL_WORD = "\x03", "\x1a", "\x1c", "\x7f", "\x15", "\x17"
 END = END_OF_FILE
 MOST_TYPED_AHEAD = 4 * 1024 * 1024
-"""Characters nobody has read yet from which a terminal only beeps: a kernel keeps 4 kB, but what is pasted is not to be lost."""
+"""Unread characters at which a terminal only beeps: a kernel keeps 4 kB, but pasted text must not be lost."""
 
 READS_IN_A_ROW = 256
-"""Keys or lines a program takes before others have a turn, also those whose time has come."""
+"""Keys or lines a program takes before other programs get a turn, including those whose timers are due."""
 
 _RUN = re.compile(r"[^\x03\x04\b\n\r\x15\x17\x1a\x1c\x7f]+|.", re.DOTALL)
-"""What is typed in one go: text that only has to be kept, or one character that does something."""
+"""A unit of typing: text that only has to be stored, or one character with an effect."""
 
 
 class Discipline:
-    """The terminal's queue of typed text, and who reads it."""
+    """The terminal's queue of typed text, and its readers."""
 
     def __init__(self, terminal: Terminal) -> None:
         self.terminal = terminal
@@ -47,19 +47,19 @@ class Discipline:
         self._line = ""
         """The unfinished line in cooked mode."""
         self.interrupts = 0
-        """How often Ctrl-C was pressed at the job that has the keys: one that still runs does not listen to it."""
+        """How often Ctrl-C was pressed at the foreground job: one that still runs ignores it."""
         self._receivers: set[KeyReceiver] = set()
 
     @property
     def front(self) -> TtyInput:
-        """The reader that has the keys: from the shell down, the job each one waits for."""
+        """The foreground reader: from the shell down, the job each one waits for."""
         reader = self.root
         while reader.current is not None:
             reader = reader.current
         return reader
 
     def front_changed(self, before: TtyInput) -> None:
-        """Adapt the queue to the mode of the reader that has the keys now."""
+        """Adapt the queue to the mode of the new foreground reader."""
         after = self.front
         if before.is_raw != after.is_raw:
             (self.become_raw if after.is_raw else self.become_cooked)()
@@ -126,7 +126,7 @@ class Discipline:
             write("\r\n")
             self._finish_line("\n")
         elif key == END:
-            self._finish_line("" if self._line else END)
+            self._finish_line(END)
         elif key in (ERASE, "\b"):
             if self._line:
                 write(_erasing(self._line[-1]))
@@ -150,7 +150,7 @@ class Discipline:
 
     @property
     def has_pending(self) -> bool:
-        """Whether something was typed that nobody has read."""
+        """Whether there is unread typed text."""
         return bool(self._ready or self._line)
 
     # -- reading -------------------------------------------------------------------------------------------------------
@@ -168,11 +168,11 @@ class Discipline:
         return self._ready.take_line()
 
     def take_up_to(self, mark: str) -> tuple[str, bool]:
-        """What was typed before `mark`, as far as it is there, and whether the mark is (it is taken away then)."""
+        """Take what was typed before `mark`; return it and whether the mark was there, which is then removed."""
         return self._ready.take_up_to(mark)
 
     def become_raw(self) -> None:
-        """What stands in the unfinished line can be read key by key now."""
+        """Make the unfinished line readable key by key."""
         self._ready.add(self._line)
         self._line = ""
 
@@ -203,7 +203,7 @@ class Discipline:
 
 
 class TtyInput(InputStream):
-    """One job's end of the terminal: its mode, and its turn to read."""
+    """One job's end of the terminal: its mode, and whether it may read."""
 
     def __init__(self, discipline: Discipline, parent: TtyInput | None = None) -> None:
         self.discipline = discipline
@@ -249,7 +249,7 @@ class TtyInput(InputStream):
         if receiver is not None:
             scheduler.call_soon_threadsafe(lambda: self.discipline.add_receiver(receiver))
 
-    def give_back(self, text: str) -> None:
+    def push_back(self, text: str) -> None:
         self.terminal.type_again(text)
 
     async def read_key(self) -> str:
@@ -301,7 +301,7 @@ class TtyInput(InputStream):
             await self._more()
 
     async def _take_turns(self) -> None:
-        """Let others have their time in between, when much was typed ahead."""
+        """Let other programs run in between when much was typed ahead."""
         self._reads += 1
         if self._reads % READS_IN_A_ROW == 0:
             await sleep_until(self.terminal.desk.clock.steady_ns())

@@ -1,4 +1,4 @@
-"""A line being edited and readline's commands on it: moving, deleting, killing and yanking. Knows no screen and no history."""
+"""A line being edited and readline's commands on it: moving, deleting, killing and yanking. Independent of screen and history."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _WORD = re.compile(r"\w+")
 
 
 class EditLine:
-    """Some text and a cursor in it. What was killed last stays for the next line."""
+    """Some text and a cursor in it. The last killed text is kept for the next line."""
 
     def __init__(self) -> None:
         self.text = ""
@@ -27,12 +27,12 @@ class EditLine:
         return self.text[: self.at]
 
     def insert(self, text: str) -> None:
-        """Put `text` in at the cursor."""
+        """Insert `text` at the cursor."""
         self.text = self.text[: self.at] + text + self.text[self.at :]
         self.at += len(text)
 
     def cut(self, start: int, end: int, *, keep: bool = True) -> None:
-        """Take out what is between two positions; it can be yanked unless `keep` is off."""
+        """Delete the text between two positions; it can be yanked unless `keep` is off."""
         if keep and start < end:
             self.killed = self.text[start:end]
         self.text = self.text[:start] + self.text[end:]
@@ -102,7 +102,7 @@ class EditLine:
         self.cut(len(head.rpartition(" ")[0]) + (1 if " " in head else 0), self.at)
 
     def yank(self) -> None:
-        """Ctrl-Y: put in what was killed last."""
+        """Ctrl-Y: insert the last killed text."""
         self.insert(self.killed)
 
     def transpose(self) -> None:
@@ -146,4 +146,4 @@ KEYS: dict[str, Callable[[EditLine], None]] = {
     "\x19": EditLine.yank,
     "\x14": EditLine.transpose,
 }
-"""Which key does what to the line."""
+"""Key -> command on the line."""

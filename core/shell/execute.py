@@ -70,7 +70,7 @@ def main(arguments: list[str]) -> int:
 def run(
     desk: Desk, commands: str, arguments: list[str], *, name: str, stdin: RealInput | None, timeout: float | None
 ) -> int:
-    """Run command lines on a desk that nobody drives yet, in this thread; closes the desk."""
+    """Run command lines on a desk that is not running yet, in this thread; close the desk."""
     shell = desk.shell(cwd=working_folder())
     shell.name = name
     shell.arguments = arguments
@@ -96,7 +96,7 @@ def run(
         if desk.scheduler.run(lambda: program.status is not None, timeout):
             status = program.status or 0
     finally:
-        # What still runs was in the background: closing a terminal ends it unseen.
+        # What still runs is in the background: closing a terminal ends it silently.
         stdout.mute()
         stderr.mute()
         desk.close()

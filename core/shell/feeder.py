@@ -1,4 +1,4 @@
-"""Writes into the pipe that is a process's standard input, on a thread of its own: a pipe that is full lets its writer wait."""
+"""Writes to the pipe of a process's standard input, on a thread of its own, because a full pipe blocks its writer."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from typing import IO
 from day6_tui.core.session.task import Signal
 
 FULL = 256 * 1024
-"""Bytes that may wait for the process; the program that hands them over pauses then."""
+"""Bytes that may wait for the process; beyond that the program that writes them pauses."""
 
 
 class Feeder:
-    """Takes data from the scheduler's thread, which never waits for the process."""
+    """Accepts data from the scheduler's thread, which never waits for the process."""
 
     def __init__(self, pipe: IO[bytes]) -> None:
         self._pipe = pipe
@@ -29,7 +29,7 @@ class Feeder:
 
     @property
     def is_full(self) -> bool:
-        """Whether to wait for room."""
+        """Whether the writer should wait for room."""
         return not self.broken and self._put - self._written > FULL
 
     def put(self, data: bytes) -> None:

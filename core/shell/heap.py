@@ -1,8 +1,8 @@
-"""Keeps the memory of a process that lives for hours from growing, where the C library is glibc.
+"""Keeps the memory of a process that runs for hours from growing, if the C library is glibc.
 
-glibc gives threads heaps of their own. The engine of the link frees in one thread what another took, so that the holes are spread
-over eight heaps a core and few can be used again: 10 to 20 kB for every program that came and went. With one heap the holes are
-used again, and those that are left in it can be given back.
+glibc gives threads heaps of their own. The link's library frees in one thread what another allocated, so the holes are spread
+over eight heaps per core and few are reused: 10 to 20 kB are lost for every program that starts and ends. With one heap the
+holes are reused, and the rest can be returned to the system.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ import threading
 import time
 
 EVERY = 30.0
-"""Seconds between two returns of memory that nobody uses, each of which takes a few milliseconds."""
+"""Seconds between two returns of unused memory, each of which takes a few milliseconds."""
 
 _M_ARENA_MAX = -8
 """From glibc's malloc.h."""
 
 
 def keep_heap_small() -> None:
-    """Let all threads share one heap, and give back what is free in it, now and then. To be called before there are threads.
+    """Make all threads share one heap, and return its free memory now and then. Call it before threads are started.
 
-    Without effect where the C library has no such choice.
+    Has no effect if the C library is not glibc.
     """
     if not sys.platform.startswith("linux"):
         return

@@ -12,13 +12,13 @@ KEPT = 1000
 
 _COMMAND_BEGINS = frozenset({";", "&", "&&", "||", "|", "|&", "(", ";;", ";&", ";;&"})
 _GOES_ON = frozenset({"do", "then", "else", "elif", "if", "while", "until", "case", "{", "!"})
-"""Keywords behind which a command begins, on the same line as well as on the next."""
+"""Keywords after which a command begins, on the same line or on the next."""
 
 
 def in_one_line(source: str) -> str:
-    """Return a command of several lines as bash's history keeps it (cmdhist): in one line where that means the same.
+    """Return a command of several lines as bash's history keeps it (cmdhist): in one line if that means the same.
 
-    Line ends in quotes and the bodies of here-documents stay.
+    Newlines in quotes and the bodies of here-documents stay.
     """
     if "\n" not in source or "<<" in source:
         return source
@@ -40,7 +40,7 @@ def in_one_line(source: str) -> str:
 
 
 def _between(tokens: list[Token]) -> str:
-    """What stands for the end of a line behind these tokens."""
+    """Return what replaces the newline after these tokens."""
     if not tokens:
         return ""
     last, before = tokens[-1], tokens[-2] if len(tokens) > 1 else None
@@ -49,13 +49,15 @@ def _between(tokens: list[Token]) -> str:
             in_case = _times(tokens, "case") > _times(tokens, "esac")
             return " " if in_case or (before is not None and before.text == "(") else "; "
         return " " if last.text in _COMMAND_BEGINS else "; "
+    if before is not None and before.text in ("for", "case", "select") and _at_command(tokens[:-2]):
+        return " "  # `in` follows
     if last.text == "in" and len(tokens) > 2:
         return " " if tokens[-3].text in ("for", "case", "select") else "; "
     return " " if last.text in _GOES_ON and _at_command(tokens[:-1]) else "; "
 
 
 def _at_command(tokens: list[Token]) -> bool:
-    """Whether a command begins behind these tokens, so that a keyword is one."""
+    """Whether a command begins after these tokens, so that a keyword counts as one."""
     if not tokens or tokens[-1].kind == "newline":
         return True
     last = tokens[-1]
@@ -77,10 +79,10 @@ class History:
         try:
             self.lines = file.read_text(encoding="utf-8", errors="surrogateescape").splitlines()[-KEPT:]
         except OSError:
-            return  # a first start, or a home that cannot be read: then there is none
+            return  # a first start, or an unreadable home folder: there is no history
 
     def add(self, source: str) -> None:
-        """Remember a command; a command of several lines becomes one where that means the same."""
+        """Remember a command; a command of several lines becomes one if that means the same."""
         line = in_one_line(source)
         if line.startswith(" ") or (self.lines and self.lines[-1] == line):
             return

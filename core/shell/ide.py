@@ -1,6 +1,6 @@
-"""`day6-tui env --vscode` and `--pycharm`: what an editor needs so that ROS imports resolve and its Run button joins the desktop.
+"""`day6-tui env --vscode` and `--pycharm`: settings for an editor: ROS imports resolve, and its Run button joins the desktop.
 
-Settings that are there stay; ours are put beside them, and put anew when this is run again. The stubs of the interfaces, half
+Existing settings stay; ours are added, and replaced when this is run again. The stubs of the interfaces, half
 a megabyte that every project shares, lie in the user's data folder.
 """
 
@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from day6_tui.core.places import data_folder
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
-from day6_tui.core.session.places import data_folder
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 from day6_tui.core.whole_file import replace_file
 
@@ -24,7 +24,7 @@ _SHELL_OF = {"win32": "windows", "darwin": "osx"}
 
 
 def variables() -> dict[str, str]:
-    """What a program of an editor needs: our packages on its path, ROS's names, the workspace and domain of this terminal."""
+    """The variables for an editor's programs: our packages on the path, ROS's variables, this terminal's workspace and domain."""
     env = program_environment()
     names = [
         "PYTHONPATH",
@@ -34,7 +34,7 @@ def variables() -> dict[str, str]:
 
 
 def write_stubs(folder: Path) -> int:
-    """Write the stubs of every interface package there is, those of a sourced workspace too; return their number."""
+    """Write the stubs of every interface package, including those of a sourced workspace; return their number."""
     from day6_tui.core.interfaces import packages
     from day6_tui.core.interfaces.stubs import package_stubs
 
@@ -49,7 +49,7 @@ def write_stubs(folder: Path) -> int:
 
 
 def stub_folder() -> Path:
-    """Where the stubs are."""
+    """The folder of the stubs."""
     return data_folder() / "stubs"
 
 
@@ -59,7 +59,7 @@ def stub_folder() -> Path:
 def write_vscode(project: Path, stubs: Path) -> list[Path]:
     """Write .vscode/settings.json, .vscode/launch.json and .env; return them.
 
-    Raises OSError, and ValueError (with the file's name) when a file that is there cannot be understood.
+    Raises OSError, and ValueError (with the file's name) when an existing file cannot be parsed.
     """
     folder = project / ".vscode"
     folder.mkdir(exist_ok=True)
@@ -81,7 +81,7 @@ def _vscode_settings(text: str, stubs: Path) -> str:
         ),
         system: {**(present.get(system) or {}), **variables()},
     }
-    # These are the user's own choice where they have made one.
+    # These stay as they are if the user has set them.
     values.setdefault("python.envFile", present.get("python.envFile", "${workspaceFolder}/.env"))
     values.setdefault("python.defaultInterpreterPath", present.get("python.defaultInterpreterPath", sys.executable))
     return set_keys(text, values)
@@ -129,7 +129,7 @@ def _dot_env(text: str) -> str:
 
 
 def _with_ours(present: Iterable[str] | None, ours: list[str]) -> list[str]:
-    """Our folders first, then those that were there; an older installation's are left out."""
+    """Our folders first, then the existing ones; an older installation's are left out."""
     tail = os.path.join("core", "ros", "python")
     return [*ours, *(each for each in present or () if each and each not in ours and not each.endswith(tail))]
 
@@ -225,7 +225,7 @@ def _xml(root: ElementTree.Element) -> str:
 
 
 def _change(file: Path, edit: Callable[[str], str]) -> None:
-    """Replace the text of a file, at once or not at all."""
+    """Replace the text of a file atomically."""
     before = file.read_text(encoding="utf-8-sig") if file.exists() else ""
     try:
         after = edit(before)

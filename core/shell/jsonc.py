@@ -1,4 +1,4 @@
-"""Sets keys of a JSON file with comments, as VS Code has them, and leaves every other character as it is."""
+"""Sets keys of a JSON file with comments, such as VS Code's, and leaves every other character as it is."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ _TOKEN = re.compile(
 
 
 class Span(NamedTuple):
-    """Where the value of a key stands in the text."""
+    """The position of a key's value in the text."""
 
     start: int
     end: int
 
 
 def parse(text: str) -> Any:
-    """Return the value of a JSON text with comments and commas too many. Raises ValueError."""
+    """Return the value of a JSON text with comments and trailing commas. Raises ValueError."""
     return json.loads(_without_trailing_commas(text))
 
 
 def spans(text: str) -> dict[str, Span]:
-    """Return where the values of the outermost object's keys stand. Raises ValueError if there is no object."""
+    """Return the positions of the values in the outermost object, by key. Raises ValueError if there is no object."""
     found: dict[str, Span] = {}
     depth, key, start, end = 0, "", -1, -1
     pending = ""

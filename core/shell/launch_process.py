@@ -1,8 +1,8 @@
 """Becomes a student's process: `python -I -S launch_process.py tty|no-tty NICE MEMORY PROGRAM ARG…`.
 
-Run as a file, before the program, because between fork and exec of a process with threads nothing may be done in Python. It leads
+Run as a file, before the program, because a process with threads must not run Python between fork and exec. It leads
 a session already; here it takes its standard input as controlling terminal, lowers its priority, limits its memory (bytes,
-0: not) and undoes ignored signals.
+0: no limit) and resets ignored signals.
 """
 
 import os
@@ -29,7 +29,7 @@ def main() -> None:
 
 
 def leave_no_core() -> None:
-    """Write no file of megabytes into the student's folder when Ctrl-\\ ends it."""
+    """Write no core dump of megabytes into the student's folder when Ctrl-\\ ends the program."""
     if sys.platform == "win32":
         raise NotImplementedError("not there")
     import resource
@@ -38,7 +38,7 @@ def leave_no_core() -> None:
 
 
 def limit_memory(size: int) -> None:
-    """Limit the data, not the addresses: threads and mapped files reserve many of those that they never use."""
+    """Limit the data segment, not the address space: threads and mapped files reserve many addresses they never use."""
     if sys.platform == "win32":
         raise NotImplementedError("not there")
     import resource

@@ -1,14 +1,15 @@
-"""pyte, imported without the tables of wcwidth: several megabytes, and how wide a character is our screen decides by `width`.
+"""pyte, imported without wcwidth's tables: they take several megabytes, and our screen measures characters with `width`.
 
-Import pyte's names from here, so that it is always this import that comes first.
+Import pyte's names from here, so that this import always comes first.
 """
 
 from __future__ import annotations
 
 import sys
 from types import ModuleType
+from typing import TypeAlias
 
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.width import char_width
 
 _is_late = "wcwidth" in sys.modules
 if not _is_late:
@@ -17,9 +18,12 @@ if not _is_late:
     sys.modules["wcwidth"] = _stand_in
 try:
     from pyte import Screen, Stream, charsets, modes
-    from pyte.screens import Char, Cursor
+    from pyte.screens import Char, Cursor, StaticDefaultDict
 finally:
     if not _is_late:
         del sys.modules["wcwidth"]
 
-__all__ = ["Char", "Cursor", "Screen", "Stream", "charsets", "modes"]
+Line: TypeAlias = "StaticDefaultDict[int, Char]"
+"""The cells of a line that were drawn, by their column; a blank where another one is asked for."""
+
+__all__ = ["Char", "Cursor", "Line", "Screen", "Stream", "charsets", "modes"]

@@ -1,6 +1,6 @@
 """Editing one line at the prompt as readline does: its keys (`edit_line`), history, Ctrl-R, Tab, pasting, and the drawing.
 
-The line is drawn by what a real readline would send to the terminal, so that it wraps, scrolls and is copied like any text.
+The line is drawn with what a real readline would send to the terminal, so that it wraps, scrolls and is copied like any text.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.shell.discipline import TtyInput
 from day6_tui.core.shell.edit_line import KEYS, EditLine
 from day6_tui.core.shell.line_layout import lay_out, near, shown
-from day6_tui.core.shell.width import text_width
+from day6_tui.core.width import text_width
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.completion import Completer
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
 _COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|\x07")
-"""What takes no room in a prompt: colours and the window's title."""
+"""The parts of a prompt that take no cells: colours and the window's title."""
 PASTE_ON, PASTE_OFF = "\x1b[?2004h", "\x1b[?2004l"
 _PASTE_BEGIN, _PASTE_END = "\x1b[200~", "\x1b[201~"
 MANY = 100
@@ -238,14 +238,14 @@ class LineEditor:
         self._own_version = self._terminal.version
 
     def _draw_resized(self) -> None:
-        """Draw the line for the window's new size, which is no news to anybody who does not look at the terminal now."""
-        told = self._terminal.has_news
+        """Draw the line for the window's new size, without marking the terminal as having new output."""
+        had_news = self._terminal.has_news
         self._draw()
-        if not told:
+        if not had_news:
             self._terminal.mark_seen()
 
     def _start_again_below(self) -> None:
-        """Others wrote into the line (a job in the background): show prompt and line once more, under what they wrote."""
+        """Show prompt and line again below what other programs (a background job) wrote into the line."""
         if self._terminal.version != self._own_version:
             if not self._terminal.at_line_start:
                 self._write("\r\n")
@@ -334,7 +334,7 @@ def _common_start(texts: list[str]) -> str:
 
 
 def _last_part(choice: str) -> str:
-    """What is listed of a completion: of a path only its last part."""
+    """The part of a completion that is listed: the last part of a path."""
     if choice.startswith("/") and choice.count("/") == 1:
         return choice
     _, slash, tail = choice.rstrip("/").rpartition("/")

@@ -1,14 +1,14 @@
-"""Where the characters of a line being edited stand on a screen of so many columns, and which part of a long one is shown."""
+"""The layout of a line being edited: the cell of each character, and which part of a long line is shown."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.width import char_width
 
 
 class Layout(NamedTuple):
-    """A text laid out in rows, which are counted from the one its first character stands in."""
+    """A text laid out in rows, which are counted from the one with its first character."""
 
     starts: list[int]
     """Index of the first character of each row."""
@@ -16,7 +16,7 @@ class Layout(NamedTuple):
     """Of the cursor."""
     column: int
     end_column: int
-    """Where the next character behind the text would go; the row is the last one."""
+    """The position after the text; the row is the last one."""
 
 
 def shown_char(char: str) -> str:
@@ -30,7 +30,7 @@ def shown(text: str) -> str:
 
 
 def near(text: str, at: int, rows: int) -> tuple[int, int]:
-    """Where the part of `text` begins and ends that can be seen when the cursor is `at`: whole lines, `rows` to both sides."""
+    """Return the start and end of the visible part of `text` for a cursor `at`: whole lines, `rows` on both sides."""
     start, end = at, at
     for _ in range(rows + 1):
         start = text.rfind("\n", 0, max(start, 0))
@@ -41,7 +41,7 @@ def near(text: str, at: int, rows: int) -> tuple[int, int]:
 
 
 def lay_out(text: str, at: int, columns: int, *, indent: int = 0) -> Layout:
-    """Lay out `text` whose first character stands in column `indent`, with the cursor before the character `at`."""
+    """Lay out `text`, its first character in column `indent`, with the cursor before the character `at`."""
     starts, row, column = [0], 0, indent
     place = (0, indent) if at == 0 else None
     begin = 0
@@ -67,7 +67,7 @@ def lay_out(text: str, at: int, columns: int, *, indent: int = 0) -> Layout:
                 if place is None and index >= at:
                     place = (row, column)
                 column += width
-                if column >= columns:  # the two signs of a control character may stand in two rows
+                if column >= columns:  # the two characters of a control character may be in different rows
                     row, column = row + 1, column - columns
                     starts.append(index + 1)
             if place is None and at <= end:

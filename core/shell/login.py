@@ -1,4 +1,4 @@
-"""The shell of a terminal: `.bashrc`, prompt, reading lines, running them, news of background jobs, the end."""
+"""The shell of a terminal: `.bashrc`, prompt, reading and running lines, reports about background jobs, the end."""
 
 from __future__ import annotations
 

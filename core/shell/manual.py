@@ -1,4 +1,4 @@
-"""What `man` says: what a command is for, in the language of the terminal, with examples. Pages of our own, short."""
+"""The pages of `man`: what a command is for, in the language of the terminal, with examples. Our own short texts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Page(NamedTuple):
-    """A page: how the command is written, what it does in English and Chinese, examples."""
+    """A page: the command's synopsis, what it does in English and Chinese, examples."""
 
     usage: str
     english: str
@@ -55,6 +55,7 @@ _PAGES: dict[str, Page] = {
     "uniq": Page("uniq [-c] [FILE]", "drop repeated lines", "去掉相邻的重复行"),
     "cut": Page("cut -d CHARACTER -f NUMBERS [FILE]", "print some columns", "只取某几列"),
     "tr": Page("tr FROM TO", "replace characters one by one", "逐个替换字符"),
+    "rev": Page("rev [FILE...]", "print every line from its end to its beginning", "把每一行倒过来显示"),
     "sed": Page("sed [-i] 's/OLD/NEW/g' [FILE...]", "replace text in lines", "替换每行里的文字"),
     "diff": Page("diff [-u] OLD NEW", "what differs between two files", "比较两个文件的不同"),
     "chmod": Page("chmod +x FILE", "make a file executable", "让文件可以执行"),
@@ -133,7 +134,7 @@ _PAGES: dict[str, Page] = {
 
 
 def page(name: str, locale: str) -> str | None:
-    """Return the page of a command, in Chinese where the locale says so; None if there is none."""
+    """Return the page of a command, in Chinese if the locale says so; None if there is none."""
     found = _PAGES.get(name)
     if found is None:
         return None

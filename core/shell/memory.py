@@ -1,4 +1,4 @@
-"""How much memory a student's process may take: it gets a MemoryError before the machine stands still."""
+"""The memory limit of a student's process: it gets a MemoryError before the machine grinds to a halt."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from functools import cache
 VARIABLE = "DAY6_MEMORY_LIMIT"
 """Megabytes for each process; 0 sets no limit."""
 SHARE = 0.6
-"""Of the machine's memory, unless VARIABLE says otherwise."""
+"""The share of the machine's memory, unless VARIABLE sets a limit."""
 LEAST = 1024 * 2**20
 _CONTROL_GROUP = "/sys/fs/cgroup/memory.max"
 
 
 def memory_limit() -> int:
-    """Return the bytes of data that a process may have, 0 for as many as it likes (also where that cannot be limited)."""
-    wish = os.environ.get(VARIABLE, "").strip()
-    if wish.isdigit():
-        return int(wish) * 2**20
+    """Return the bytes of data that a process may have, 0 for no limit (also if the system cannot limit it)."""
+    setting = os.environ.get(VARIABLE, "").strip()
+    if setting.isdigit():
+        return int(setting) * 2**20
     machine = _machine_memory()
     return max(LEAST, int(machine * SHARE)) if machine else 0
 
 
 @cache
 def _machine_memory() -> int:
-    """The bytes of memory there are, or that our container may use; 0 if nobody says."""
+    """The bytes of memory of the machine, or of our container; 0 if unknown."""
     if sys.platform == "win32":
         return 0
     try:

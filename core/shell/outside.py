@@ -1,6 +1,6 @@
-"""Asks in a terminal before something outside the home folder is changed: the disk is the user's own, and `rm` means it.
+"""Asks in a terminal before something outside the home folder is changed: the disk is the user's own, and `rm` is real.
 
-Scratch folders are nobody's. Scripts (`day6-tui exec`, another program's pipe) are not asked: nobody sits there.
+Scratch folders are excepted. Scripts (`day6-tui exec`, another program's pipe) are not asked: nobody would answer.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ YES = ("y", "yes", "是")
 
 
 def is_outside(path: Path, home: Path) -> bool:
-    """Say whether `path` (absolute; links are followed) is neither in `home` nor in a scratch folder."""
+    """Whether `path` (absolute; links are followed) is neither in `home` nor in a scratch folder."""
     real = path.resolve()
     inside = (home.resolve(), _scratch().resolve(), Path("/dev"))
     return not any(real == folder or folder in real.parents for folder in inside)
@@ -39,7 +39,7 @@ def _scratch() -> Path:
 async def agreed(
     name: str, paths: Iterable[Path], keys: InputStream | None, stderr: OutputStream, variables: Mapping[str, str]
 ) -> bool:
-    """Ask about each path that is outside, in the name of a command; False after the first no. Without `keys` nobody is asked."""
+    """Ask about each path that is outside, in a command's name; return False after the first no. Without `keys`, return True."""
     home = Path(variables.get("HOME", "/"))
     question = QUESTIONS.get(variables.get("DAY6_LANG", ""), QUESTIONS["en"])
     for path in paths:
@@ -51,7 +51,7 @@ async def agreed(
 
 
 def keys_of(stdin: InputStream, *outputs: OutputStream) -> InputStream | None:
-    """Where the answer is typed: the simulated terminal that the program reads from or, in a pipe, writes to."""
+    """Where the reply is typed: the simulated terminal that the program reads from or, in a pipe, writes to."""
     if stdin.terminal_of() is not None:
         return stdin
     return next((keys for output in outputs if (keys := output.keyboard()) is not None), None)

@@ -1,6 +1,6 @@
-"""The names of a command's own streams: `/dev/stdout` is where the command writes, and never where the desktop does.
+"""The names of a command's own streams: `/dev/stdout` is the command's output, never the desktop's.
 
-For the system these names mean the streams of the process that opens them, which here is the whole desktop.
+To the system these names mean the streams of the process that opens them, which here is the whole desktop.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Protocol
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
 
 TTY = -1
-"""Stands for the terminal, whatever the streams are (`/dev/tty`)."""
+"""Means the terminal, whatever the streams are (`/dev/tty`)."""
 
 Table = Mapping[int, InputStream | OutputStream]
 
@@ -61,7 +61,7 @@ def stream_number(path: Path) -> int | None:
 
 
 def own_input(path: Path, table: Table) -> InputStream | None:
-    """Return the stream to read that `path` names, None for an ordinary file. Raises OSError where it is none to read."""
+    """Return the stream to read that `path` names, None for an ordinary file. Raises OSError if it is not readable."""
     number = stream_number(path)
     if number is None:
         return None
@@ -79,7 +79,7 @@ def own_input(path: Path, table: Table) -> InputStream | None:
 
 
 def own_output(path: Path, table: Table) -> OutputStream | None:
-    """Return the stream to write that `path` names, None for an ordinary file. Raises OSError where it is none to write."""
+    """Return the stream to write that `path` names, None for an ordinary file. Raises OSError if it is not writable."""
     number = stream_number(path)
     if number is None:
         return None

@@ -22,8 +22,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
+from day6_tui.core.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.folder import LOST
-from day6_tui.core.session.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
@@ -45,7 +45,7 @@ _running_lock = threading.Lock()
 
 
 def running_processes() -> list[Process]:
-    """The students' processes that are alive now."""
+    """The students' processes that are running."""
     with _running_lock:
         return list(_running)
 
@@ -94,7 +94,7 @@ class Process:
         self._popen: subprocess.Popen[bytes] | None = None
         self._master: int | None = None
         self._slave: int | None = None
-        """Our own end of the program's side, so that what it has not read of the keys outlives it."""
+        """Our own descriptor of the program's side of the pty, so that keys it has not read outlive it."""
         self._keys: PtyKeys | None = None
         """What is typed, on its way to the program."""
         self._master_lock = threading.Lock()
@@ -124,7 +124,7 @@ class Process:
         self.send(9)
 
     def pause(self, stopped: bool, reason: str = "job") -> None:
-        """Stop it or let it go on, where the system can; it stands as long as any reason ('job', 'world') holds."""
+        """Stop it or let it go on, where the system can; it stays stopped as long as any reason ('job', 'world') holds."""
         if stopped:
             self._stopped_for.add(reason)
         else:
@@ -133,9 +133,9 @@ class Process:
             self.send(NUMBERS["STOP" if self._stopped_for else "CONT"])
 
     def send(self, number: int) -> None:
-        """Deliver a signal to the whole group, when it has begun; without effect once it is gone.
+        """Deliver a signal to the whole group once it has started; no effect after it has ended.
 
-        On Windows all but Ctrl-C just end it.
+        On Windows every signal but Ctrl-C just ends it.
         """
         with self._early_lock:
             if self._early is not None:
@@ -157,12 +157,12 @@ class Process:
     # -- the terminal's side -------------------------------------------------------------------------------------------
 
     def keys(self, text: str) -> None:
-        """What is typed goes to the pty; its line discipline makes the echo and the signals."""
+        """Send typed keys to the pty, whose line discipline does the echo and the signals."""
         keys = self._keys
         if keys is not None and not keys.put(text.encode("utf-8", "surrogateescape")):
             terminal = self.session.stdin.terminal_of()
             if terminal is not None:
-                terminal.output.write("\a")  # it does not read, and more than a person types waits for it already
+                terminal.output.write("\a")  # it does not read, and more than a person types is waiting already
 
     def resize(self, columns: int, rows: int) -> None:
         with self._master_lock:
@@ -211,7 +211,7 @@ class Process:
             self.ended.set()  # whatever failed: the terminal waits for this
 
     def _clear_up(self, pid: int) -> None:
-        """It has ended: what it left running goes with it, what it has not read of the keys goes to whoever reads next."""
+        """Clean up after it ended: end what it left running, and pass the keys it has not read to the next reader."""
         typed_ahead = self._take_unread()
         # What the process started in the background may hold its output open; that must not hold up the prompt.
         for reader in self._readers:
@@ -273,7 +273,7 @@ class Process:
 
     def _launch_with_pipes(self, argv: list[str], env: dict[str, str]) -> None:
         session = self.session
-        # Nobody sees the end of a block-buffered output that is cut off by Ctrl-C.
+        # Ctrl-C would cut off the end of block-buffered output.
         env.setdefault("PYTHONUNBUFFERED", "1")
         flags = 0
         if sys.platform == "win32":
@@ -343,7 +343,7 @@ class Process:
             master, self._master = self._master, None
         if master is not None:
             os.close(master)
-        # There, because it is there that keys are still on their way here.
+        # On that thread, because keys may still be on their way there.
         self.session.scheduler.call_soon_threadsafe(lambda: self._hand_on(typed_ahead))
 
     def _hand_on(self, typed_ahead: str) -> None:
@@ -351,7 +351,7 @@ class Process:
         late = self._keys.close() if self._keys is not None else b""
         self.session.stdin.pass_keys_to(None)
         if text := typed_ahead + late.decode("utf-8", "surrogateescape"):
-            self.session.stdin.give_back(text)
+            self.session.stdin.push_back(text)
 
 
 def _launcher(mode: str) -> list[str]:
@@ -389,7 +389,7 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
 
 
 def _read_off(fd: int, read: Callable[[int], bytes]) -> None:
-    """Read on to the end, for nobody: the process would wait for a reader for ever."""
+    """Read to the end and discard it: the process would wait for a reader for ever."""
     with contextlib.suppress(OSError):
         while read(fd):
             pass
@@ -456,7 +456,7 @@ def _set_window_size(fd: int, columns: int, rows: int) -> None:
 
 
 def _end_group(group: int) -> None:
-    """What the process left running in its own group ends with it, where there are groups."""
+    """End what the process left running in its own group, if the system has process groups."""
     if sys.platform == "win32":
         return
     for number in (15, 9):

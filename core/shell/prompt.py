@@ -22,10 +22,10 @@ _ESCAPE = re.compile(r"\\([0-7]{1,3}|D\{[^}]*\}|.)", re.DOTALL)
 
 
 async def prompt(shell: Shell, streams: Streams) -> str:
-    """Return the prompt as it is shown; one that cannot be expanded is shown as it is written."""
+    """Return the prompt as it is shown; one that cannot be expanded is shown unexpanded."""
     form = shell.variables.get("PS1", "")
     status = shell.status
-    # What an escape gives is not looked at for variables once more: a folder may be called `$x`.
+    # The result of an escape is not expanded again: a folder may be called `$x`.
     given: list[str] = []
 
     def hold(match: re.Match[str]) -> str:

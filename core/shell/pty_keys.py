@@ -1,6 +1,6 @@
-"""Keys on their way to a process: what its pty does not take waits here, and nobody waits for it.
+"""Keys on their way to a process: what its pty does not accept waits here, without blocking anything.
 
-A kernel keeps about 20 kB of what a program does not read, and then lets the writer of the pty wait. A terminal window holds
+A kernel buffers about 20 kB that a program does not read, and then blocks the writer of the pty. A terminal window holds
 the rest back and goes on with everything else; this does the same.
 """
 
@@ -16,10 +16,10 @@ MOST_WAITING = 4 * 1024 * 1024
 """Bytes that may wait here; more is refused."""
 
 LOOK_AGAIN = 0.25
-"""Seconds after which the thread that waits for room looks whether it is still wanted."""
+"""Seconds after which the thread that waits for room checks whether it is still needed."""
 
 UNTIL_OWNED = 0.005
-"""Seconds after which it is looked again whether the program has made the pty its terminal."""
+"""Seconds between checks of whether the program has made the pty its terminal."""
 
 INTERRUPT, QUIT = b"\x03", b"\x1c"
 
@@ -39,7 +39,7 @@ class PtyKeys:
         self._flusher: threading.Thread | None = None
 
     def put(self, data: bytes) -> bool:
-        """Send keys behind those that wait, without ever blocking; False if there is no room for them."""
+        """Queue keys after the waiting ones, without ever blocking; return False if there is no room for them."""
         with self._lock:
             fits = len(self._waiting) + len(data) <= MOST_WAITING
             signal = max(data.rfind(INTERRUPT), data.rfind(QUIT))
@@ -59,14 +59,14 @@ class PtyKeys:
             return fits
 
     def close(self) -> bytes:
-        """Send nothing any more; returns what was not sent. Called again, it returns what was put since."""
+        """Stop sending; return what was not sent. Called again, return what was put since."""
         with self._lock:
             self._closed = True
             waiting, self._waiting = bytes(self._waiting), bytearray()
             return waiting
 
     def _has_owner(self) -> bool:
-        """Whether the program has made the pty its terminal: before, a kernel has nobody to send the signal of a Ctrl-C to."""
+        """Whether the program has made the pty its terminal: before that, a kernel has no process to signal at Ctrl-C."""
         if not self._is_owned and sys.platform != "win32":
             try:
                 self._is_owned = os.tcgetpgrp(self._master) != 0
@@ -97,7 +97,7 @@ class PtyKeys:
             return False
 
     def _overtake(self) -> None:
-        """Let Ctrl-C through to a program that does not read: as in a kernel, what was typed before it is lost by it."""
+        """Let Ctrl-C through to a program that does not read: as in a kernel, what was typed before it is lost."""
         if sys.platform == "win32":
             return
         import termios

@@ -1,7 +1,7 @@
-"""Tab in the real terminal: what bash and zsh of `day6-tui shell` ask for `ros2`, `colcon` and `day6-tui`.
+"""Tab in the real terminal: the completions of `ros2`, `colcon` and `day6-tui` for bash and zsh in `day6-tui shell`.
 
-The shells run `day6-tui complete SHELL LINE`, LINE being what stands before the cursor; the answer is a word on each line.
-Without an answer the shell goes on to offer files.
+The shells run `day6-tui complete SHELL LINE`, LINE being the text before the cursor; the output has one word per line.
+If there is none, the shell offers files.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 Own = Callable[[list[str]], Iterable[str]]
-"""What `day6-tui` itself offers as the last of the words behind it."""
+"""Returns the completions of `day6-tui` itself for the last of the words after it."""
 
 _WORD_BREAKS = ":="
-"""Where bash begins a new word to complete, though a shell does not begin a new argument there."""
+"""Characters at which bash begins a new word to complete, although they do not begin a new argument."""
 
 _BASH = """\
 _day6_complete() {{

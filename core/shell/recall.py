@@ -1,4 +1,4 @@
-"""`!!`, `!12`, `!-2`, `!ros2`, `!$`: earlier lines in the line that was typed, before anything else is made of it."""
+"""History expansion: `!!`, `!12`, `!-2`, `!ros2`, `!$` are replaced in a typed line before anything else is done with it."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ class NoSuchLine(Exception):
 
 
 def recalled(line: str, history: list[str]) -> str:
-    """Return `line` with what it recalls of `history` (oldest first). Raises NoSuchLine.
+    """Return `line` with its history expansions replaced (`history`: oldest first). Raises NoSuchLine.
 
-    Between `'` and behind a backslash `!` is a character like others, and so it is before white space, `=` and `(`.
+    Between `'`, after a backslash, and before white space, `=` and `(`, `!` is an ordinary character.
     """
     swap = _SWAP.match(line)
     if swap is not None:
@@ -46,6 +46,8 @@ def _meaning(match: re.Match[str], history: list[str]) -> str:
         return _find(history, -1, "!!")
     if number:
         index = int(number)
+        if index == 0:
+            raise NoSuchLine(f"{match[0]}: event not found")
         return _find(history, index - 1 if index > 0 else index, match[0])
     if word:
         words = _find(history, -1, match[0]).split()

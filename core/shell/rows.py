@@ -1,22 +1,25 @@
-"""Lines of a terminal as rows of styled text or of cells, and the care wide characters need.
+"""Lines of a terminal as rows of styled text or of cells, with care for wide characters.
 
 A wide character takes two cells; the second holds an empty string, as in pyte.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import groupby
+from collections.abc import Mapping, Sequence
+from itertools import groupby, repeat
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, overload
 from unicodedata import normalize
 
 from day6_tui.core.shell.light_pyte import Char
-from day6_tui.core.shell.width import char_width, fitting, is_mark, widths
+from day6_tui.core.width import char_width, fitting, is_mark, widths
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.light_pyte import Line
 
 
 class Style(NamedTuple):
-    """How a run of text looks. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
+    """The style of a run of text. Colours are 'default', pyte's names ('red', 'brightblue', 'brown' for yellow) or 'rrggbb'."""
 
     fg: str = "default"
     bg: str = "default"
@@ -49,7 +52,11 @@ class Scrollback(Sequence["CellRow"]):
     def __len__(self) -> int:
         return len(self._rows)
 
-    def __getitem__(self, index: Any) -> Any:
+    @overload
+    def __getitem__(self, index: int) -> CellRow: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[CellRow]: ...
+    def __getitem__(self, index: int | slice) -> CellRow | list[CellRow]:
         if isinstance(index, slice):
             return [CellRow(row) for row in list(self._rows)[index]]
         return CellRow(self._rows[index])
@@ -65,8 +72,8 @@ class CellRow:
         return self._cells[x] if x < len(self._cells) else BLANK
 
 
-def _mend(line: Any, columns: int) -> None:
-    """Blank every half of a wide character that lost its other half."""
+def _mend(line: Line, columns: int) -> None:
+    """Blank every half of a wide character whose other half is gone."""
     for x in [x for x, cell in line.items() if cell.data == "" and not _is_wide(line.get(x - 1))]:
         line[x] = BLANK
     for x in [
@@ -75,7 +82,7 @@ def _mend(line: Any, columns: int) -> None:
         line[x] = BLANK
 
 
-def fit(line: Any, columns: int) -> None:
+def fit(line: Line, columns: int) -> None:
     """Cut a line off at the right edge."""
     for x in [x for x in line if x >= columns]:
         del line[x]
@@ -87,7 +94,7 @@ def _is_wide(cell: Char | None) -> bool:
 
 
 def folded(text: str, columns: int) -> list[str]:
-    """A text without characters of width 0 as the rows it takes on a screen that many cells wide; at least one row."""
+    """Split a text without zero-width characters into the rows it takes on a screen of that width; at least one row."""
     if text.isascii():
         if len(text) <= columns:
             return [text]
@@ -123,7 +130,7 @@ def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
 
 
 def without_end(row: Row) -> Row:
-    """A row as the scrollback keeps it: without the blanks at its end, runs of equal style joined."""
+    """A row as the scrollback keeps it: without trailing blanks, runs of equal style joined."""
     if isinstance(row, str):
         return row.rstrip(" ")
     runs: list[Run] = []
@@ -136,7 +143,7 @@ def without_end(row: Row) -> Row:
 
 
 def combined(cell: Char, char: str) -> Char:
-    """A cell with a character of no width put on it; the cell alone if it is no mark, or one too many."""
+    """Combine a cell with a zero-width character; return the cell alone if that isn't a mark, or is one too many."""
     data = with_mark(cell.data, char)
     return cell if data is cell.data else cell._replace(data=data)
 
@@ -168,14 +175,12 @@ _DATA = itemgetter(0)
 _STYLE = itemgetter(*range(1, len(BLANK)))
 
 
-def as_row(line: Any) -> Row:
+def as_row(line: Mapping[int, Char]) -> Row:
     """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
     if not line:
         return ""
     last = max(line)
-    cells = list(map(line.get, range(last + 1)))
-    if None in cells:
-        cells = [BLANK if cell is None else cell for cell in cells]
+    cells = list(map(line.get, range(last + 1), repeat(BLANK)))
     runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
     return _row_of(runs)
 

@@ -2,9 +2,9 @@
 
 Only the thread that draws touches a screen; `Terminal.update` feeds it.
 
-What scrolls by costs little, because a line that leaves the screen is never drawn cell by cell: while the cursor stands in
+Scrolling text costs little, because a line that leaves the screen is never drawn cell by cell: while the cursor is in
 the last line, whole lines of text become rows at once (`rush`), long ones are folded into rows (`_flow`), and the rows only
-queue up below the screen (`_arriving`). Whoever looks at `buffer` or `scrollback` first lets them move in (`_settle`).
+queue up below the screen (`_arriving`). Reading `buffer` or `scrollback` first moves them in (`_settle`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import re
 from collections import deque
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 from day6_tui.core.session.harmless import for_emulation
 from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
@@ -36,13 +36,16 @@ from day6_tui.core.shell.rows import (
     without_end,
 )
 from day6_tui.core.shell.sequences import NEVER, Parser, colour_numbers
-from day6_tui.core.shell.width import char_width, fitting, text_width, widths
+from day6_tui.core.width import char_width, fitting, text_width, widths
+
+if TYPE_CHECKING:
+    from day6_tui.core.shell.light_pyte import Line
 
 SCROLLBACK = 5000
 """Lines kept above the screen."""
 
 MOST_ANSWERS = 100
-"""Queries answered in one go: a file full of them is no conversation."""
+"""Most replies to queries that wait to be delivered: a file full of queries needs no more."""
 
 MOST_ARRIVING = 512
 """Rows that queue up below the screen after a text was fed."""
@@ -52,7 +55,7 @@ BRACKETED_PASTE = 2004 << 5
 APPLICATION_CURSOR_KEYS = 1 << 5
 
 _ODD = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
-"""What makes a line one that cannot be taken as a whole."""
+"""Characters because of which a line cannot be taken as a whole."""
 _ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
 _COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
 """Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
@@ -64,9 +67,9 @@ _NARROW = (
 """Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters: one cell each."""
 _WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
 _NOT_NARROW = re.compile(f"[^{_NARROW}]")
-"""What may take no cell, or two."""
+"""Characters that may take no cell, or two."""
 _NOT_COMMON = re.compile(f"[^\r\n{_NARROW}{_WIDE}]")
-"""What may take no cell."""
+"""Characters that may take no cell."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -92,7 +95,7 @@ _SEQUENCES |= {
     "`": "cursor_to_column",
 }
 _SEQUENCES |= {"s": "save_place", "u": "restore_place"}
-"""What ncurses uses as soon as TERM says xterm (`infocmp xterm-256color`: rep, indn, rin, cbt), and pyte does not know."""
+"""Sequences that ncurses uses as soon as TERM is xterm (`infocmp xterm-256color`: rep, indn, rin, cbt) and pyte lacks."""
 _PRIVATE_SEQUENCES = {"h": "set_mode", "l": "reset_mode", "J": "erase_in_display", "K": "erase_in_line"}
 
 
@@ -116,7 +119,7 @@ class Screen(PyteScreen):
     def __init__(self, columns: int, lines: int) -> None:
         self._scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
         self._scrolled = 0
-        self._arriving: list[Any] = []
+        self._arriving: list[Row | Line | None] = []
         """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
         self._pen: list[str] = []
         """What was drawn in the last line so far, cell by cell, while it is plain text: it is no line of pyte's buffer yet."""
@@ -127,28 +130,28 @@ class Screen(PyteScreen):
         self._odd_before = 0
         """In the text that is being fed: up to here it has to be read character by character."""
         self._odd_at = -1
-        """Where the next control character stands in it that does not belong into a line of text."""
+        """The position of the next control character in it that does not belong in a line of text."""
         self._style_of: Char | None = None
         self._style_now = PLAIN_STYLE
         self.answers: list[str] = []
-        """What the terminal has to say to the program (answers to queries), for `Terminal` to deliver."""
-        self._cells: dict[Any, _Cells] = {}
+        """The terminal's replies to the program's queries, for `Terminal` to deliver."""
+        self._cells: dict[tuple[object, ...], _Cells] = {}
         self._colours: dict[tuple[Char, str], Char] = {}
-        self._main: tuple[dict[int, Any], Cursor] | None = None
+        self._main: tuple[dict[int, Line], Cursor] | None = None
         super().__init__(columns, lines)
         self._parser = Parser(self)
 
     # -- what the view reads -------------------------------------------------------------------------------------------
 
     @property
-    def buffer(self) -> Any:
+    def buffer(self) -> dict[int, Line]:
         """pyte's lines of cells, by their number."""
         if self._arriving or self._pen:
             self._settle()
         return self._buffer
 
     @buffer.setter
-    def buffer(self, lines: Any) -> None:
+    def buffer(self, lines: dict[int, Line]) -> None:
         self._buffer = lines
 
     @property
@@ -195,7 +198,7 @@ class Screen(PyteScreen):
     # -- feeding -------------------------------------------------------------------------------------------------------
 
     def feed(self, text: str, until: float = NEVER) -> int:
-        """Show what a program wrote, or as much of it as there is time for until `until` (perf_counter); returns how much."""
+        """Show what a program wrote, or as much as fits before `until` (perf_counter); return how much."""
         text = for_emulation(text)
         self._odd_before, self._odd_at = 0, -1
         read = self._parser.feed(text, until)
@@ -232,7 +235,7 @@ class Screen(PyteScreen):
             else:
                 getattr(self, name)(*parameters)
         except (TypeError, ValueError, LookupError, NameError, AttributeError, AssertionError):
-            return  # parameters that pyte does not know what to do with
+            return  # parameters that pyte cannot handle
 
     def colour(self, parameters: str) -> None:
         before = self.cursor.attrs
@@ -240,7 +243,7 @@ class Screen(PyteScreen):
         if after is None:
             self.select_graphic_rendition(*colour_numbers(parameters))
             after = self.cursor.attrs
-            if after.bg == "bfightmagenta":  # pyte's slip of the pen
+            if after.bg == "bfightmagenta":  # pyte's typo
                 after = after._replace(bg="brightmagenta")
             if len(self._colours) > 1024:
                 self._colours.clear()
@@ -387,14 +390,13 @@ class Screen(PyteScreen):
             self._style_now = Style(*attrs[1:])
         return self._style_now
 
-    def _arrive(self, rows: list[Any]) -> None:
+    def _arrive(self, rows: Sequence[Row]) -> None:
         """Rows that scroll in from below, above the line with the cursor."""
         surplus = len(rows) - SCROLLBACK - self.lines
         if surplus > 0:
             self._settle()
             self._passed += surplus
-            del rows[:surplus]
-        self._arriving += rows
+        self._arriving += rows[surplus:] if surplus > 0 else rows
 
     def _settle(self) -> None:
         """Let the rows that queued up below move into the screen, and what they push out into the scrollback."""
@@ -423,7 +425,7 @@ class Screen(PyteScreen):
             buffer[bottom] = current
         self.dirty.update(range(self.lines))
 
-    def _fill(self, line: Any, row: Row) -> None:
+    def _fill(self, line: Line, row: Row) -> None:
         """Make the cells of a row."""
         x = 0
         for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
@@ -433,7 +435,7 @@ class Screen(PyteScreen):
                 return
             x = _fill(line, x, text, digits, self._cells_for(Char(" ", *style)))
 
-    def _remember_all(self, rows: list[Any]) -> None:
+    def _remember_all(self, rows: Sequence[Row | Line | None]) -> None:
         if self.alternate:
             return
         self._scrolled += len(rows)
@@ -535,12 +537,12 @@ class Screen(PyteScreen):
         self.dirty.add(cursor.y)
 
     def _lay_pen_down(self) -> None:
-        """The last line becomes one like the others."""
+        """Turn the last line into an ordinary one."""
         pen, self._pen = self._pen, []
         cells = self._cells_for(Char(" ", *PLAIN_STYLE))
         self._buffer[self.lines - 1].update(enumerate(map(cells.__getitem__, pen)))
 
-    def _line(self) -> Any:
+    def _line(self) -> Line:
         """The line with the cursor: the last of the screen stands still, whatever arrives above it."""
         y = self.cursor.y
         if y != self.lines - 1:
@@ -575,7 +577,7 @@ class Screen(PyteScreen):
             cursor.x = min(cursor.x + width, self.columns)
         self.dirty.add(cursor.y)
 
-    def _clear_halves(self, line: Any, x: int, width: int) -> None:
+    def _clear_halves(self, line: Line, x: int, width: int) -> None:
         """Overwriting one half of a wide character removes the other half."""
         if x and x in line and line[x].data == "":
             line[x - 1] = self.default_char
@@ -655,7 +657,7 @@ class Screen(PyteScreen):
         self._scrollback.append(row)
         self._scrolled += 1
 
-    def erase_in_display(self, how: int = 0, *args: Any, **kwargs: Any) -> None:
+    def erase_in_display(self, how: int = 0, *args: int, **kwargs: bool) -> None:
         if how == 3:
             self.scrollback.clear()
             self.dirty.update(range(self.lines))
@@ -703,7 +705,7 @@ class Screen(PyteScreen):
 
     # -- modes ---------------------------------------------------------------------------------------------------------
 
-    def set_mode(self, *numbers: int, **keywords: Any) -> None:
+    def set_mode(self, *numbers: int, **keywords: bool) -> None:
         if keywords.get("private"):
             if ALTERNATE_MODES.intersection(numbers) and self._main is None:
                 self._main = (dict(self.buffer), Cursor(self.cursor.x, self.cursor.y, self.cursor.attrs))
@@ -713,7 +715,7 @@ class Screen(PyteScreen):
             numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
         super().set_mode(*numbers, **keywords)
 
-    def reset_mode(self, *numbers: int, **keywords: Any) -> None:
+    def reset_mode(self, *numbers: int, **keywords: bool) -> None:
         if keywords.get("private"):
             if ALTERNATE_MODES.intersection(numbers) and self._main is not None:
                 self.buffer.clear()
@@ -735,7 +737,7 @@ class Screen(PyteScreen):
         super().reset_mode(*numbers, **keywords)
 
     def save_cursor(self) -> None:
-        """One place is remembered, as in xterm; pyte would keep them all."""
+        """Save one cursor position, as xterm does; pyte would keep them all."""
         self.savepoints.clear()
         super().save_cursor()
 
@@ -839,7 +841,7 @@ def _with_second_halves(text: str, digits: str) -> Sequence[str]:
     return cells
 
 
-def _fill(line: Any, x: int, text: str, digits: str, cells: _Cells) -> int:
+def _fill(line: Line, x: int, text: str, digits: str, cells: _Cells) -> int:
     """Put characters into a line of pyte's buffer; returns the place after them. `digits` are their widths, '' if all are 1."""
     parts = _with_second_halves(text, digits) if "2" in digits else text
     end = x + len(parts)

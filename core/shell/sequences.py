@@ -1,4 +1,4 @@
-"""What a program writes to a terminal, taken apart: text, control characters and escape sequences, as xterm reads them.
+"""Parses what a program writes to a terminal: text, control characters and escape sequences, as xterm reads them.
 
 The states are those of a VT500 (https://vt100.net/emu/dec_ansi_parser), which xterm follows: CAN and SUB end any sequence,
 ESC begins a new one, control characters inside a sequence are obeyed at once, and a string (OSC, DCS, APC …) goes on until ST.
@@ -56,7 +56,7 @@ _STRINGS = {
 
 
 class Listener(Protocol):
-    """What a parser tells of what it read."""
+    """Receives what a parser has read."""
 
     def draw(self, data: str) -> None:
         """Characters to be shown."""
@@ -81,7 +81,7 @@ class Listener(Protocol):
 
 
 class Parser:
-    """Reads what a program writes, and tells its listener. Never raises for any text; takes time linear in its length."""
+    """Parses what a program writes, and calls its listener. Never raises for any text; takes time linear in its length."""
 
     def __init__(self, listener: Listener) -> None:
         self._listener = listener
@@ -256,7 +256,7 @@ class Parser:
             return stop
         if text[stop] == "\x1b":
             if stop + 1 == len(text):
-                self._rest = "\x1b"  # perhaps the first half of ST
+                self._rest = "\x1b"  # may be the first half of ST
                 return stop + 1
             if text[stop + 1] != "\\":
                 self._string = ""  # another sequence begins

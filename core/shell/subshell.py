@@ -1,4 +1,4 @@
-"""`day6-tui shell` and `day6-tui env`: the real terminal, with `ros2` and `python3` being these."""
+"""`day6-tui shell` and `day6-tui env`: the real terminal, with our `ros2` and `python3`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SELF = [sys.executable, "-m", "day6_tui.tui.main"]
 
 
 def environment() -> dict[str, str]:
-    """The variables of such a shell: those of a program, and beside its Python also pip and what else came with it."""
+    """The variables of such a shell: those of a program, with pip and the rest of our Python's scripts on the path."""
     env = program_environment()
     ours, *others = env["PATH"].split(os.pathsep)
     env["PATH"] = os.pathsep.join(dict.fromkeys([ours, str(Path(sys.executable).parent), *others]))
@@ -72,11 +72,11 @@ def _start_file(shell: str, folder: Path, env: dict[str, str]) -> list[str]:
 
 
 def call(words: list[str], env: dict[str, str]) -> int:
-    """Run a program that has the terminal for itself until it ends, and return its status: Ctrl-C is its business alone."""
+    """Run a program that has the terminal for itself until it ends, and return its status: only that program gets Ctrl-C."""
     # A function, because a child would inherit that Ctrl-C is ignored, but not what we do about it.
     before = {signal.SIGINT: signal.signal(signal.SIGINT, lambda number, frame: None)}
     child = subprocess.Popen(words, env=env)
-    # What ends us ends it: who called us has something to put away afterwards.
+    # What ends us ends it too; our caller has to clean up afterwards.
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None:

@@ -36,4 +36,4 @@ TEXTS = {
     "/etc/bash_completion": "",
     "/etc/bash.bashrc": "",
 }
-"""Path to what it does. Tab completes here without the files that teach bash to."""
+"""Path -> its content here. Tab completion works without the files that set it up in bash."""

@@ -1,4 +1,4 @@
-"""A terminal of the simulated machine: what is typed goes in, what programs print comes out, a shell runs in it.
+"""A terminal of the simulated machine: keys go in, the output of programs comes out, a shell runs in it.
 
 Threads: `send`, `paste`, `resize`, `update`, `screen` belong to the thread that draws. Programs write on the scheduler's thread,
 processes on threads of their own; both only append to a bounded ring. The view pulls: `update()` feeds the ring to the screen.
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.screen import Screen
 
 RING = 256 * 1024
-"""Characters that may wait to be shown; beyond that the oldest lines go."""
+"""Characters that may wait to be shown; beyond that the oldest lines are dropped."""
 
 CROWDED = 128 * 1024
-"""Characters from which programs pause until the view has caught up, at most `PAUSE` seconds."""
+"""Waiting characters at which programs pause until the view has caught up, at most `PAUSE` seconds."""
 
 PAUSE = 0.1
 
 TYPED_AT_ONCE = 16 * 1024
-"""Characters of a long text that are typed in one go."""
+"""Characters of a long text that are typed at once."""
 
 SLICE = 0.005
 """Seconds one `update` takes at most: keys and frames come in between."""
@@ -45,7 +45,7 @@ PIECE = 16 * 1024
 """Characters that are fed to the screen at a time; each is a few milliseconds of work at most."""
 
 SHARE = 4 * 1024
-"""Characters a program on the scheduler's thread writes before others have their turn."""
+"""Characters a program on the scheduler's thread writes before other programs get a turn."""
 
 LONGEST_END = 256
 """Characters in which the sequences at the end of a text are looked for."""
@@ -72,13 +72,13 @@ class Terminal:
         self.columns = columns
         self.rows = rows
         self.version = 0
-        """Grows with every write, so that a view knows at once whether there is anything to `update`."""
+        """Incremented at every write, so that a view sees at once whether there is anything to `update`."""
         self.at_line_start = True
         """Whether the last thing written ended a line."""
         self.output: OutputStream = RawTtyOutput(self)
         """Takes text as a pty delivers it (with \\r\\n)."""
         self.waiting_at_prompt = False
-        """The line editor waits for a key and its line is empty; kept by it."""
+        """Whether the line editor waits for a key and its line is empty; set by the line editor."""
         self._unhandled = 0
         """Calls of `send` that the scheduler has not handled yet."""
         self._typed: deque[str] = deque()
@@ -210,7 +210,7 @@ class Terminal:
 
     @property
     def is_stubborn(self) -> bool:
-        """Whether what runs in the foreground goes on though Ctrl-C was pressed three times."""
+        """Whether the foreground program still runs although Ctrl-C was pressed three times."""
         return self.busy and self.discipline.interrupts >= 3
 
     @property
@@ -225,14 +225,14 @@ class Terminal:
         return front.source if front is not None else self.shell.short_cwd
 
     def send(self, text: str) -> None:
-        """Type: `text` is what a real terminal sends for the keys. A long text leaves other programs their turn in between."""
+        """Type `text`, which is what a real terminal sends for the keys. During a long text other programs get their turn."""
         self._unhandled += 1
         self.desk.scheduler.call_soon_threadsafe(lambda: self._type(text))
         if "\x03" in text:
             self.desk.scheduler.insist()
 
     def type_again(self, text: str) -> None:
-        """Type what a program was given and has not read: before what is still on its way here (on the scheduler's thread)."""
+        """Type again what a program has not read, before what is still on its way here (on the scheduler's thread)."""
         self._unhandled += 1
 
         def type_first() -> None:
@@ -258,7 +258,7 @@ class Terminal:
         while self._typed:
             self.discipline.type(self._typed[0])
             self._typed.popleft()
-            # Unlike a place at the end of the queue, a moment that has come lets those run whose time has come too.
+            # A timer that is due, unlike a place at the end of the queue, also lets other due timers run.
             await sleep_until(self.desk.clock.steady_ns())
 
     def paste(self, text: str) -> None:
@@ -273,7 +273,7 @@ class Terminal:
         self.send(line + "\r")
 
     def resize(self, columns: int, rows: int) -> None:
-        """The window has another size now: rearrange the picture, tell the process and the line editor."""
+        """Handle a new size of the window: rearrange the picture, notify the process and the line editor."""
         columns, rows = max(columns, 2), max(rows, 1)
         if (columns, rows) == (self.columns, self.rows):
             return
@@ -366,7 +366,7 @@ class Terminal:
 
 
 def _ends_line(text: str, before: bool) -> bool:
-    """Whether the cursor stands at the beginning of a line after `text`, if it did so (`before`) or not before it."""
+    """Whether the cursor is at the beginning of a line after `text`; `before`: whether it was before it."""
     text = text[-LONGEST_END:]
     shown = _SEQUENCES_AT_END.sub("", text)
     if shown == text or shown:
@@ -390,7 +390,7 @@ class TtyOutput(OutputStream):
 
     def keyboard(self) -> InputStream | None:
         front = self.terminal.discipline.front
-        return front if front.parent is not None else None  # the shell's own keys are nobody else's
+        return front if front.parent is not None else None  # the shell's own keys belong to no other program
 
     async def drain(self) -> None:
         await self.terminal.drain()

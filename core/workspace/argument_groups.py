@@ -52,7 +52,7 @@ _BY_NAME = (
 
 
 def add_executor(parser: argparse.ArgumentParser) -> None:
-    """Add how many packages are processed at a time."""
+    """Add the options for how many packages are processed at a time."""
     group = parser.add_argument_group("Executor arguments")
     group.add_argument(
         "--executor",
@@ -77,11 +77,11 @@ def _counting_number(text: str) -> int:
     return number
 
 
-_counting_number.__name__ = "counting_number"  # argparse names it: invalid counting_number value
+_counting_number.__name__ = "counting_number"  # argparse prints it: invalid counting_number value
 
 
 def add_event_handlers(parser: argparse.ArgumentParser) -> None:
-    """Add what is reported while packages are processed, and how."""
+    """Add the option for what is reported while packages are processed."""
     group = parser.add_argument_group("Event handler arguments")
     defaults = " ".join(f"{name}{'+' if each.enabled else '-'}" for name, each in HANDLERS.items())
     group.add_argument(
@@ -98,7 +98,7 @@ def add_event_handlers(parser: argparse.ArgumentParser) -> None:
 
 
 def add_discovery(parser: argparse.ArgumentParser) -> None:
-    """Add where packages are looked for."""
+    """Add the options for where packages are searched for."""
     group = parser.add_argument_group("Discovery arguments")
     group.add_argument(
         "--ignore-user-meta",
@@ -137,7 +137,7 @@ def add_discovery(parser: argparse.ArgumentParser) -> None:
 
 
 def add_selection(parser: argparse.ArgumentParser) -> None:
-    """Add which of the packages found are processed."""
+    """Add the options for which of the packages found are processed."""
     group = parser.add_argument_group("Package selection arguments")
     for option, metavar, text in _SELECTION:
         if metavar is None:
@@ -154,14 +154,14 @@ def add_selection(parser: argparse.ArgumentParser) -> None:
 
 
 def add_build_base(parser: argparse.ArgumentParser) -> None:
-    """Add where the build directories are."""
+    """Add the option for where the build directories are."""
     parser.add_argument(
         "--build-base", default="build", help="The base path for all build directories (default: build)"
     )
 
 
 def add_cmake(parser: argparse.ArgumentParser) -> None:
-    """Add what is said to CMake."""
+    """Add the options that are passed to CMake."""
     group = parser.add_argument_group("Arguments for 'cmake' packages")
     group.add_argument(
         "--cmake-args",

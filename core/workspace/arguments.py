@@ -8,7 +8,7 @@ from argparse import Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.ros2.cli.parser import HelpFormatter, Parser, terminal_width
+from day6_tui.core.session.argument_parser import HelpFormatter, Parser, terminal_width
 from day6_tui.core.workspace.argument_groups import (
     add_build_base,
     add_cmake,
@@ -51,10 +51,9 @@ class _Formatter(HelpFormatter):
 
 
 class ColconParser(Parser):
-    """A parser in colcon's looks; an unknown option is told by the parser of `colcon` itself.
+    """A parser with colcon's help format; the parser of `colcon` itself reports unknown options.
 
-    What follows an option such as `--cmake-args` belongs to it even if it begins with a dash, unless it is an option of
-    the verb's own.
+    Words after an option such as `--cmake-args` belong to it even if they begin with a dash, except the verb's own options.
     """
 
     def __init__(self, session: Session, **keywords: Any) -> None:
@@ -66,7 +65,7 @@ class ColconParser(Parser):
         return super().parse_known_args(None if args is None else self._with_passed_on(args), namespace)
 
     def _with_passed_on(self, args: Sequence[str]) -> list[str]:
-        """Put a space before what is passed on and looks like an option; the option's type takes it away again."""
+        """Put a space before passed-on words that look like options; the option's type strips it again."""
         found: list[str] = []
         passing_on = False
         for word in args:
@@ -80,7 +79,7 @@ class ColconParser(Parser):
 
 
 def build_parser(session: Session) -> ColconParser:
-    """Return the parser of `colcon`; the namespace has `verb_name`, None where none was given."""
+    """Return the parser of `colcon`; the namespace has `verb_name`, None if no verb was given."""
     root = ColconParser(session, prog="colcon", epilog=_ENVIRONMENT)
     root.add_argument(
         "--log-base", help="The base path for all log directories (default: `./log`, to disable: `/dev/null`)"
@@ -267,18 +266,22 @@ _ARGUMENTS = {
 
 
 def parse(session: Session, words: list[str]) -> Namespace:
-    """Parse what stands behind `colcon`. Raises ParserExit (see the parser of `ros2`)."""
+    """Parse the words after `colcon`.
+
+    Raises:
+        ParserExit: after an error, or after `--help`.
+    """
     parser = build_parser(session)
-    # The options that take several values take those that begin with a dash too where the real one lets them.
+    # Options with several values also accept values that begin with a dash where the real colcon does.
     args: Namespace
-    args, strangers = parser.parse_known_args(words)
-    if strangers:
+    args, unknown = parser.parse_known_args(words)
+    if unknown:
         for option in ("--packages-select", "--packages-skip", "--packages-up-to", "--base-paths", "--paths"):
-            at = words.index(strangers[0])
+            at = words.index(unknown[0])
             if option in words[:at] and not any(word.startswith("--") for word in words[words.index(option) + 1 : at]):
                 prog = f"colcon {args.verb_name}"
                 verb = next(action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
                 session.stderr.write(verb.choices[args.verb_name].format_usage())
-                parser.exit(2, f"{prog}: error: argument {option}: unrecognized argument: {strangers[0]}\n")
-        parser.error(f"unrecognized arguments: {' '.join(strangers)}")
+                parser.exit(2, f"{prog}: error: argument {option}: unrecognized argument: {unknown[0]}\n")
+        parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     return args

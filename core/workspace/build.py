@@ -1,4 +1,4 @@
-"""Which task builds a package: by its type."""
+"""Chooses the task that builds a package, by the package's type."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from functools import partial
 from pathlib import Path
 
 from day6_tui.core.workspace import build_cmake, build_python
-from day6_tui.core.workspace.files import NotOurs
+from day6_tui.core.workspace.files import NotOurOutput
 from day6_tui.core.workspace.jobs import Work
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
 
 BUILD_TOOL = "colcon"
-"""What `.built_by` says: the trees are those of colcon, which may go on building in them."""
+"""The text of `.built_by`: the trees are colcon's, so the real one may go on building in them."""
 
 Task = Callable[[Package, Settings, Work], int]
 
@@ -29,7 +29,7 @@ _TASKS: dict[str, Task] = {
 
 
 _LEFT_BY_BUILDS = ("colcon_", "prefix_override", "cmake_args.last", "CMakeCache.txt", "pytest.xml", "install.log")
-"""What build folders have in them, by colcon or by CMake."""
+"""How names of files begin that colcon or CMake leave in a build folder."""
 
 _LOGGERS = {
     "python": "colcon.colcon_core.task.python.build",
@@ -39,13 +39,13 @@ _CMAKE_LOGGER = "colcon.colcon_cmake.task.cmake.build"
 
 
 def find_task(package: Package) -> Task | None:
-    """Return what builds a package, None where its build type is unknown."""
+    """Return the task that builds a package, None if its build type is unknown."""
     task = _TASKS.get(package.type)
     return None if task is None else partial(_build_if_possible, task)
 
 
 def _build_if_possible(task: Task, package: Package, settings: Settings, work: Work) -> int:
-    """Build a package unless what it needs of the workspace was never built; returns an exit status."""
+    """Build a package unless a workspace package it needs was never built; returns an exit status."""
     missing = {
         name: script
         for name in settings.needs.get(package.name, ())
@@ -64,19 +64,23 @@ def _build_if_possible(task: Task, package: Package, settings: Settings, work: W
     return 1
 
 
-def refuse_strange(folder: Path) -> None:
-    """Raise NotOurs if a package's build folder holds only what no build left there: a pupil's own files, other sources."""
+def refuse_foreign_folder(folder: Path) -> None:
+    """Refuse a package's build folder that no build has filled: it has a student's own files, or other sources.
+
+    Raises:
+        NotOurs: nothing in the folder comes from a build.
+    """
     try:
         names = os.listdir(folder)
     except (FileNotFoundError, NotADirectoryError):
         return
     if names and not any(name.startswith(_LEFT_BY_BUILDS) for name in names):
-        raise NotOurs(
-            f"'{folder}' is there already and was not made by colcon: move it away, or name another folder by --build-base"
+        raise NotOurOutput(
+            f"'{folder}' exists already and was not made by colcon: move it away, or choose another folder with --build-base"
         )
 
 
 def _is_underneath(name: str, settings: Settings) -> bool:
-    """Say whether a workspace that was sourced before has the package."""
+    """Return whether a workspace that was sourced before has the package."""
     prefixes = settings.environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     return any(Path(prefix, "share", name, "package.sh").is_file() for prefix in prefixes if prefix)

@@ -1,12 +1,12 @@
-"""Packages with a CMakeLists.txt. Messages, services and actions are built, files are installed; C++ cannot be compiled here.
+"""Builds packages with a CMakeLists.txt: messages, services and actions, and installed files. C++ cannot be compiled here.
 
-Of CMake only the commands are known that such packages use. Where one is used wrongly the error is CMake's.
+Only the CMake commands that such packages use are known. A command used wrongly gives CMake's error.
 
-A package that has C++ beside other things is built without it, with status 0, and says on standard error what was left out; so
-its messages can be used by others, and its Python programs run. It fails (status 1, as when a target fails) if nothing else
-of it remains to be installed: C++ headers, libraries and programs are all there is. What was left out is kept in the ament
-index (`left_out.py`), so that `ros2 run` can say why there is no such program. A library that is looked for but not there is an
-error as in CMake, except in a package whose C++ is left out: then only the compiler would have needed it, and it is named.
+A package that contains C++ and other things is built without the C++, with status 0 and a note on standard error; its messages
+can be used by other packages, and its Python programs run. It fails (status 1, as when a target fails) if nothing else
+remains to be installed: it has C++ headers, libraries and programs only. The names of left-out programs are kept in the ament
+index (`ros/left_out`), so that `ros2 run` can explain why they are missing. A library that cannot be found is an error as in
+CMake, except in a package whose C++ is left out: only the compiler would have needed it, so it is only named.
 """
 
 from __future__ import annotations
@@ -27,18 +27,19 @@ from day6_tui.core.interfaces.definition import (
 )
 from day6_tui.core.interfaces.package import package_files
 from day6_tui.core.interfaces.values import InvalidValue
+from day6_tui.core.ros.left_out import replacements
 from day6_tui.core.workspace.build_python import python_library
 from day6_tui.core.workspace.cmake import CMakeError, Command, read_commands
 from day6_tui.core.workspace.interface_packages import EXPORTS, InterfacePackages, exports_text
 from day6_tui.core.workspace.jobs import Work
-from day6_tui.core.workspace.left_out import LeftOut, stand_ins, write_note
+from day6_tui.core.workspace.left_out import LeftOut, write_note
 from day6_tui.core.workspace.left_out import left_out as find_left_out
 from day6_tui.core.workspace.packages import Package
 from day6_tui.core.workspace.settings import Settings
 from day6_tui.core.workspace.setup_scripts import write_hook, write_package_scripts
 
 _TOOLS = ("ament_", "rosidl_", "eigen", "python", "threads", "pkgconfig")
-"""Names that begin so are parts of ROS itself that no build without C++ needs."""
+"""Prefixes of parts of ROS itself that no build without C++ needs."""
 
 _CPP = """
     class_loader console_bridge_vendor cv_bridge image_geometry image_transport interactive_markers
@@ -60,7 +61,7 @@ _INSTALL_WORDS = """
     DESTINATION TYPE PERMISSIONS FILE_PERMISSIONS DIRECTORY_PERMISSIONS USE_SOURCE_PERMISSIONS OPTIONAL RENAME
     CONFIGURATIONS COMPONENT EXCLUDE_FROM_ALL MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE
 """
-"""What ends a list of files in `install`, in any order (cmake manual, command `install`)."""
+"""Keywords that end a list of files in `install`, in any order (cmake manual, command `install`)."""
 
 _COMPILER = {
     "CMAKE_VERSION": "3.28.3",
@@ -70,7 +71,7 @@ _COMPILER = {
     "CMAKE_COMPILER_IS_GNUCC": "1",
     "CMAKE_COMPILER_IS_GNUCXX": "1",
 }
-"""What packages ask about the compiler, answered as on Ubuntu 24.04, for which ROS 2 Kilted is made."""
+"""Variables about the compiler that packages read, with the values of Ubuntu 24.04, the platform of ROS 2 Kilted."""
 
 
 def build(package: Package, settings: Settings, work: Work) -> int:
@@ -83,14 +84,14 @@ def build(package: Package, settings: Settings, work: Work) -> int:
 
 
 class _GeneratorError(ValueError):
-    """What ends the program that makes code of interfaces; its last line is the real one's."""
+    """An error of the code generator for interfaces; its last line is the real generator's."""
 
     def __init__(self, last_line: str, about: str) -> None:
         super().__init__(f"{last_line}\n({about})\n")
 
 
-def _remains(command: Command) -> bool:
-    """Say whether a command gives something that needs no compiler."""
+def _needs_no_compiler(command: Command) -> bool:
+    """Return whether a command produces something that needs no compiler."""
     if command.name in (_INTERFACES, "ament_python_install_package", "ament_python_install_module"):
         return True
     if command.name == "ament_auto_package":
@@ -101,7 +102,7 @@ def _remains(command: Command) -> bool:
 
 
 def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
-    """The variables that a package's CMakeLists.txt finds at its start."""
+    """Return the variables that are set when a package's CMakeLists.txt starts."""
     here, build_folder = str(package.path), str(settings.build_base / package.name)
     prefix = settings.prefix(package.name)
     system = {"win32": "WIN32", "darwin": "APPLE"}.get(sys.platform)
@@ -115,7 +116,7 @@ def cmake_variables(package: Package, settings: Settings) -> dict[str, str]:
         "CMAKE_INSTALL_PREFIX": str(prefix),
         "PYTHON_INSTALL_DIR": python_library(prefix).relative_to(prefix).as_posix(),
         **_COMPILER,
-        "BUILD_TESTING": "OFF",  # what only tests need is not built here
+        "BUILD_TESTING": "OFF",  # anything only tests need is not built here
         **({"UNIX": "1"} if sys.platform != "win32" else {}),
         **({system: "1"} if system else {}),
     }
@@ -136,7 +137,7 @@ class _CMakeBuild:
         prefixes.pop(package.name, None)
         self.packages = InterfacePackages(prefixes, settings.environment)
         self.found: dict[str, None] = {}
-        """Packages that `find_package` found, also through others."""
+        """Packages found by `find_package`, directly or through others."""
         self.missing: list[tuple[str, Command]] = []
         self.exported: dict[str, None] = {}
 
@@ -155,7 +156,7 @@ class _CMakeBuild:
             self._find,
         )
         left_out = find_left_out(commands)
-        only_cpp = bool(left_out) and not any(map(_remains, commands))
+        only_cpp = bool(left_out) and not any(map(_needs_no_compiler, commands))
         if only_cpp or self.package.type in ("cmake", "ros.cmake", "ros.catkin"):
             return self._cannot_compile(left_out)
         if not left_out:
@@ -164,7 +165,7 @@ class _CMakeBuild:
             self._run(command)
         self._finish(left_out)
         if left_out:
-            self._tell_left_out(left_out)
+            self._report_left_out(left_out)
         return 0
 
     def _run(self, command: Command) -> None:
@@ -182,31 +183,31 @@ class _CMakeBuild:
             for name in command.after("INSTALL_TO_SHARE", "NO_INSTALL_TO_SHARE", "INSTALL_TO_PATH"):
                 self._copy_tree(command.folder / name, self.share / name)
 
-    # -- what is left out ----------------------------------------------------------------------------------------------
+    # -- left-out C++ --------------------------------------------------------------------------------------------------
 
     def _cannot_compile(self, left_out: LeftOut) -> int:
         kind = f" ({left_out})" if left_out else ""
         self.work.stderr(
             f"day6-tui has no C++ compiler and no CMake: '{self.package.name}' cannot be built here{kind}.\n"
-            "On a real ROS 2 it can: `day6-tui export` makes a zip of the workspace for there. Here Python packages are built,\n"
-            "and packages with messages or with files to install.\n"
+            "A real ROS 2 can build it: `day6-tui export` makes a zip of the workspace for it. Here you can build Python\n"
+            "packages, and packages with messages or with files to install.\n"
         )
         return 1
 
-    def _tell_left_out(self, left_out: LeftOut) -> None:
+    def _report_left_out(self, left_out: LeftOut) -> None:
         names = ", ".join(dict.fromkeys(name for name, _ in self.missing))
         missing = f"Not found, and needed to compile it: {names}.\n" if names else ""
-        ours = ", ".join(stand_ins(self.package.name, left_out.executables))
-        instead = f"Of these day6-tui has programs of its own, which are started instead: {ours}.\n" if ours else ""
+        ours = ", ".join(replacements(self.package.name, left_out.executables))
+        instead = f"day6-tui has its own versions of these programs and starts them instead: {ours}.\n" if ours else ""
         self.work.stderr(
-            f"day6-tui has no C++ compiler: of '{self.package.name}' this was left out: {left_out}.\n{instead}{missing}"
-            "Everything else of it was built. On a real ROS 2 all of it can: `day6-tui export` makes a zip for there.\n"
+            f"day6-tui has no C++ compiler: left out of '{self.package.name}': {left_out}.\n{instead}{missing}"
+            "Everything else was built. A real ROS 2 can build all of it: `day6-tui export` makes a zip for it.\n"
         )
 
-    # -- what CMake would find out -------------------------------------------------------------------------------------
+    # -- finding packages ----------------------------------------------------------------------------------------------
 
     def _find(self, command: Command) -> list[str]:
-        """Answer `find_package` and ament_auto's search for everything of package.xml; returns the names that are found by it."""
+        """Run `find_package` or ament_auto's search for all dependencies of package.xml; returns the packages it finds."""
         if command.name == "find_package":
             names, required = command.words[:1], "REQUIRED" in command.words
         else:
@@ -269,7 +270,7 @@ class _CMakeBuild:
         )
 
     def _known_packages(self, command: Command, files: list[str]) -> set[str]:
-        """Return the packages whose messages may be used: DEPENDENCIES, what actions and services need, and what those export."""
+        """Return the packages whose messages may be used: DEPENDENCIES, those actions and services need, and their exports."""
         named = command.after("DEPENDENCIES", *_KEYWORDS)
         for name in named:
             if name not in self.found:
@@ -318,7 +319,7 @@ class _CMakeBuild:
         return (parse_service if kind == "srv" else parse_action)(self.package.name, kind, name, text)
 
     def _check_nested(self, base: str, file: str, known: set[str], listed: set[str]) -> None:
-        """Refuse a type nobody has. Source: generate_type_hash() of rosidl_generator_type_description, which ends with these."""
+        """Refuse an unknown type, with the errors of generate_type_hash() in rosidl_generator_type_description."""
         package, _, interface = base.partition("/")
         if package == self.package.name:
             if interface in listed:
@@ -411,7 +412,7 @@ class _CMakeBuild:
 
 
 def _before_keywords(words: list[str]) -> Iterator[str]:
-    """Yield the arguments that stand behind no keyword, of `rosidl_generate_interfaces`."""
+    """Yield the arguments of `rosidl_generate_interfaces` that belong to no keyword."""
     taking = 0
     for word in words:
         if word in _KEYWORDS:

@@ -1,4 +1,4 @@
-"""Builds an ament_python (or plain Python) package by running its setup.py, and leaves what the real colcon leaves."""
+"""Builds an ament_python (or plain Python) package by running its setup.py, and leaves the same files as the real colcon."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from day6_tui.core.workspace.files import NotOurs, links_in
+from day6_tui.core.workspace.files import NotOurOutput, links_in
 from day6_tui.core.workspace.jobs import JobFailure, Work
 from day6_tui.core.workspace.local_setup_util import Environment, source_package
 from day6_tui.core.workspace.packages import Package
@@ -27,7 +27,7 @@ from day6_tui.core.workspace.setup_scripts import write_hook, write_package_scri
 _CHILD = Path(__file__).with_name("setup_child.py")
 _TASK = "colcon.colcon_ros.task.ament_python.build"
 _IGNORED = ("setup.py install is deprecated", "easy_install command is deprecated")
-"""Warnings that colcon has Python leave out when it runs a setup.py."""
+"""Warnings that colcon tells Python to ignore when it runs a setup.py."""
 _FALLBACK = "(colcon-ros currently does it implicitly but that fallback will be removed in the future)"
 
 
@@ -43,8 +43,8 @@ def build(package: Package, settings: Settings, work: Work) -> int:
 
 
 @dataclass
-class _Described:
-    """What setup.py says of itself, as `setup_child` tells it."""
+class _Description:
+    """The arguments of setup() in setup.py, as `setup_child` reports them."""
 
     data: dict[str, Any]
 
@@ -70,7 +70,7 @@ class _Described:
 
     @property
     def sources(self) -> list[str]:
-        """Files and top folders that a build in another folder needs links to."""
+        """Files and top-level folders that a build in another folder needs links to."""
         where = self.data.get("package_dir") or {}
         folders = [
             where.get(name) or os.path.join(where.get("", ""), name)
@@ -97,26 +97,26 @@ class _PythonBuild:
         hooks = list(self._hook_of_ros())
         process = self._start()
         try:
-            described = _Described(self._first_answer(process))
+            description = _Description(self._read_description(process))
             if self.package.type == "ros.ament_python":
-                self._check_data_files(described)
-            self._check_places(described)
+                self._check_data_files(description)
+            self._check_places(description)
             self.output.make_folder(self.library)
             if self.settings.symlink_install:
                 self._undo_install()
-                request = self._develop(described)
+                request = self._develop(description)
             else:
                 self._undo_develop()
-                request = self._install(described)
-            status = self._second_answer(process, request)
+                request = self._install(description)
+            status = self._run_commands(process, request)
         finally:
             self._close(process)
         if status:
             return status
         hooks = [*self._hooks(), *hooks]
         if self.settings.symlink_install:
-            self._after_develop(described)
-            hooks += self._develop_hooks(described)
+            self._link_develop(description)
+            hooks += self._develop_hooks(description)
         needs = self.package.dependencies("run")
         write_package_scripts(self.output, self.prefix, self.package.name, hooks, needs)
         return 0
@@ -154,29 +154,29 @@ class _PythonBuild:
         setup = self.package.path / "setup.py"
         if not setup.is_file():
             if self.package.type == "ros.ament_python":
-                self._check_data_files(_Described({}))
+                self._check_data_files(_Description({}))
             self.output.make_folder(self.library)
             ignored = [word for what in _IGNORED for word in ("-W", f"ignore:{what}")]
             command = [sys.executable, *ignored, "setup.py", "--help-commands"]
             reason = f"can't open file '{setup}': [Errno 2] No such file or directory"
             raise _failed(self.work, AssertionError(f"Expected {command} to pass: {sys.executable}: {reason}\n"))
-        # The prefix is of no use to the interpreter that runs setup.py: every folder is named to setuptools.
+        # The interpreter that runs setup.py does not need the prefix: setuptools gets every folder as an option.
         env = {**self.environment, "PYTHONPATH": self.environment["PYTHONPATH"].partition(os.pathsep)[2]}
         process = self.work.start([sys.executable, str(_CHILD)], self.package.path, env)
         self._first_errors: list[str] = []
         self._first_output: list[str] = []
         self._marked = False
-        self._answers: queue.Queue[str | None] = queue.Queue()
+        self._replies: queue.Queue[str | None] = queue.Queue()
         self._readers = [
-            self.work.copy(process.stdout, self._on_stdout, self._answers.put),
+            self.work.copy(process.stdout, self._on_stdout, self._replies.put),
             self.work.copy(process.stderr, self._on_stderr),
         ]
         return process
 
     def _on_stdout(self, line: str) -> None:
         if line.startswith(MARK):
-            self._answers.put(line[1:])
-        elif self._answered:
+            self._replies.put(line[1:])
+        elif self._is_described:
             self.work.stdout(line)
         else:
             self._first_output.append(line)
@@ -189,30 +189,30 @@ class _PythonBuild:
         else:
             self._first_errors.append(line)
 
-    _answered = False
+    _is_described = False
 
-    def _first_answer(self, process: subprocess.Popen[bytes]) -> dict[str, Any]:
-        """Wait for what setup.py says of itself. What it prints to standard error then goes to the terminal as it is."""
-        answer = self._answers.get()
-        self._answered = answer is not None
-        if answer is None:
+    def _read_description(self, process: subprocess.Popen[bytes]) -> dict[str, Any]:
+        """Wait for the arguments of setup(). Anything setup.py has printed to standard error goes to the terminal unchanged."""
+        reply = self._replies.get()
+        self._is_described = reply is not None
+        if reply is None:
             status = self.work.reap(process, self._readers)
         if self._first_errors and not self.work.stopped:
             self.settings.print_error("".join(self._first_errors))
-        if answer is None:
+        if reply is None:
             raise _failed(self.work, subprocess.CalledProcessError(status, [sys.executable, "setup.py", "--dry-run"]))
         try:
-            # colcon reads what setup.py says of itself from the same stream, where a print() of the student's comes after it.
+            # colcon reads the arguments from the same stream, so that a print() in setup.py, which comes after them, breaks it.
             ast.literal_eval("{}" + "".join(self._first_output))
         except (SyntaxError, ValueError) as error:
             raise _failed(self.work, error) from None
-        described: dict[str, Any] = json.loads(answer)
-        return described
+        description: dict[str, Any] = json.loads(reply)
+        return description
 
-    def _second_answer(self, process: subprocess.Popen[bytes], request: dict[str, Any]) -> int:
+    def _run_commands(self, process: subprocess.Popen[bytes], request: dict[str, Any]) -> int:
         shown = f"{sys.executable} setup.py {' '.join(request['commands'])}"
         cwd = Path(request["cwd"])
-        self.work.tell_command(cwd, shown)
+        self.work.log_command(cwd, shown)
         assert process.stdin is not None
         with suppress(OSError):  # it was interrupted: its status says so
             process.stdin.write(json.dumps(request).encode() + b"\n")
@@ -220,16 +220,16 @@ class _PythonBuild:
         return self.work.finish(process, self._readers, cwd, shown)
 
     def _close(self, process: subprocess.Popen[bytes]) -> None:
-        """Let the child end, which without a request it does at once."""
+        """Let the child end; without a request it does so at once."""
         if process.stdin is not None and not process.stdin.closed:
             with suppress(OSError):
                 process.stdin.close()
         self.work.reap(process, self._readers)
 
-    # -- what is run ---------------------------------------------------------------------------------------------------
+    # -- commands of setuptools ----------------------------------------------------------------------------------------
 
-    def _install(self, described: _Described) -> dict[str, Any]:
-        scripts = described.option("install", "install_scripts")
+    def _install(self, description: _Description) -> dict[str, Any]:
+        scripts = description.option("install", "install_scripts")
         source = os.path.realpath(self.package.path)
         commands = ["egg_info", "--egg-base", os.path.relpath(os.path.realpath(self.folder), source)]
         commands += ["build", "--build-base", str(self.folder / "build")]
@@ -237,45 +237,45 @@ class _PythonBuild:
         commands += ["--install-data", str(self.prefix), "--record", str(self.folder / "install.log")]
         commands += ["--install-scripts", _based(scripts, self.prefix)]
         commands += ["--single-version-externally-managed"]
-        if described.data.get("data_files"):
+        if description.data.get("data_files"):
             commands += ["install_data", *(["--force"] if self._was_developed else [])]
         return {"cwd": source, "commands": commands}
 
-    def _develop(self, described: _Described) -> dict[str, Any]:
-        for name in described.modules:
+    def _develop(self, description: _Description) -> dict[str, Any]:
+        for name in description.modules:
             if not (self.package.path / name).exists():
                 raise _failed(self.work, RuntimeError(f"Provided py_modules '{name}' does not exist"))
-        for target, source in self._wanted_links(described).items():
+        for target, source in self._wanted_links(description).items():
             self.output.link(source, target)
-        scripts = _based(described.option("develop", "script_dir"), self.prefix)
-        for path in links_in(Path(scripts)):  # setuptools would write the program into what a link leads to
+        scripts = _based(description.option("develop", "script_dir"), self.prefix)
+        for path in links_in(Path(scripts)):  # setuptools would write the program into a link's target
             if self._is_own_link(path):
                 self.output.remove(path)
-        # What is linked may be called as setuptools' own folders are; then it writes beside, not into the sources.
-        root = (described.data.get("package_dir") or {}).get("") or "."
+        # A linked folder may have the name of one of setuptools' own folders; it must not write into the sources then.
+        root = (description.data.get("package_dir") or {}).get("") or "."
         base = root if self._is_own_folder(self.folder / root) else "."
         made = self.folder / ("build" if self._is_own_folder(self.folder / "build") else "build.setuptools") / "scripts"
         commands = ["egg_info", "--egg-base", base] if base != root else ["egg_info"]
-        if described.data.get("scripts"):
+        if description.data.get("scripts"):
             commands += ["build_scripts", "--build-dir", str(made)]
         commands += ["install_scripts", "--install-dir", scripts, "--build-dir", str(made)]
         return {"cwd": str(self.folder), "commands": commands}
 
     def _is_own_folder(self, path: Path) -> bool:
-        """Say whether what is written there stays in the build folder."""
+        """Return whether a file written there would stay in the build folder."""
         inside = Path(os.path.normpath(path / "x"))
         return self.folder in inside.parents and self.output.owns(inside)
 
-    def _wanted_links(self, described: _Described) -> dict[Path, Path]:
-        """Return the links of the build folder, target → source; what lies in a linked folder is there without a link.
+    def _wanted_links(self, description: _Description) -> dict[Path, Path]:
+        """Return the links of the build folder, target → source; files in a linked folder need no link of their own.
 
-        The real colcon asks whether both are the same file by then, which comes to the same.
+        The real colcon checks whether both are the same file by then, which has the same effect.
         """
         wanted: dict[Path, Path] = {}
-        renamed = {name: folder for name, folder in (described.data.get("package_dir") or {}).items() if name}
-        names = [(name, name) for name in ("setup.py", "setup.cfg", *described.sources)]
+        renamed = {name: folder for name, folder in (description.data.get("package_dir") or {}).items() if name}
+        names = [(name, name) for name in ("setup.py", "setup.cfg", *description.sources)]
         names += [(name, folder) for name, folder in renamed.items() if "." not in name]
-        names += [(_relative(source, self.package.path),) * 2 for source, _ in described.data_files()]
+        names += [(_relative(source, self.package.path),) * 2 for source, _ in description.data_files()]
         for name, where in names:
             target, source = Path(os.path.normpath(self.folder / name)), self.package.path / where
             if self.folder in target.parents and os.path.lexists(source):
@@ -284,10 +284,10 @@ class _PythonBuild:
             target: source for target, source in wanted.items() if not any(each in wanted for each in target.parents)
         }
 
-    def _after_develop(self, described: _Described) -> None:
-        name = str(described.data["name"]).replace("_", "-")
+    def _link_develop(self, description: _Description) -> None:
+        name = str(description.data["name"]).replace("_", "-")
         self.output.write_text(self.library / f"{name}.egg-link", f"{self.folder}\n.")
-        for name, destination in described.data_files():
+        for name, destination in description.data_files():
             source = self.package.path / name
             linked = self.folder / _relative(name, self.package.path)
             if not source.is_file():
@@ -297,33 +297,33 @@ class _PythonBuild:
     _was_developed = False
 
     def _undo_develop(self) -> None:
-        """Take away what a build with --symlink-install left: links in the build folder and in the prefix."""
+        """Remove the links of a build with --symlink-install from the build folder and the prefix."""
         linked = list(links_in(self.folder))
         installed = [path for path in links_in(self.prefix) if self._is_own_link(path)]
-        told = [path for path in self.library.glob("*.egg-link") if self._is_own_egg_link(path)]
+        egg_links = [path for path in self.library.glob("*.egg-link") if self._is_own_egg_link(path)]
         self._was_developed = bool(linked or installed)
-        for path in (*linked, *installed, *told):
+        for path in (*linked, *installed, *egg_links):
             self.output.remove(path)
 
     def _is_own_link(self, path: Path) -> bool:
-        """Say whether a link of the prefix leads into this package: a merged prefix has those of others too.
+        """Return whether a link in the prefix leads into this package: a merged prefix also has those of others.
 
-        One that leads to nothing counts as well: the workspace was moved, or came from another computer with what was built
-        there, or `build` was removed. setuptools cannot write over it.
+        A broken link counts as well: the workspace was moved, or came from another computer together with its build, or
+        `build` was removed. setuptools cannot overwrite it.
         """
         if not path.is_symlink():
             return False
         if not path.exists():
             return True
         if self.folder in Path(os.path.normpath(path.parent / path.readlink())).parents:
-            return True  # a file that is gone from the sources has left a link to nothing
+            return True  # the file was removed from the sources and left a broken link
         return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.package.path))
 
     def _is_own_egg_link(self, path: Path) -> bool:
         return path.read_text(encoding="utf-8", errors="surrogateescape").partition("\n")[0] == str(self.folder)
 
     def _undo_install(self) -> None:
-        """Take away the Python files of a build without --symlink-install: they would shadow the links."""
+        """Remove the Python files of a build without --symlink-install: they would shadow the links."""
         record = self.folder / "install.log"
         if not record.is_file() or record.is_symlink():
             return
@@ -336,40 +336,46 @@ class _PythonBuild:
                         break
         self.output.remove(record)
 
-    def _check_places(self, described: _Described) -> None:
-        """Raise NotOurs where setuptools would write outside of our folders, by `..`, by an absolute path or over a link."""
+    def _check_places(self, description: _Description) -> None:
+        """Check that setuptools will not write outside our folders, by `..`, an absolute path or over a link.
+
+        Raises:
+            NotOurs: it would.
+        """
         built = self.folder / "build" / "lib"
-        packages = [(name, os.path.join(*name.split("."))) for name in described.data.get("packages") or [] if name]
-        modules = [(name, os.path.join(*name.split("."))) for name in described.data.get("py_modules") or [] if name]
-        for package, patterns in (described.data.get("package_data") or {}).items():
+        packages = [(name, os.path.join(*name.split("."))) for name in description.data.get("packages") or [] if name]
+        modules = [(name, os.path.join(*name.split("."))) for name in description.data.get("py_modules") or [] if name]
+        for package, patterns in (description.data.get("package_data") or {}).items():
             packages += [(pattern, os.path.join(*package.split("."), pattern)) for pattern in patterns if package]
         for name, path in (*packages, *modules):
             target = Path(os.path.normpath(built / path))
             if self.folder not in target.parents:
-                raise NotOurs(
+                raise NotOurOutput(
                     f"setup.py: '{name}' would be installed to '{target}', outside the build and install folders"
                 )
         targets = [self.library / path for _, path in (*packages, *modules) if ".." not in path.split(os.sep)]
-        targets += [self.prefix / destination for _, destination in described.data_files()]
+        targets += [self.prefix / destination for _, destination in description.data_files()]
         if self.settings.symlink_install:
-            targets.append(Path(self.folder, _based(described.option("develop", "script_dir"), self.prefix), "program"))
+            targets.append(
+                Path(self.folder, _based(description.option("develop", "script_dir"), self.prefix), "program")
+            )
         else:
             targets.append(
-                Path(self.package.path, _based(described.option("install", "install_scripts"), self.prefix), "x")
+                Path(self.package.path, _based(description.option("install", "install_scripts"), self.prefix), "x")
             )
             targets.append(self.folder / "build" / "lib" / "x")
         for target in targets:
-            self.output.clear_way(target)
+            self.output.remove_links_above(target)
 
-    # -- what ROS adds -------------------------------------------------------------------------------------------------
+    # -- additions of colcon-ros ---------------------------------------------------------------------------------------
 
-    def _check_data_files(self, described: _Described) -> None:
+    def _check_data_files(self, description: _Description) -> None:
         name = self.package.name
-        for folder, source in described.named_data_files():
+        for folder, source in description.named_data_files():
             for path in (folder, source):
                 if os.path.isabs(path):
                     raise _failed(self.work, AssertionError(f"'data_files' must be relative, '{path}' is absolute"))
-        installed = {destination: source for source, destination in described.data_files()}
+        installed = {destination: source for source, destination in description.data_files()}
         marker = f"share/ament_index/resource_index/packages/{name}"
         if marker not in installed:
             self.settings.warn(
@@ -403,8 +409,8 @@ class _PythonBuild:
                 self.output, self.prefix, self.package.name, "ament_prefix_path", "AMENT_PREFIX_PATH", ""
             )
 
-    def _develop_hooks(self, described: _Described) -> list[str]:
-        root = (described.data.get("package_dir") or {}).get("")
+    def _develop_hooks(self, description: _Description) -> list[str]:
+        root = (description.data.get("package_dir") or {}).get("")
         folder = self.folder / root if root else self.folder
         place = folder if self._is_own_folder(folder) else self.folder
         hooks = write_hook(self.output, place, self.package.name, "pythonpath_develop", "PYTHONPATH", str(folder))
@@ -424,7 +430,7 @@ def _is_same(path: Path, other: Path) -> bool:
 
 
 def _failed(work: Work, error: Exception) -> JobFailure:
-    """Tell an error as colcon tells an exception in a task: a traceback in the package's block, the text again at the end."""
+    """Report an error as colcon does an exception in a task: a traceback in the package's block, the text again at the end."""
     if not work.stopped:
         work.stderr("Traceback (most recent call last):\n" + "".join(traceback.format_exception_only(error)))
     return JobFailure(str(error))

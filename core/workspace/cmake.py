@@ -1,7 +1,7 @@
-"""Runs a CMakeLists.txt as far as packages without a compiler need it: which commands are called, with which words.
+"""Interprets a CMakeLists.txt as far as packages without a compiler need it: which commands are called, with which arguments.
 
-Variables, conditions, loops, functions, `include` and `add_subdirectory` are followed; every other command is handed on as it
-is. Sources: cmake-language(7) and the manual pages of the commands.
+Variables, conditions, loops, functions, `include` and `add_subdirectory` are evaluated; every other command is returned
+unchanged. Sources: cmake-language(7) and the manual pages of the commands.
 """
 
 from __future__ import annotations
@@ -14,26 +14,26 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from day6_tui.core.user_pattern import user_pattern
-from day6_tui.core.workspace.cmake_condition import holds
+from day6_tui.core.workspace.cmake_condition import evaluate
 
 _COMMAND = re.compile(r"(?m)^[ \t]*([A-Za-z_]\w*)[ \t]*\(")
 _WIDTH = 77
-"""Cells of a line of an error, in which CMake sets its paragraphs."""
+"""Characters at which CMake wraps the paragraphs of an error."""
 _WORD = re.compile(r'\s*(?:"((?:[^"\\]|\\.)*)"|([^\s"()#]+)|(\()|(\))|(#[^\n]*))')
 _REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
 LISTS = "CMakeLists.txt"
 
 _BLOCKS = {"if": "endif", "foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro"}
 _MOST_CALLS = 100_000
-"""Commands that are run of one package: no file of a human has so many, a loop without end has."""
+"""Commands run for one package: no hand-written file has this many, but an endless loop has."""
 _MOST_TEXT = 1_000_000
 """Characters of one variable; appending a list to itself doubles it."""
 _DEEPEST = 100
-"""Functions in functions; CMake itself ends at a thousand."""
+"""Nested function calls; CMake itself stops at a thousand."""
 
 
 class CMakeError(ValueError):
-    """A command that CMake refuses; `line` is where it begins, `command` its name ('' for an error of the text itself)."""
+    """A command that CMake refuses; `line` is where it begins, `command` its name ('' for a syntax error)."""
 
     def __init__(self, text: str, line: int, command: str, file: str = LISTS) -> None:
         super().__init__(text)
@@ -48,12 +48,12 @@ class CMakeError(ValueError):
 
 
 def _set(paragraph: str) -> str:
-    """Break a paragraph as CMake does; one that begins with a space stays as it is."""
+    """Wrap a paragraph as CMake does; one that begins with a space is kept as it is."""
     if paragraph.startswith(" "):
         return f"  {paragraph}"
     indent = "  "
     return textwrap.fill(
-        paragraph.replace(".  ", ".\0 "),  # two spaces behind a sentence stay
+        paragraph.replace(".  ", ".\0 "),  # two spaces after a sentence are kept
         _WIDTH,
         initial_indent=indent,
         subsequent_indent=indent,
@@ -64,7 +64,7 @@ def _set(paragraph: str) -> str:
 
 @dataclass(frozen=True)
 class Command:
-    """One call. `words` are its arguments with variables filled in, `folder` is where relative paths in them begin."""
+    """One call. `words` are its arguments with variables expanded; relative paths in them are relative to `folder`."""
 
     name: str
     words: list[str]
@@ -73,7 +73,7 @@ class Command:
     file: str = LISTS
 
     def after(self, keyword: str, *ends: str) -> list[str]:
-        """Return the arguments behind a keyword, up to one of `ends`."""
+        """Return the arguments after a keyword, up to one of `ends`."""
         if keyword not in self.words:
             return []
         found = []
@@ -84,19 +84,21 @@ class Command:
         return found
 
     def error(self, text: str) -> CMakeError:
-        """Return the error that CMake stops with at this command."""
+        """Return the error with which CMake stops at this command."""
         return CMakeError(text, self.line, self.name, self.file)
 
 
 Find = Callable[[Command], Iterable[str]]
-"""Asked at each `find_package` (and ament_auto_find_build_dependencies): the names whose `_FOUND` is then true."""
+"""Called at each `find_package` (and ament_auto_find_build_dependencies); returns the names whose `_FOUND` becomes true."""
 
 
 def read_commands(text: str, variables: Mapping[str, str], find: Find = lambda command: ()) -> list[Command]:
-    """Return the commands that are run, in their order. Raises CMakeError for a broken text and where it refuses itself.
+    """Return the commands that are run, in order.
 
-    `variables` are known from the start, those of the environment as `ENV{NAME}`; CMAKE_CURRENT_SOURCE_DIR is where the text
-    lies.
+    `variables` are set from the start, those of the environment as `ENV{NAME}`; CMAKE_CURRENT_SOURCE_DIR is the text's folder.
+
+    Raises:
+        CMakeError: the text is malformed, or stops itself (`message(FATAL_ERROR …)`).
     """
     run = _Run(find, Path(variables.get("CMAKE_CURRENT_SOURCE_DIR", ".")))
     run.file(_calls(text, LISTS), _Scope(dict(variables), run.top, LISTS))
@@ -105,7 +107,7 @@ def read_commands(text: str, variables: Mapping[str, str], find: Find = lambda c
 
 @dataclass(frozen=True)
 class _Call:
-    """A command as it is written. A word in quotes begins with one."""
+    """A command as written. A quoted word begins with a quotation mark."""
 
     name: str
     words: list[str]
@@ -114,7 +116,7 @@ class _Call:
 
 @dataclass
 class _Scope:
-    """Where a command is run: its variables, the folder and the file it stands in, and where PARENT_SCOPE leads."""
+    """The scope of a command: its variables, its folder and file, and the variables PARENT_SCOPE sets."""
 
     variables: dict[str, str]
     folder: Path
@@ -131,7 +133,7 @@ class _Function:
 
 
 class _Leave(Exception):
-    """`break`, `continue` or `return`: leaves the blocks it stands in."""
+    """`break`, `continue` or `return`: leaves the enclosing blocks."""
 
 
 class _Run:
@@ -145,7 +147,7 @@ class _Run:
         self._left = _MOST_CALLS
 
     def block(self, calls: list[_Call], scope: _Scope) -> None:
-        """Run commands one after the other. Raises _Leave for a `return`."""
+        """Run commands in order. Raises _Leave for a `return`."""
         at = 0
         while at < len(calls):
             call = calls[at]
@@ -173,55 +175,55 @@ class _Run:
         if first.name == "if":
             self._if(calls, scope)
         elif first.name in ("function", "macro"):
-            words = _all_filled(first.words, scope.variables)
+            words = _all_expanded(first.words, scope.variables)
             if words:
                 self._functions[words[0].lower()] = _Function(words[1:], body, first.name == "macro")
         elif first.name == "foreach":
             self._foreach(first, body, scope)
         else:
-            while self._holds(first, scope) and self._looped(body, scope):
+            while self._is_true(first, scope) and self._run_iteration(body, scope):
                 self._count(first, scope)
 
     def _if(self, calls: list[_Call], scope: _Scope) -> None:
-        depth, start, chosen = 0, 0, self._holds(calls[0], scope)
+        depth, start, chosen = 0, 0, self._is_true(calls[0], scope)
         for at, call in enumerate(calls):
             depth += (call.name in _BLOCKS) - (call.name in _BLOCKS.values())
             if at == len(calls) - 1 or (depth == 1 and call.name in ("else", "elseif")):
                 if chosen:
                     self.block(calls[start + 1 : at], scope)
                     return
-                start, chosen = at, call.name == "else" or (call.name == "elseif" and self._holds(call, scope))
+                start, chosen = at, call.name == "else" or (call.name == "elseif" and self._is_true(call, scope))
 
-    def _holds(self, call: _Call, scope: _Scope) -> bool:
+    def _is_true(self, call: _Call, scope: _Scope) -> bool:
         words: list[str] = []
         for word in call.words:
-            filled = _filled(word, scope.variables)
-            words += [f'"{filled[0]}'] if word.startswith('"') else filled
+            expanded = _expanded(word, scope.variables)
+            words += [f'"{expanded[0]}'] if word.startswith('"') else expanded
         try:
-            return holds(words, scope.variables, scope.folder)
+            return evaluate(words, scope.variables, scope.folder)
         except ValueError:
             if any("${" in word for word in call.words):
-                return False  # it may be about one of CMake's many variables that are not known here
-            shown = " ".join(f'"{word}"' for word in _all_filled(call.words, scope.variables))
+                return False  # it may use one of CMake's many variables that are unknown here
+            shown = " ".join(f'"{word}"' for word in _all_expanded(call.words, scope.variables))
             text = f"given arguments:\n\n    {shown}\n\nUnknown arguments specified"
             raise CMakeError(text, call.line, call.name, scope.file) from None
 
     def _foreach(self, first: _Call, body: list[_Call], scope: _Scope) -> None:
-        words = _all_filled(first.words, scope.variables)
+        words = _all_expanded(first.words, scope.variables)
         if not words:
             raise CMakeError("foreach called with incorrect number of arguments", first.line, "foreach", scope.file)
         name, items = words[0], list(_items(words[1:], scope.variables))
         before = scope.variables.get(name)
         for item in items:
             scope.variables[name] = item
-            if not self._looped(body, scope):
+            if not self._run_iteration(body, scope):
                 break
         scope.variables.pop(name, None)
         if before is not None:
             scope.variables[name] = before
 
-    def _looped(self, body: list[_Call], scope: _Scope) -> bool:
-        """Run the body of a loop once; returns whether it goes on."""
+    def _run_iteration(self, body: list[_Call], scope: _Scope) -> bool:
+        """Run the body of a loop once; returns whether the loop continues."""
         try:
             self.block(body, scope)
         except _Leave as leave:
@@ -233,7 +235,7 @@ class _Run:
     # -- commands ------------------------------------------------------------------------------------------------------
 
     def _run(self, call: _Call, scope: _Scope) -> None:
-        words = _all_filled(call.words, scope.variables)
+        words = _all_expanded(call.words, scope.variables)
         function = self._functions.get(call.name)
         if function is not None:
             self._call(function, call, words, scope)
@@ -286,7 +288,7 @@ class _Run:
         self.file(function.body, inner)
 
     def _read(self, path: Path, scope: _Scope) -> None:
-        """Run another file of the package; a module of CMake or ament, which is no file here, is nothing."""
+        """Run another file of the package; does nothing for a module of CMake or ament, which is not a file here."""
         if not path.is_file() or scope.depth >= _DEEPEST:
             return
         shown = Path(os.path.relpath(path, self.top)).as_posix()
@@ -304,7 +306,7 @@ class _Run:
             return
 
 
-# -- what changes variables --------------------------------------------------------------------------------------------
+# -- commands that set variables ---------------------------------------------------------------------------------------
 
 
 def _set_variable(command: Command, scope: _Scope) -> None:
@@ -421,7 +423,7 @@ def _string(command: Command, scope: _Scope) -> None:
 
 
 def _parse_arguments(command: Command, scope: _Scope) -> None:
-    """`cmake_parse_arguments(PREFIX OPTIONS ONE_VALUE MANY_VALUES ARG…)`, which functions of packages use."""
+    """Run `cmake_parse_arguments(PREFIX OPTIONS ONE_VALUE MANY_VALUES ARG…)`, which packages' functions use."""
     if len(command.words) < 4:
         return
     prefix, *lists = command.words[:4]
@@ -456,7 +458,7 @@ _CHANGES: dict[str, Callable[[Command, _Scope], None]] = {
 
 
 def _items(words: list[str], variables: Mapping[str, str]) -> Iterator[str]:
-    """Yield what a `foreach` goes through."""
+    """Yield the items of a `foreach`."""
     if words[:1] == ["RANGE"]:
         try:
             numbers = [int(word) for word in words[1:4]]
@@ -495,7 +497,7 @@ def _calls(text: str, file: str) -> list[_Call]:
 
 
 def _end_of(calls: list[_Call], start: int, file: str) -> int:
-    """Return where the block that begins at `start` ends. Raises CMakeError if it does not."""
+    """Return the index at which the block that begins at `start` ends. Raises CMakeError if it does not end."""
     depth = 0
     for at in range(start, len(calls)):
         depth += (calls[at].name in _BLOCKS) - (calls[at].name in _BLOCKS.values())
@@ -505,7 +507,7 @@ def _end_of(calls: list[_Call], start: int, file: str) -> int:
 
 
 def _without_comments(text: str) -> str:
-    """Blank comments, so that places stay the same."""
+    """Blank out comments, keeping line numbers."""
     text = re.sub(r"(?s)#\[(=*)\[.*?\]\1\]", lambda match: "\n" * match[0].count("\n"), text)
     return re.sub(r'"(?:[^"\\]|\\.)*"|#[^\n]*', lambda match: match[0] if match[0][0] == '"' else "", text)
 
@@ -531,11 +533,11 @@ def _arguments(text: str, at: int, line: int, file: str) -> tuple[list[str], int
     raise CMakeError('Parse error.  Function missing ending ")".  End of file reached.', line, "", file)
 
 
-def _all_filled(words: Iterable[str], variables: Mapping[str, str]) -> list[str]:
-    return [part for word in words for part in _filled(word, variables)]
+def _all_expanded(words: Iterable[str], variables: Mapping[str, str]) -> list[str]:
+    return [part for word in words for part in _expanded(word, variables)]
 
 
-def _filled(word: str, variables: Mapping[str, str]) -> list[str]:
+def _expanded(word: str, variables: Mapping[str, str]) -> list[str]:
     quoted = word.startswith('"')
     value = word[1:] if quoted else word
     for _ in range(10):  # ${A_${B}} from the inside out

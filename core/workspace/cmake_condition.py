@@ -1,4 +1,4 @@
-"""Whether the condition of an `if` or `while` of CMake holds (cmake manual, command `if`)."""
+"""Evaluates the condition of a CMake `if` or `while` (cmake manual, command `if`)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,12 @@ _FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
 _UNARY = frozenset({"EXISTS", "DEFINED", "COMMAND", "TARGET", "POLICY", "IS_DIRECTORY", "IS_ABSOLUTE", "TEST"})
 
 
-def holds(words: list[str], variables: Mapping[str, str], folder: Path) -> bool:
-    """Evaluate the words between the brackets; one in quotes begins with one. Raises ValueError if they are no condition."""
+def evaluate(words: list[str], variables: Mapping[str, str], folder: Path) -> bool:
+    """Evaluate the words between the parentheses; a quoted word begins with a quotation mark.
+
+    Raises:
+        ValueError: the words are not a condition.
+    """
     condition = _Condition(list(words), variables, folder)
     value = condition.any_of()
     if condition.words:
@@ -24,7 +28,7 @@ def holds(words: list[str], variables: Mapping[str, str], folder: Path) -> bool:
 
 
 def is_true(value: str) -> bool | None:
-    """Say what a constant means, None for what is no constant."""
+    """Return the truth of a constant, None for anything that isn't a constant."""
     upper = value.upper()
     if upper in _FALSE or upper.endswith("-NOTFOUND"):
         return False
@@ -74,7 +78,7 @@ _BINARY: dict[str, Callable[[str, str], bool]] = {
 
 
 class _Condition:
-    """Words not read yet, and what names in them mean."""
+    """The unread words of a condition, with the variables and folder they refer to."""
 
     def __init__(self, words: list[str], variables: Mapping[str, str], folder: Path) -> None:
         self.words = words
@@ -97,7 +101,7 @@ class _Condition:
 
     def _one(self) -> bool:
         if not self.words:
-            return False  # what a variable was that is not set
+            return False  # the word was a variable that is not set
         word = self.words.pop(0)
         if word == "NOT":
             return not self._one()
@@ -107,16 +111,16 @@ class _Condition:
                 raise ValueError("(")
             return value
         if word in _UNARY and self.words and self.words[0] not in (")", "AND", "OR", *_BINARY):
-            return self._about(word, self.words.pop(0).removeprefix('"'))
+            return self._test(word, self.words.pop(0).removeprefix('"'))
         if len(self.words) > 1 and self.words[0] in (*_BINARY, "IN_LIST"):
             operator, right = self.words.pop(0), self.words.pop(0)
             if operator == "IN_LIST":
                 return self._value(word) in self._variables.get(right.removeprefix('"'), "").split(";")
             pattern = right.removeprefix('"') if operator == "MATCHES" else self._value(right)
             return _BINARY[operator](self._value(word), pattern)
-        return self._truth(word)
+        return self._is_word_true(word)
 
-    def _about(self, operator: str, word: str) -> bool:
+    def _test(self, operator: str, word: str) -> bool:
         if operator == "DEFINED":
             return word in self._variables
         if operator == "IS_ABSOLUTE":
@@ -127,10 +131,10 @@ class _Condition:
         return False  # targets, policies and commands: nothing is compiled here
 
     def _value(self, word: str) -> str:
-        """What a side of a comparison is: a variable's value, or the word itself."""
+        """Return one side of a comparison: a variable's value, or the word itself."""
         return word[1:] if word.startswith('"') else self._variables.get(word, word)
 
-    def _truth(self, word: str) -> bool:
+    def _is_word_true(self, word: str) -> bool:
         constant = is_true(word.removeprefix('"'))
         if constant is not None or word.startswith('"'):
             return bool(constant)

@@ -1,4 +1,4 @@
-"""The program `colcon`: what the terminals start."""
+"""The program `colcon`, as started by the terminals."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 async def main(session: Session) -> int:
-    """Run `colcon …` from `session.argv` in a thread; Ctrl-C ends its commands, and then it. Returns the exit status."""
+    """Run `colcon …` from `session.argv` in a thread; Ctrl-C ends its commands, then it ends. Returns the exit status."""
     from day6_tui.core.interfaces import forget
     from day6_tui.core.ros import environment
-    from day6_tui.core.ros.ros2.cli.parser import ParserExit
+    from day6_tui.core.session.argument_parser import ParserExit
     from day6_tui.core.session.folder import LOST
     from day6_tui.core.workspace.arguments import build_parser, parse
     from day6_tui.core.workspace.colcon import Colcon
@@ -31,18 +31,18 @@ async def main(session: Session) -> int:
         session.stdout.write(build_parser(session).format_usage() + "\n")
         session.print_error("Error: No verb provided")
         return 1
-    if not session.cwd.is_dir():  # making `build` would bring it back
+    if not session.cwd.is_dir():  # creating `build` would create it again
         session.print_error(f"colcon: {LOST}")
         return 1
     colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:
-        forget(name)  # a message that was built anew has another class now
+        forget(name)  # a rebuilt message has a new class now
     return status
 
 
 async def _in_thread(run: Callable[[], int], interrupt: Callable[[], None]) -> int:
-    """Run `run` in a thread until it ends, whatever happens; Ctrl-C and every other order calls `interrupt`."""
+    """Run `run` in a thread until it ends, whatever happens; Ctrl-C and anything else that ends the program call `interrupt`."""
     done = Signal()
     results: list[int] = []
     errors: list[BaseException] = []
@@ -50,7 +50,7 @@ async def _in_thread(run: Callable[[], int], interrupt: Callable[[], None]) -> i
     def live() -> None:
         try:
             results.append(run())
-        except BaseException as error:  # it comes out where the program waits
+        except BaseException as error:  # raised again where the program waits
             errors.append(error)
         finally:
             done.set()

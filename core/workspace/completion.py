@@ -1,4 +1,4 @@
-"""What Tab offers behind `colcon`: verbs, options, and the names of the packages that are there."""
+"""Completions for `colcon`: verbs, options, and the names of the workspace's packages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NAMED = re.compile(r"--packages-(?!.*regex|above-depth).*|--packages-(start|end
 
 
 def complete(words: list[str], session: Session, cwd: Path, environment: Mapping[str, str]) -> list[str] | None:
-    """Return the possible last words of a line that begins `colcon …`; None where a file is wanted."""
+    """Return the possible last words of a line that begins `colcon …`; None where a file is expected."""
     typed = words[-1]
     if len(words) == 2 and not typed.startswith("-"):
         return sorted(VERBS)

@@ -1,4 +1,4 @@
-"""Makes a new package: what `ros2 pkg create` writes and prints. The folder appears whole or not at all."""
+"""Creates a new package, as `ros2 pkg create` does. The folder appears complete or not at all."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ LICENSES = (
 
 
 class _Draft:
-    """The files of the package with the words that tell of them, in the order of the original."""
+    """The files of the package and the lines printed about them, in the original's order."""
 
     def __init__(self, shown: str) -> None:
         self.shown = shown
-        """The package's folder as it is printed."""
+        """The package's folder as printed."""
         self.files: dict[str, str] = {}
         self.folders: list[str] = []
         self.lines: list[str] = []
@@ -46,8 +46,12 @@ class _Draft:
         self.files[name] = text
 
 
-def create(plan: Plan, destination: Path, shown: str, say: Callable[[str], object]) -> None:
-    """Make the package in `destination` (`shown` as it was typed), telling each step. Raises OSError, leaving nothing."""
+def create(plan: Plan, destination: Path, shown: str, print_line: Callable[[str], object]) -> None:
+    """Create the package in `destination` (`shown` as it was typed) and print each step.
+
+    Raises:
+        OSError: it could not be written; nothing is left behind.
+    """
     draft = _Draft(os.path.join(shown, plan.name))
     draft.folder()
     draft.file("package.xml", templates.package_xml(plan))
@@ -59,9 +63,9 @@ def create(plan: Plan, destination: Path, shown: str, say: Callable[[str], objec
         draft.files["LICENSE"] = (_LICENSES / f"{plan.license}.txt").read_text(encoding="utf-8")
     _write(draft, destination, plan.name)
     for line in draft.lines:
-        say(line)
+        print_line(line)
     if plan.license not in LICENSES:
-        say(
+        print_line(
             f"\n[WARNING]: Unknown license '{plan.license}'.  This has been set in the package.xml, but no LICENSE file has "
             "been created.\nIt is recommended to use one of the ament license identifiers:\n" + "\n".join(LICENSES)
         )

@@ -1,4 +1,4 @@
-"""What happens while packages are processed, told to whoever prints or logs it."""
+"""The events of a run, passed to the handlers that print or log them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Protocol
 from day6_tui.core.session.streams import OutputStream
 
 INTERRUPTED = "SIGINT"
-"""The result of a job that Ctrl-C ended, where others have a number."""
+"""The result of a job ended by Ctrl-C; other results are numbers."""
 
 Result = int | str
 
@@ -24,46 +24,51 @@ class Event:
     job: str = ""
     """The package's name; '' for events of the whole run."""
     text: str = ""
-    """The line of stdout and stderr (with its newline), the command."""
+    """A line of stdout or stderr (with its newline), or the command."""
     result: Result = 0
 
 
 class Handler(Protocol):
-    """Gets every event, in order, one at a time."""
+    """Receives every event, in order, one at a time."""
 
-    def handle(self, event: Event) -> None: ...
+    def handle(self, event: Event) -> None:
+        """Handle one event."""
 
 
 @dataclass
 class Console:
-    """Where a run prints, and how it knows the time. `begun` is in seconds of `time.monotonic`."""
+    """The streams a run prints to, and its start, `begun`, in seconds of `time.monotonic`."""
 
     stdout: OutputStream
     stderr: OutputStream
     begun: float = field(default_factory=time.monotonic)
     status: str = ""
-    """The status line that is on the screen now, to be wiped before anything else is printed."""
+    """The status line on the screen now, to be wiped before anything else is printed."""
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def out(self, text: str) -> None:
+        """Print to standard output."""
         with self._lock:
             self.wipe()
             self.stdout.write(text)
             self.stdout.flush()
 
     def err(self, text: str) -> None:
+        """Print to standard error."""
         with self._lock:
             self.wipe()
             self.stderr.write(text)
             self.stderr.flush()
 
     def wipe(self) -> None:
+        """Remove the status line from the screen."""
         if self.status:
             self.stdout.write(" " * len(self.status))
             self.stdout.control("\r")
             self.status = ""
 
     def show_status(self, text: str) -> None:
+        """Show a status line, replacing the previous one."""
         with self._lock:
             self.wipe()
             self.stdout.write(text)
@@ -72,7 +77,7 @@ class Console:
             self.status = text
 
     def warn(self, logger: str, text: str, level: str = "WARNING") -> None:
-        """Print a message of colcon's log: `[0.123s] WARNING:colcon.…: text`; a plain line where no logger is named."""
+        """Print a message of colcon's log: `[0.123s] WARNING:colcon.…: text`; a plain line if `logger` is empty."""
         if not logger:
             self.err(f"{text}\n")
             return
@@ -80,13 +85,14 @@ class Console:
 
 
 class Events:
-    """Passes events on to the handlers. Any thread may tell."""
+    """Passes events to the handlers. Thread-safe."""
 
     def __init__(self, handlers: Iterable[Handler]) -> None:
         self._handlers = list(handlers)
         self._lock = threading.RLock()
 
-    def tell(self, event: Event) -> None:
+    def emit(self, event: Event) -> None:
+        """Pass one event to every handler."""
         with self._lock:
             for handler in self._handlers:
                 handler.handle(event)

@@ -1,8 +1,8 @@
-"""`day6-tui export`: packages of the workspace as a zip, which builds on a real ROS 2 as it is.
+"""`day6-tui export`: packages of the workspace as a zip that builds unchanged on a real ROS 2.
 
-The zip has a folder with `src/` and a short text that says what to type there. Nothing in the packages is changed: what a
-student writes here is what a real robot runs. What is packed is what lies in the packages: a link that leads out of one is
-refused, so that no zip carries a file that nobody meant to give away.
+The zip has a folder with `src/` and a short text with the commands to type there. Nothing in the packages is changed: a real
+robot runs exactly what the student wrote. Only files inside the packages are packed: a link that leads out of one is refused,
+so that no zip contains a file nobody meant to give away.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ _LEFT_OUT = frozenset({"__pycache__", ".git", ".vscode", ".idea", ".pytest_cache
 _BUILT_TYPES = ("ros.", "python", "cmake")
 
 LARGEST = 500_000_000
-"""Bytes of the largest file that is packed: no source has more, a forgotten bag or a disk image has."""
+"""Bytes of the largest file that is packed: no source file is larger, but a forgotten bag or disk image is."""
 
 _PIECE = 1 << 20
 
 _README = """\
 Packages from day6-tui: {names}
 
-On a computer with ROS 2, in the folder in which this file is:
+On a computer with ROS 2, in the folder of this file:
 
     rosdep install --from-paths src -y --ignore-src
     colcon build
@@ -41,11 +41,11 @@ On a computer with ROS 2, in the folder in which this file is:
 
 
 class ExportError(Exception):
-    """There is nothing to export, or not what was asked for, or something that must not be packed."""
+    """There is nothing to export, a named package is missing, or something must not be packed."""
 
 
 class Exported(NamedTuple):
-    """What is in the zip: the names of the packages, and what of their folders is not in it, with the reason."""
+    """The packages in the zip, and the files of their folders that were left out, with the reason."""
 
     packages: list[str]
     left_out: list[str]
@@ -92,27 +92,31 @@ def _workspace(given: Path | None, home: Path | None) -> Path:
         return given.expanduser().resolve()
     if home is None and (here := workspace_around(working_folder())) is not None:
         return here
-    from day6_tui.core.session.places import default_home
+    from day6_tui.core.places import default_home
 
     return (home or default_home()).expanduser().resolve() / "ros2_ws"
 
 
 def workspace_around(folder: Path) -> Path | None:
-    """Return the workspace in which a folder lies: the nearest one above that has packages in `src` or was built in.
+    """Return the workspace around a folder: the nearest one above it that has packages in `src` or has been built.
 
-    A package that lies in no workspace is its own; None outside of all.
+    A package outside any workspace is its own workspace; None outside everything.
     """
     package = None
     for each in (folder, *folder.parents):
         if (each / "package.xml").is_file():
-            package = each  # it may have a folder src too
+            package = each  # it may also have a folder src
         elif holds_packages(each / "src") or (each / "install" / ".colcon_install_layout").is_file():
             return each
     return package
 
 
 def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
-    """Write the zip and tell what is in it. Raises ExportError or OSError; then there is no new file."""
+    """Write the zip and return what is in it.
+
+    Raises:
+        ExportError, OSError: it could not be written; no new file is left.
+    """
     is_package = (workspace / "package.xml").is_file()
     source = workspace / "src" if (workspace / "src").is_dir() and not is_package else workspace
     if not source.is_dir():
@@ -131,7 +135,7 @@ def export(workspace: Path, names: Iterable[str], target: Path) -> Exported:
     if not wanted:
         raise ExportError(f"no package in {source}")
     if os.path.lexists(target) and not zipfile.is_zipfile(target):
-        raise ExportError(f"'{target}' is there and is no zip: it is left alone; name another file by -o")
+        raise ExportError(f"'{target}' exists and is not a zip: it is left alone; choose another file with -o")
     return Exported(wanted, _write([known[name] for name in wanted], source, workspace.name, target))
 
 
@@ -149,11 +153,11 @@ def _write(packages: list[Package], source: Path, top: str, target: Path) -> lis
 
 
 def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
-    """Put a file into the zip as it is now: one that grows meanwhile ends where it ended when it was opened."""
+    """Put a file into the zip as it is now: one that grows meanwhile is cut at the size it had when opened."""
     with open(path, "rb", opener=_open_at_once) as file:
         status = os.fstat(file.fileno())
         if not stat.S_ISREG(status.st_mode):
-            raise ExportError(f"{str(path)!r} is no file any more")
+            raise ExportError(f"{str(path)!r} is not a file any more")
         if status.st_size > LARGEST:
             raise ExportError(
                 f"{str(path)!r} has {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} MB are packed: "
@@ -163,7 +167,7 @@ def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
             name.encode()
         except UnicodeEncodeError:
             raise ExportError(f"the name of {str(path)!r} is not UTF-8: a zip cannot hold it") from None
-        moment = max(time.localtime(status.st_mtime)[:6], (1980, 1, 1, 0, 0, 0))  # a zip knows no time before
+        moment = max(time.localtime(status.st_mtime)[:6], (1980, 1, 1, 0, 0, 0))  # the earliest time in a zip
         info = zipfile.ZipInfo(name, moment)
         info.external_attr = (status.st_mode & 0xFFFF) << 16
         info.compress_type = archive.compression
@@ -175,15 +179,18 @@ def _add(archive: zipfile.ZipFile, path: Path, name: str) -> None:
 
 
 def _open_at_once(path: str, flags: int) -> int:
-    """Open without waiting for the other end, should a pipe have taken the file's place."""
+    """Open without waiting for the other end, in case the file was replaced by a pipe."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
-    """Yield the files of a package, without `own` and without what tools leave there.
+    """Yield the files of a package, without `own` and without files left by tools.
 
-    A folder to which links of the package lead is packed once more at the first of them, so links in circles have an end.
-    Raises ExportError for a link that leads out of the package, OSError for a folder that cannot be read.
+    A folder that links of the package lead to is packed again at the first of them only, so that loops of links end.
+
+    Raises:
+        ExportError: a link leads out of the package.
+        OSError: a folder cannot be read.
     """
     root = Path(os.path.realpath(folder))
     linked = {root}
@@ -197,7 +204,7 @@ def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
                 continue
             if entry.is_symlink() and not real.is_relative_to(root):
                 raise ExportError(
-                    f"{str(path)!r} is a link to {str(real)!r}, outside the package: put there what it leads to, or remove it"
+                    f"{str(path)!r} is a link to {str(real)!r}, outside the package: replace it with a copy, or remove it"
                 )
             if path.is_dir():
                 if entry.is_symlink() and (real in linked or real in path.parents):
@@ -209,11 +216,11 @@ def _files(folder: Path, own: set[Path], left_out: list[str]) -> Iterator[Path]:
                 if real not in own:
                     yield path
             else:
-                left_out.append(f"{str(path)!r} {'leads nowhere' if entry.is_symlink() else 'is no file'}")
+                left_out.append(f"{str(path)!r} {'is a broken link' if entry.is_symlink() else 'is not a file'}")
 
 
 def _is_tools(entry: os.DirEntry[str]) -> bool:
-    """Say whether something is left by builds, editors and version control."""
+    """Return whether an entry was left by builds, editors or version control."""
     if os.path.isdir(entry.path):
         return entry.name in _LEFT_OUT or entry.name.endswith(".egg-info") or entry.name.startswith(".")
     return entry.name.endswith((".pyc", "~", ".swp"))

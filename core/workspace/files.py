@@ -1,9 +1,9 @@
-"""The folders that one call of `colcon` may change, and the only way in which it changes them.
+"""The folders one call of `colcon` may change, and the only way it changes them.
 
-Build, install and log folder are ours; everything else is the user's. Whatever is written, linked or removed goes through
-`Output`, which looks where a path really leads: a link in a build folder leads into the sources (that is what
---symlink-install is for), and what is done to `build/pkg/pkg/x.py` would then be done to the pupil's file. Every file is
-written whole or not at all (`core.whole_file`).
+The build, install and log folders are ours; everything else is the user's. Whatever is written, linked or removed goes through
+`Output`, which checks where a path really leads: a link in a build folder leads into the sources (the purpose of
+--symlink-install), so that changing `build/pkg/pkg/x.py` would change the student's file. Every file is written whole or not
+at all (`core.whole_file`).
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from pathlib import Path
 from day6_tui.core.whole_file import replace_file, replacing
 
 
-class NotOurs(OSError):
-    """What was to be written or removed is not an output of this call; it was left alone."""
+class NotOurOutput(OSError):
+    """A file to be written or removed is not an output of this call; it was left alone."""
 
     def __init__(self, text: str) -> None:
         super().__init__(errno.EPERM, text)
 
 
 class Output:
-    """What one call may change: everything below its bases (build, install, log), none of them itself a link's victim.
+    """Everything one call may change: all below its bases (build, install, log).
 
-    A base may be a link of the user's: then what it leads to is meant. `sources` are the folders of the packages; links
-    into them are what an earlier build left, and only those are taken out of the way.
+    A base may itself be a link, which is followed. `sources` are the folders of the packages; links into them were left by an
+    earlier build, and only those are removed to make way.
     """
 
     def __init__(self, bases: Iterable[Path]) -> None:
@@ -37,79 +37,86 @@ class Output:
         self._sources: list[Path] = []
 
     def protect(self, sources: Iterable[Path]) -> None:
-        """Name the folders of the packages. Raises NotOurs if one lies in a base: all of it would count as our output."""
+        """Set the folders of the packages.
+
+        Raises:
+            NotOurs: one of them is inside a base, where everything counts as our output.
+        """
         self._sources = [Path(os.path.realpath(source)) for source in sources]
         for source in self._sources:
             for base in self._bases:
                 if source.is_relative_to(base):
-                    raise NotOurs(f"'{base}' holds sources ('{source}'): name another folder for what the build makes")
+                    raise NotOurOutput(
+                        f"'{base}' holds sources ('{source}'): choose another folder for the build's output"
+                    )
 
     def owns(self, path: Path) -> bool:
-        """Say whether a path is below a base once all links of its folders are followed; the last part may be a link."""
+        """Return whether a path is below a base after following the links of its folders; the last part may be a link."""
         return any(base in _real(path).parents for base in self._bases)
 
     def check(self, path: Path) -> None:
-        """Raise NotOurs for what is not below a base."""
+        """Raise NotOurs for a path that is not below a base."""
         if not self.owns(path):
-            raise NotOurs(f"'{path}' leads to '{_real(path)}', outside the build, install and log folders: left alone")
+            raise NotOurOutput(
+                f"'{path}' leads to '{_real(path)}', outside the build, install and log folders: left alone"
+            )
 
     def remove(self, path: Path) -> None:
-        """Remove a file, a link (never what it leads to) or a folder with all in it. Nothing else in `colcon` removes."""
+        """Remove a file, a link (never its target) or a folder with its contents. Nothing else in `colcon` removes files."""
         self.check(path)
         if any(base.is_relative_to(_real(path)) for base in self._bases):
-            raise NotOurs(f"'{path}' holds a build, install or log folder: left alone")
+            raise NotOurOutput(f"'{path}' holds a build, install or log folder: left alone")
         if path.is_symlink() or not path.is_dir():
             path.unlink(missing_ok=True)
         else:
             shutil.rmtree(path)
 
     def remove_folder_if_empty(self, path: Path) -> bool:
-        """Return whether the folder was empty, and thus removed."""
+        """Remove a folder if it is empty; return whether it was."""
         self.check(path)
         if any(path.iterdir()):
             return False
         path.rmdir()
         return True
 
-    def clear_way(self, path: Path) -> None:
-        """Remove links into the sources that an earlier build left where a folder above `path` has to be.
+    def remove_links_above(self, path: Path) -> None:
+        """Remove links into the sources that an earlier build left in place of a folder above `path`.
 
-        Raises NotOurs if the path leads elsewhere all the same.
+        Raises:
+            NotOurs: the path still leads elsewhere.
         """
         for folder in reversed(path.parents):
             if folder.is_symlink() and not self.owns(folder / "x") and self.owns(folder) and self._is_source(folder):
                 self.remove(folder)
         self.check(path)
 
-    def make_way(self, path: Path) -> None:
-        """Make the folders above a path, after `clear_way`."""
-        self.clear_way(path)
+    def make_parents(self, path: Path) -> None:
+        """Create the folders above a path, after `remove_links_above`."""
+        self.remove_links_above(path)
         path.parent.mkdir(parents=True, exist_ok=True)
 
     def _is_source(self, path: Path) -> bool:
         real = Path(os.path.realpath(path))
         return any(real.is_relative_to(source) for source in self._sources)
 
-    # -- writing -------------------------------------------------------------------------------------------------------
-
     def make_folder(self, path: Path) -> None:
-        """Make a folder with those above it."""
-        self.make_way(path / "x")
+        """Create a folder and its parents."""
+        self.make_parents(path / "x")
 
     def write_text(self, path: Path, text: str) -> None:
-        """Write a UTF-8 file with its folders. OSError names the file; on failure what was there before is still there."""
+        """Write a UTF-8 file and create its folders. OSError names the file; after a failure the old file is still there."""
         self.write_bytes(path, text.encode("utf-8", "surrogateescape"))
 
     def write_bytes(self, path: Path, data: bytes) -> None:
-        """The same for bytes."""
-        self.make_way(path)
+        """Write a binary file; otherwise like `write_text`."""
+        self.make_parents(path)
         replace_file(path, data, mode=0o666, sync=False, follow=False)
 
     def copy(self, source: Path, target: Path, *, executable: bool = False) -> None:
-        """Copy a file with its time and mode; a link is copied as the file it leads to."""
+        """Copy a file with its time and mode; of a link, copy its target."""
         status = source.stat()
         mode = status.st_mode & 0o777 | (0o111 if executable else 0)
-        self.make_way(target)
+        self.make_parents(target)
         with replacing(target, mode=mode, sync=False, follow=False) as file:
             file.write(source.read_bytes())
             if sys.platform != "win32":
@@ -117,10 +124,10 @@ class Output:
         os.utime(target, ns=(status.st_atime_ns, status.st_mtime_ns))
 
     def link(self, source: Path, target: Path) -> None:
-        """Make `target` a link to `source`, in place of what was there; where links are not allowed (Windows) a copy."""
+        """Make `target` a link to `source`, replacing anything there; a copy where links are not allowed (Windows)."""
         if target.is_symlink() and os.path.realpath(target) == os.path.realpath(source):
             return
-        self.make_way(target)
+        self.make_parents(target)
         if os.path.lexists(target):
             self.remove(target)
         try:
@@ -141,6 +148,6 @@ def links_in(folder: Path) -> Iterator[Path]:
 
 
 def _real(path: Path) -> Path:
-    """Follow the links of the folders above, not that of the path itself."""
+    """Follow the links of the folders above a path, not the path itself."""
     whole = os.path.normpath(path.name) if path.name != ".." else ".."
     return Path(os.path.realpath(path)) if whole == ".." else Path(os.path.realpath(path.parent), path.name)

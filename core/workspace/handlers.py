@@ -1,4 +1,4 @@
-"""The event handlers of `colcon build --event-handlers`: what is printed while packages are processed, and after."""
+"""The event handlers of `colcon build --event-handlers`, which print while packages are processed and afterwards."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from day6_tui.core.workspace.logs import EventLog, JobLogs, LogFolder
 
 
 class ConsoleDirect:
-    """Every line at once, where it belongs."""
+    """Prints every line at once, to the stream it came from."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "stdout":
             self._console.out(event.text)
         elif event.kind == "stderr":
@@ -26,13 +27,14 @@ class ConsoleDirect:
 
 
 class ConsoleCohesion:
-    """All output of a package together when it has ended."""
+    """Prints all output of a package together when it has ended."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
         self._lines: dict[str, list[str]] = defaultdict(list)
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind in ("stdout", "stderr"):
             self._lines[event.job].append(event.text)
         elif event.kind == "ended":
@@ -42,13 +44,14 @@ class ConsoleCohesion:
 
 
 class ConsoleStderr:
-    """All that a package wrote to standard error, when it has ended."""
+    """Prints everything a package wrote to standard error, when it has ended."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
         self._lines: dict[str, list[str]] = defaultdict(list)
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "stderr":
             self._lines[event.job].append(event.text)
         elif event.kind == "ended":
@@ -58,7 +61,7 @@ class ConsoleStderr:
 
 
 class ConsoleStartEnd:
-    """`Starting >>> name` and `Finished <<< name [0.52s]`."""
+    """Prints `Starting >>> name` and `Finished <<< name [0.52s]`."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -66,6 +69,7 @@ class ConsoleStartEnd:
         self._test_failures: set[str] = set()
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "started":
             self._began[event.job] = time.monotonic()
             self._console.out(f"Starting >>> {event.job}\n")
@@ -83,13 +87,14 @@ class ConsoleStartEnd:
 
 
 class ConsolePackageList:
-    """The names of all packages before the first one starts."""
+    """Prints the names of all packages before the first one starts."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
         self._queued: list[str] = []
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "queued":
             self._queued.append(f"- {event.job} ({event.text})\n")
         elif event.kind in ("started", "end") and self._queued:
@@ -98,7 +103,7 @@ class ConsolePackageList:
 
 
 class Summary:
-    """How many packages finished, failed, were aborted, had something to say on standard error, or were not reached."""
+    """Prints how many packages finished, failed, were aborted, wrote to standard error, or were not reached."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -109,6 +114,7 @@ class Summary:
         self._results: dict[str, Result] = {}
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "queued":
             self._queued.add(event.job)
         elif event.kind == "stderr":
@@ -146,7 +152,7 @@ def _count(number: int) -> str:
 
 
 class Status:
-    """On a terminal: one line that says what is going on, ten times a second."""
+    """On a terminal: a status line, updated ten times a second."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -156,6 +162,7 @@ class Status:
         self._results: list[Result] = []
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind == "queued":
             self._queued += 1
         elif event.kind == "started":
@@ -191,6 +198,7 @@ class TerminalTitle:
         self._counts = {"queued": 0, "started": 0, "ended": 0}
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         if event.kind not in self._counts:
             return
         self._counts[event.kind] += 1
@@ -202,53 +210,56 @@ class TerminalTitle:
         self._console.stdout.control(f"\x1b]0;{one_line(text)}\x07")
 
 
-class Nothing:
-    """For what the real colcon does outside of a terminal (desktop notifications) or for C++."""
+class NoHandler:
+    """Stands for handlers of the real colcon that work outside a terminal (desktop notifications) or for C++."""
 
     def handle(self, event: Event) -> None:
+        """See Handler."""
         return None
 
 
-class Offered(NamedTuple):
+class HandlerSpec(NamedTuple):
     """A handler that can be switched on and off. `enabled` may depend on whether standard output is a terminal."""
 
     summary: str
     enabled: bool | None
     """None: on a terminal only."""
     priority: int
-    """The higher ones hear an event first."""
+    """Higher ones receive an event first."""
     make: Callable[[Console, str, LogFolder], Handler]
 
 
-HANDLERS: dict[str, Offered] = {
-    "compile_commands": Offered(
-        "Generate a `compile_commands.json` file for the whole workspace", True, 100, lambda c, v, f: Nothing()
+HANDLERS: dict[str, HandlerSpec] = {
+    "compile_commands": HandlerSpec(
+        "Generate a `compile_commands.json` file for the whole workspace", True, 100, lambda c, v, f: NoHandler()
     ),
-    "console_cohesion": Offered("Pass task output at once to stdout", False, 130, lambda c, v, f: ConsoleCohesion(c)),
-    "console_direct": Offered("Pass output directly to stdout/err", False, 100, lambda c, v, f: ConsoleDirect(c)),
-    "console_package_list": Offered(
+    "console_cohesion": HandlerSpec(
+        "Pass task output at once to stdout", False, 130, lambda c, v, f: ConsoleCohesion(c)
+    ),
+    "console_direct": HandlerSpec("Pass output directly to stdout/err", False, 100, lambda c, v, f: ConsoleDirect(c)),
+    "console_package_list": HandlerSpec(
         "Output list of queued job names", False, 100, lambda c, v, f: ConsolePackageList(c)
     ),
-    "console_start_end": Offered("Output task name on start/end", True, 100, lambda c, v, f: ConsoleStartEnd(c)),
-    "console_stderr": Offered("Output all stderr of a task at once", True, 110, lambda c, v, f: ConsoleStderr(c)),
-    "desktop_notification": Offered("Desktop notification of the summary", True, 50, lambda c, v, f: Nothing()),
-    "event_log": Offered("Log all events to a global log file", True, 200, lambda c, v, f: EventLog(f)),
-    "log": Offered("Output task specific log files", True, 150, lambda c, v, f: JobLogs(f)),
-    "log_command": Offered("Log a 'debug' message for each command", True, 50, lambda c, v, f: Nothing()),
-    "parallel_status": Offered(
-        "Periodically print a reminder of the currently executing jobs", False, 50, lambda c, v, f: Nothing()
+    "console_start_end": HandlerSpec("Output task name on start/end", True, 100, lambda c, v, f: ConsoleStartEnd(c)),
+    "console_stderr": HandlerSpec("Output all stderr of a task at once", True, 110, lambda c, v, f: ConsoleStderr(c)),
+    "desktop_notification": HandlerSpec("Desktop notification of the summary", True, 50, lambda c, v, f: NoHandler()),
+    "event_log": HandlerSpec("Log all events to a global log file", True, 200, lambda c, v, f: EventLog(f)),
+    "log": HandlerSpec("Output task specific log files", True, 150, lambda c, v, f: JobLogs(f)),
+    "log_command": HandlerSpec("Log a 'debug' message for each command", True, 50, lambda c, v, f: NoHandler()),
+    "parallel_status": HandlerSpec(
+        "Periodically print a reminder of the currently executing jobs", False, 50, lambda c, v, f: NoHandler()
     ),
-    "status": Offered("Continuously update a status line", None, 50, lambda c, v, f: Status(c)),
-    "store_result": Offered(
-        "Persist the result of a job in a file in its build directory", True, 50, lambda c, v, f: Nothing()
+    "status": HandlerSpec("Continuously update a status line", None, 50, lambda c, v, f: Status(c)),
+    "store_result": HandlerSpec(
+        "Persist the result of a job in a file in its build directory", True, 50, lambda c, v, f: NoHandler()
     ),
-    "summary": Offered("Output summary of all tasks", True, 50, lambda c, v, f: Summary(c)),
-    "terminal_title": Offered("Show status in the terminal title", None, 50, lambda c, v, f: TerminalTitle(c, v)),
+    "summary": HandlerSpec("Output summary of all tasks", True, 50, lambda c, v, f: Summary(c)),
+    "terminal_title": HandlerSpec("Show status in the terminal title", None, 50, lambda c, v, f: TerminalTitle(c, v)),
 }
 
 
 def chosen_handlers(switches: list[str], console: Console, verb: str, folder: LogFolder) -> list[Handler]:
-    """Return the handlers in their order; `switches` are like 'console_direct+' and 'log-'."""
+    """Return the enabled handlers by priority; `switches` are like 'console_direct+' and 'log-'."""
     on_terminal = console.stdout.isatty()
     enabled = {name: on_terminal if each.enabled is None else each.enabled for name, each in HANDLERS.items()}
     for switch in switches:

@@ -1,9 +1,9 @@
-"""Which packages are found through a package, and which of them have interfaces: what rosidl_cmake collects.
+"""Finds the packages that a package exports, and those of them with interfaces, as rosidl_cmake collects them.
 
-A package exports what it names (`ament_export_dependencies`, which `rosidl_generate_interfaces` calls with its DEPENDENCIES), and
-`find_package` of it finds that too, and so on: `nav_msgs` brings `geometry_msgs`, that brings `std_msgs`. A package built by
-CMake says so in `share/<package>/cmake/ament_cmake_export_dependencies-extras.cmake`, one built here likewise; those that come
-with day6-tui say it in their package.xml.
+A package exports dependencies (`ament_export_dependencies`, which `rosidl_generate_interfaces` calls with its DEPENDENCIES), and
+`find_package` finds those too, recursively: `nav_msgs` brings `geometry_msgs`, which brings `std_msgs`. A package built by
+CMake, or here, lists them in `share/<package>/cmake/ament_cmake_export_dependencies-extras.cmake`; for those that come with
+day6-tui they are taken from the package.xml.
 Sources: rosidl_cmake/cmake/rosidl_generate_interfaces.cmake, ament_cmake_export_dependencies.
 """
 
@@ -16,24 +16,24 @@ from pathlib import Path
 from day6_tui.core.workspace.manifest import ManifestError, read_manifest
 
 EXPORTS = "cmake/ament_cmake_export_dependencies-extras.cmake"
-"""The file below `share/<package>` that names what a package exports."""
+"""The file below `share/<package>` that lists the exported packages."""
 
 GENERATORS = {
     "rosidl_default_generators": ("action_msgs", "service_msgs"),
     "rosidl_default_runtime": ("action_msgs", "service_msgs"),
 }
-"""What the packages that make code export beside themselves (rosidl_defaults)."""
+"""The packages that the code generators export (rosidl_defaults)."""
 
 _EXPORTED = re.compile(r'set\(_exported_dependencies "([^"]*)"\)')
 
 
 def exports_text(names: Iterable[str]) -> str:
-    """Return the text of the file that says what a package exports."""
+    """Return the text of the file that lists the exported packages."""
     return f'set(_exported_dependencies "{";".join(names)}")\n'
 
 
 class InterfacePackages:
-    """The packages a build can find; `prefixes` maps each to where it is installed."""
+    """The packages a build can find; `prefixes` maps each to its install prefix."""
 
     def __init__(self, prefixes: Mapping[str, str], environment: Mapping[str, str]) -> None:
         self._prefixes = prefixes
@@ -46,13 +46,13 @@ class InterfacePackages:
         return Path(prefix, "share", package) if prefix is not None else None
 
     def exported(self, package: str) -> list[str]:
-        """Return the packages that are found as soon as this one is."""
+        """Return the packages that a package exports directly."""
         if package not in self._exported:
             self._exported[package] = list(GENERATORS.get(package, ())) or self._read(package)
         return self._exported[package]
 
     def with_exported(self, packages: Iterable[str]) -> list[str]:
-        """Return packages with everything found through them, however indirectly, in the order in which they are found."""
+        """Return packages and everything they export, directly or indirectly, in the order of discovery."""
         found: dict[str, None] = {}
         waiting = list(packages)[::-1]
         while waiting:
@@ -63,7 +63,7 @@ class InterfacePackages:
         return list(found)
 
     def has_type(self, package: str, interface: str) -> bool:
-        """Say whether an installed package has an interface like `msg/Header`."""
+        """Return whether an installed package has an interface like `msg/Header`."""
         share = self.share(package)
         kind, _, name = interface.partition("/")
         return share is not None and any((share / kind / f"{name}.{end}").is_file() for end in (kind, "idl"))

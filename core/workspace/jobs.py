@@ -1,4 +1,4 @@
-"""Processes packages side by side, each after those it depends on, and stops as colcon does when one fails."""
+"""Processes packages in parallel, each after those it depends on, and stops as colcon does when one fails."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from enum import Enum
 from pathlib import Path
 from typing import IO
 
-from day6_tui.core.session.guardian import guard, release
+from day6_tui.core.guardian import guard, release
 from day6_tui.core.workspace.events import INTERRUPTED, Event, Events, Result
 
 TICK = 0.1
@@ -26,7 +26,7 @@ GRACE = 2.0
 
 
 class OnError(Enum):
-    """What happens to the others when a package fails."""
+    """What happens to the other packages when one fails."""
 
     INTERRUPT = "running ones are aborted, waiting ones are not started"
     SKIP_DOWNSTREAM = "only those that depend on it are not started"
@@ -34,7 +34,7 @@ class OnError(Enum):
 
 
 class JobFailure(Exception):
-    """A package failed before any command of it ran; the text is shown once more at the very end."""
+    """A package failed before any of its commands ran; the text is shown again at the very end."""
 
 
 @dataclass
@@ -50,7 +50,7 @@ class Job:
 
 @dataclass
 class Work:
-    """What a running job can do: tell events, run commands that Ctrl-C ends."""
+    """The services a running job uses: emitting events, and running commands that Ctrl-C ends."""
 
     job: str
     events: Events
@@ -59,33 +59,41 @@ class Work:
 
     @property
     def stopped(self) -> bool:
-        """Whether this job is to end now."""
+        """Whether this job must end now."""
         return self._stopped.is_set()
 
     def stdout(self, text: str) -> None:
-        self.events.tell(Event("stdout", self.job, text))
+        """Emit a line of standard output."""
+        self.events.emit(Event("stdout", self.job, text))
 
     def stderr(self, text: str) -> None:
-        self.events.tell(Event("stderr", self.job, text))
+        """Emit a line of standard error."""
+        self.events.emit(Event("stderr", self.job, text))
 
     def run(self, command: list[str], cwd: Path, env: Mapping[str, str], *, shown: str = "") -> int:
-        """Run a command, its lines becoming events; returns its exit status, negative for a signal. Raises OSError."""
+        """Run a command and emit its output; returns its exit status, negative for a signal.
+
+        Raises:
+            OSError: the command cannot be started.
+        """
         process = self.start(command, cwd, env)
         assert process.stdin is not None
         process.stdin.close()
         shown = shown or " ".join(command)
-        self.tell_command(cwd, shown)
+        self.log_command(cwd, shown)
         readers = [self.copy(process.stdout, self.stdout), self.copy(process.stderr, self.stderr)]
         return self.finish(process, readers, cwd, shown)
 
-    def tell_command(self, cwd: Path, shown: str) -> None:
-        self.events.tell(Event("command", self.job, f"Invoking command in '{cwd}': {shown}\n"))
+    def log_command(self, cwd: Path, shown: str) -> None:
+        """Emit the start of a command, for the logs."""
+        self.events.emit(Event("command", self.job, f"Invoking command in '{cwd}': {shown}\n"))
 
-    def tell_test_failure(self) -> None:
-        self.events.tell(Event("test_failure", self.job))
+    def report_test_failure(self) -> None:
+        """Emit that a test of this package failed."""
+        self.events.emit(Event("test_failure", self.job))
 
     def start(self, command: list[str], cwd: Path, env: Mapping[str, str]) -> subprocess.Popen[bytes]:
-        """Start a command in a group of its own, with pipes."""
+        """Start a command in its own process group, with pipes."""
         flags = 0
         if sys.platform == "win32":
             flags = subprocess.CREATE_NEW_PROCESS_GROUP
@@ -111,7 +119,7 @@ class Work:
         target: Callable[[str], None],
         at_end: Callable[[None], object] | None = None,
     ) -> threading.Thread:
-        """Hand the lines of a pipe to `target`, on a thread, until its end; then call `at_end(None)`."""
+        """Pass the lines of a pipe to `target`, on a thread, until its end; then call `at_end(None)`."""
         assert source is not None
         pipe = source
 
@@ -129,13 +137,13 @@ class Work:
         return thread
 
     def finish(self, process: subprocess.Popen[bytes], readers: list[threading.Thread], cwd: Path, shown: str) -> int:
-        """Wait for a command and for the last line of it."""
+        """Wait for a command and its last line, and emit its end; returns its exit status."""
         status = self.reap(process, readers)
-        self.events.tell(Event("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n"))
+        self.events.emit(Event("command_ended", self.job, f"Invoked command in '{cwd}' returned '{status}': {shown}\n"))
         return status
 
     def reap(self, process: subprocess.Popen[bytes], readers: list[threading.Thread]) -> int:
-        """Wait for a command to be gone, which may be so already, and for the last line of it; returns its exit status."""
+        """Wait until a command has ended and its last line is read; returns its exit status. May be called again."""
         status = process.wait()
         for reader in readers:
             reader.join(1.0)
@@ -145,7 +153,7 @@ class Work:
         return status
 
     def stop(self) -> None:
-        """Ctrl-C: end the commands of this job."""
+        """End the commands of this job, as Ctrl-C does."""
         self._stopped.set()
         for process in list(self._processes):
             _end(process)
@@ -186,15 +194,15 @@ class Executor:
         self._interrupted = False
 
     def interrupt(self) -> None:
-        """Ctrl-C, from any thread."""
+        """Stop all jobs, as Ctrl-C does. Callable from any thread."""
         self._interrupted = True
         self._ended.put(None)
 
     def run(self, jobs: list[Job]) -> Result | Exception:
         """Run all and return 0, the first other result, INTERRUPTED, or the exception that ended a job."""
         for job in jobs:
-            self._events.tell(Event("queued", job.name, job.kind))
-        self._events.tell(Event("tick"))
+            self._events.emit(Event("queued", job.name, job.kind))
+        self._events.emit(Event("tick"))
         outcome: Result | Exception = 0
         waiting = {job.name: job for job in jobs}
         while waiting or self._running:
@@ -208,7 +216,7 @@ class Executor:
             try:
                 message = self._ended.get(timeout=TICK)
             except queue.Empty:
-                self._events.tell(Event("tick"))
+                self._events.emit(Event("tick"))
                 continue
             if message is None:
                 continue
@@ -235,32 +243,32 @@ class Executor:
                 return
             del waiting[job.name]
             work = self._running[job.name] = Work(job.name, self._events)
-            # Told here, so that packages begin in their order whatever the threads do.
-            self._events.tell(Event("started", job.name))
-            threading.Thread(target=self._live, args=(job, work), name=f"day6-{job.name}", daemon=True).start()
+            # Emitted here, so that packages start in order whatever the threads do.
+            self._events.emit(Event("started", job.name))
+            threading.Thread(target=self._run_job, args=(job, work), name=f"day6-{job.name}", daemon=True).start()
 
-    def _live(self, job: Job, work: Work) -> None:
+    def _run_job(self, job: Job, work: Work) -> None:
         result: Result | Exception
         try:
             result = job.run(work)
         except JobFailure as error:
             result = error
         except OSError as error:
-            # A full disk, a folder that may not be written: the file's name says more than where our code was.
+            # A full disk, a read-only folder: the file's name is more useful than our traceback.
             where = f": '{error.filename}'" if error.filename else ""
             work.stderr(f"error: {error.strerror or error}{where}\n")
             result = 1
         except Exception as error:
             work.stderr(traceback.format_exc())
             result = error
-        except BaseException as error:  # the build waits for the end of every job
+        except BaseException as error:  # the build waits until every job has ended
             work.stderr(f"error: {type(error).__name__}: {error}\n")
             result = 1
         if work.stopped and result:
             result = INTERRUPTED
-        told = result if isinstance(result, (int, str)) else 1
+        status = result if isinstance(result, (int, str)) else 1
         try:
-            self._events.tell(Event("ended", job.name, result=told))
+            self._events.emit(Event("ended", job.name, result=status))
         finally:
             self._ended.put((job.name, result))
 

@@ -1,4 +1,4 @@
-"""What of a package cannot be built here because it is C++, and the note of it that a build leaves for `ros2 run`."""
+"""The C++ targets of a package, which cannot be built here, and the note a build leaves of them (see `core/ros/left_out`)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from day6_tui.core.ros.programs import executables
+from day6_tui.core.ros.left_out import NOTE
 from day6_tui.core.workspace.cmake import Command
 from day6_tui.core.workspace.files import Output
 
@@ -15,13 +15,10 @@ _EXECUTABLES = frozenset({"add_executable", "ament_auto_add_executable"})
 _COMPONENT = "rclcpp_components_register_node"
 _NOTHING_TO_COMPILE = frozenset({"IMPORTED", "ALIAS", "INTERFACE"})
 
-_NOTE = "share/ament_index/resource_index/day6_left_out"
-"""The resource of the ament index in which a package names its programs that were not built, one a line."""
-
 
 @dataclass(frozen=True)
 class LeftOut:
-    """Names of targets, in their order."""
+    """The names of left-out targets, in order."""
 
     executables: list[str]
     libraries: list[str]
@@ -37,7 +34,7 @@ class LeftOut:
 
 
 def left_out(commands: Iterable[Command]) -> LeftOut:
-    """Return what a compiler would make of a package."""
+    """Return the targets for which a compiler is needed."""
     programs: dict[str, None] = {}
     libraries: dict[str, None] = {}
     for command in commands:
@@ -52,32 +49,7 @@ def left_out(commands: Iterable[Command]) -> LeftOut:
 
 
 def write_note(output: Output, prefix: Path, package: str, left_out: LeftOut) -> None:
-    """Note the programs that were left out; where there are none, a note of an earlier build becomes empty."""
-    note = prefix / _NOTE / package
+    """Write the names of left-out programs; if there are none, empty the note of an earlier build."""
+    note = prefix / NOTE / package
     if left_out.executables or note.is_file():
         output.write_text(note, "".join(f"{name}\n" for name in left_out.executables))
-
-
-def stand_ins(package: str, left_out: Iterable[str]) -> list[str]:
-    """Return which of a package's left-out programs came with day6-tui, in a package of that name, and are started instead.
-
-    A built package hides the one of the same name underneath, with all of its programs: whoever builds ros2/demos would have
-    no demo_nodes_cpp talker any more.
-    """
-    ours = executables(package)
-    return [name for name in left_out if name in ours]
-
-
-def why_not(prefix: str, package: str, executable: str) -> str:
-    """Return a line that says why the build made no such program; nothing where it had no reason that we know."""
-    if executable not in noted_programs(prefix, package):
-        return ""
-    return f"\n('{executable}' is a C++ program: day6-tui has no compiler, and so 'colcon build' left it out of '{package}')"
-
-
-def noted_programs(prefix: str, package: str) -> list[str]:
-    """Return the programs that the build of an installed package left out."""
-    try:
-        return Path(prefix, _NOTE, package).read_text(encoding="utf-8", errors="replace").split()
-    except OSError:
-        return []

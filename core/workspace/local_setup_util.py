@@ -1,9 +1,9 @@
-"""What sourcing a workspace changes, computed from the .dsv files that packages install.
+"""Computes the environment changes of sourcing a workspace from the .dsv files that packages install.
 
 The build copies this file into `install/`, where the setup scripts of real shells run it with any Python 3; the simulated
-terminal imports it. So it stands alone. Sorts of lines in a .dsv file, `;` between the parts (as colcon writes and reads them):
-`prepend-non-duplicate;NAME;VALUE…`, `prepend-non-duplicate-if-exists`, `append-non-duplicate`, `set`, `set-if-unset`,
-`source;PATH`. A relative value is below the package's prefix.
+terminal imports it. So it imports nothing of ours. The kinds of line in a .dsv file, with parts separated by `;` (as colcon
+writes and reads them): `prepend-non-duplicate;NAME;VALUE…`, `prepend-non-duplicate-if-exists`, `append-non-duplicate`, `set`,
+`set-if-unset`, `source;PATH`. A relative value is below the package's prefix.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 
 
 class Environment:
-    """Variables being changed. `changed` has the new values, `scripts` the hooks that only a shell can run."""
+    """Variables being changed. `changed` has the new values, `scripts` the hooks only a shell can run."""
 
     def __init__(self, variables: Mapping[str, str]) -> None:
         self.variables = dict(variables)
@@ -22,10 +22,11 @@ class Environment:
         self.scripts: list[tuple[str, str]] = []
 
     def set(self, name: str, value: str) -> None:
+        """Set a variable."""
         self.variables[name] = self.changed[name] = value
 
     def extend(self, name: str, value: str, front: bool = True) -> None:
-        """Add `value` to a list of paths unless it is there."""
+        """Add `value` to a list of paths unless it is in it already."""
         entries = [entry for entry in self.variables.get(name, "").split(os.pathsep) if entry]
         if value not in entries:
             self.set(name, os.pathsep.join([value, *entries] if front else [*entries, value]))
@@ -37,7 +38,7 @@ class Environment:
 
 
 def source_workspace(install: str, environment: Environment) -> None:
-    """Do what `local_setup` does: every package of the install folder, what others need first."""
+    """Do what `local_setup` does: source every package of the install folder, dependencies first."""
     environment.put_first("COLCON_PREFIX_PATH", install)
     merged = _layout(install) == "merged"
     for name in _in_order(_needs(install, merged)):
@@ -50,7 +51,11 @@ def source_package(prefix: str, name: str, environment: Environment) -> None:
 
 
 def source_dsv(path: str, prefix: str, environment: Environment) -> None:
-    """Carry out the lines of a .dsv file; one that is missing changes nothing. Raises ValueError for a line of no known sort."""
+    """Apply the lines of a .dsv file; a missing file changes nothing.
+
+    Raises:
+        ValueError: a line is of an unknown kind.
+    """
     try:
         with open(path, encoding="utf-8") as file:
             lines = file.read().splitlines()
@@ -64,7 +69,7 @@ def source_dsv(path: str, prefix: str, environment: Environment) -> None:
         if kind == "source":
             base, extension = os.path.splitext(rest)
             hooks.setdefault(base, set()).add(extension)
-        elif not _carry_out(kind, rest.split(";"), prefix, environment):
+        elif not _apply(kind, rest.split(";"), prefix, environment):
             raise ValueError(f"Line {number} in '{path}' contains an unknown environment hook type: {kind}")
     for base, extensions in hooks.items():
         whole = base if os.path.isabs(base) else os.path.join(prefix, base)
@@ -74,7 +79,7 @@ def source_dsv(path: str, prefix: str, environment: Environment) -> None:
             environment.scripts.extend((prefix, whole + extension) for extension in sorted(extensions))
 
 
-def _carry_out(kind: str, parts: list[str], prefix: str, environment: Environment) -> bool:
+def _apply(kind: str, parts: list[str], prefix: str, environment: Environment) -> bool:
     name, values = parts[0], parts[1:]
     if kind in ("set", "set-if-unset"):
         value = values[0] if values else ""
@@ -100,7 +105,7 @@ def _layout(install: str) -> str:
 
 
 def _needs(install: str, merged: bool) -> dict[str, set[str]]:
-    """Return {package: names of what it needs at run time}, as the files in share/colcon-core/packages say."""
+    """Return {package: names of its run-time dependencies} from the files in share/colcon-core/packages."""
     found: dict[str, set[str]] = {}
     for entry in sorted(os.listdir(install)) if not merged else [""]:
         folder = os.path.join(install, entry, "share", "colcon-core", "packages")
@@ -133,7 +138,7 @@ def _quoted(text: str) -> str:
 
 
 def _lines(environment: Environment, shell: str) -> Iterator[str]:
-    """Yield the commands that make the changes in a shell: 'sh' (bash, zsh too), 'ps1' or 'bat'."""
+    """Yield the commands for the changes in a shell: 'sh' (also bash and zsh), 'ps1' or 'bat'."""
     for name, value in environment.changed.items():
         if shell == "ps1":
             doubled = value.replace("'", "''")
@@ -150,7 +155,7 @@ def _lines(environment: Environment, shell: str) -> Iterator[str]:
 
 
 def main(arguments: list[str]) -> int:
-    """`_local_setup_util_sh.py sh|ps1|bat [PACKAGE PREFIX]`: print the commands for a whole workspace, or for one package."""
+    """Run `_local_setup_util_sh.py sh|ps1|bat [PACKAGE PREFIX]`: print the commands for the workspace, or for one package."""
     environment = Environment(os.environ)
     try:
         if len(arguments) == 3:

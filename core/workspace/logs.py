@@ -1,4 +1,4 @@
-"""The `log` folder: one folder for each call of colcon, `latest` pointing to the last, and the files in them."""
+"""The `log` folder: a subfolder for each call of colcon, `latest` pointing to the last one, and the files in them."""
 
 from __future__ import annotations
 
@@ -15,33 +15,33 @@ from day6_tui.core.workspace.packages import IGNORE_MARKER, refuse_sources
 
 
 def mark_ignored(output: Output, base: Path) -> None:
-    """Leave the file in a base that keeps colcon from looking for packages there."""
+    """Write the marker into a base that keeps colcon from searching for packages there."""
     if not os.path.lexists(base / IGNORE_MARKER):
         output.write_text(base / IGNORE_MARKER, "")
 
 
 class LogFolder:
-    """`log/build_2026-11-21_14-32-05`, made when the first file is written to it. `base` may be os.devnull: no logs.
+    """`log/build_2026-11-21_14-32-05`, created when the first file is written to it. `base` may be os.devnull: no logs.
 
-    `tell` is called once if they cannot be written.
+    `warn` is called once if the logs cannot be written.
     """
 
-    def __init__(self, base: Path, verb: str, tell: Callable[[str], None]) -> None:
+    def __init__(self, base: Path, verb: str, warn: Callable[[str], None]) -> None:
         self._base = base
-        self._tell = tell
-        self._told = False
+        self._warn = warn
+        self._warned = False
         self._verb = verb
         self._path: Path | None = None
         self._output = Output([base])
 
     @property
     def bases(self) -> list[Path]:
-        """The folder of all logs; none without logs."""
+        """The folder of all logs as a list, empty without logs."""
         return [] if str(self._base) == os.devnull else [self._base]
 
     @property
     def path(self) -> Path | None:
-        """The folder, None without logs. Raises OSError where it cannot be made."""
+        """The folder of this call, None without logs. Raises OSError if it cannot be created."""
         if self._path is None and str(self._base) != os.devnull:
             self._path = self._make()
         return self._path
@@ -65,25 +65,29 @@ class LogFolder:
         return path
 
     def _point(self, link: Path, target: str) -> None:
-        # Windows lets only some users make links; the folders are there without. What is no link is not ours.
+        # Windows lets only some users make links; the folders work without. Anything that isn't a link is not ours.
         with suppress(OSError, NotImplementedError):
             if link.is_symlink():
                 self._output.remove(link)
             link.symlink_to(target, target_is_directory=True)
 
     def folder_of(self, job: str) -> Path | None:
-        """Make and return the folder of one package, None without logs. Raises OSError, as for a name that leads outside."""
+        """Create and return the folder of one package, None without logs.
+
+        Raises:
+            OSError: it cannot be created, or the name leads outside the log folder.
+        """
         if self.path is None:
             return None
         self._output.make_folder(self.path / job)
         return self.path / job
 
     def give_up(self, error: OSError) -> None:
-        """Say, the first time, that the logs of this run are not whole."""
-        if not self._told:
-            self._told = True
+        """Warn, the first time, that the logs of this run are incomplete."""
+        if not self._warned:
+            self._warned = True
             where = f": '{error.filename}'" if error.filename else ""
-            self._tell(f"the log cannot be written: {error.strerror or error}{where}")
+            self._warn(f"the log cannot be written: {error.strerror or error}{where}")
 
     def write(self, name: str, text: str) -> None:
         """Append to a file of the folder."""
@@ -93,8 +97,9 @@ class LogFolder:
 
 
 class _Logging:
-    """A handler that writes files. When it cannot (a full disk), it says so once and gives up: a build must not fail for want
-    of its log.
+    """A handler that writes files.
+
+    If it cannot (a full disk), it warns once and gives up: a build must not fail because of its log.
     """
 
     def __init__(self, folder: LogFolder) -> None:
@@ -146,7 +151,7 @@ _ALL_FILES = ("command.log", "stderr.log", "stdout.log", "stdout_stderr.log", "s
 
 
 class JobLogs(_Logging):
-    """One folder for each package with its commands and its output."""
+    """A folder for each package with its commands and its output."""
 
     def __init__(self, folder: LogFolder) -> None:
         super().__init__(folder)

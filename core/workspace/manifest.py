@@ -1,4 +1,4 @@
-"""Reads `package.xml` and finds its faults in the words of catkin_pkg, which the real colcon uses."""
+"""Reads and checks `package.xml`, with the error messages of catkin_pkg, which the real colcon uses."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _MEANT_BY = {
     "test_depend": (),
     "doc_depend": (),
 }
-"""Sorts of dependencies, and the tags that stand for several of them."""
+"""Kinds of dependency, and the tags that stand for several of them."""
 _UPDATE = (
     ", please update catkin_pkg (e.g. on Ubuntu/Debian use: "
     "sudo apt-get update && sudo apt-get install --only-upgrade python-catkin-pkg)"
@@ -37,7 +37,7 @@ _VERSION_LIMITS = ("version_lt", "version_lte", "version_eq", "version_gte", "ve
 
 
 class ManifestError(ValueError):
-    """A manifest breaks the rules. `schema_named` says whether it at least names the ROS schema (then colcon warns)."""
+    """A manifest is invalid. `schema_named` is whether it at least names the ROS schema (then colcon warns)."""
 
     def __init__(self, path: str, text: str, schema_named: bool) -> None:
         super().__init__(f"Error(s) in package '{path}':\n{text}")
@@ -46,7 +46,7 @@ class ManifestError(ValueError):
 
 @dataclass
 class Manifest:
-    """What a build needs of a `package.xml`."""
+    """The parts of a `package.xml` that a build uses."""
 
     name: str
     version: str
@@ -57,15 +57,17 @@ class Manifest:
     run_depends: list[str] = field(default_factory=list)
     test_depends: list[str] = field(default_factory=list)
     groups: list[str] = field(default_factory=list)
-    """Groups it is a member of."""
+    """Groups the package is a member of."""
     warnings: list[str] = field(default_factory=list)
 
 
 def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> Manifest | None:
-    """Read `folder/package.xml`; None if there is none.
+    """Read `folder/package.xml`; returns None if it does not exist.
 
-    `shown` is the folder as messages name it; `environment` is what conditions like `$ROS_VERSION == 2` are about.
-    Raises ManifestError.
+    `shown` is the folder as messages name it; `environment` has the variables of conditions like `$ROS_VERSION == 2`.
+
+    Raises:
+        ManifestError: it cannot be read, or is invalid.
     """
     try:
         if not stat.S_ISREG((folder / FILE_NAME).stat().st_mode):  # as catkin_pkg; reading a pipe waits for its writer
@@ -79,20 +81,24 @@ def read_manifest(folder: Path, shown: str, environment: Mapping[str, str]) -> M
     try:
         root = parse_xml(data)
     except (ValueError, LookupError) as error:
-        # The real one asks the same broken text whether it names the schema, and so keeps silent.
+        # The real one searches for the schema by parsing the same malformed text, and so stays silent.
         raise ManifestError(path, f"The manifest contains invalid XML:\n{error}", schema_named=False) from error
     try:
         return _Reader(root, environment).manifest()
     except _Fault as fault:
         named = bool(_SCHEMA.search(data.decode("utf-8", "replace")))
-        told = ManifestError(path, str(fault), named)
+        failure = ManifestError(path, str(fault), named)
         if isinstance(fault, _BareFault):
-            told.args = (str(fault),)
-        raise told from fault
+            failure.args = (str(fault),)
+        raise failure from fault
 
 
 def parse_xml(data: bytes) -> ElementTree.Element:
-    """Parse XML that may come from anywhere: a document that defines entities is refused. ValueError if it is none."""
+    """Parse untrusted XML; a document that defines entities is refused.
+
+    Raises:
+        ValueError: the data is not XML, or defines entities.
+    """
     if b"<!ENTITY" in data:
         raise ValueError("entities are not allowed")
     try:
@@ -106,7 +112,7 @@ class _Fault(ValueError):
 
 
 class _BareFault(_Fault):
-    """One that catkin_pkg tells without the file's name."""
+    """A fault that catkin_pkg reports without the file's name."""
 
 
 class _Reader:
@@ -151,7 +157,7 @@ class _Reader:
     def _conditioned(self, *tags: str) -> Iterator[ElementTree.Element]:
         for tag in tags:
             for node in self.root:
-                if node.tag == tag and _holds(node.get("condition"), self.environment):
+                if node.tag == tag and _is_met(node.get("condition"), self.environment):
                     yield node
 
     def _depends(self, *tags: str) -> list[str]:
@@ -161,7 +167,7 @@ class _Reader:
         exports = [
             node for export in self.root if export.tag == "export" for node in export if node.tag == "build_type"
         ]
-        types = [_text(node) for node in exports if _holds(node.get("condition"), self.environment)]
+        types = [_text(node) for node in exports if _is_met(node.get("condition"), self.environment)]
         if len(types) > 1:
             raise _Fault("Only one <build_type> element is permitted.")
         return types[0] if types else "catkin"
@@ -169,22 +175,24 @@ class _Reader:
     def _check_tags(self, name: str) -> None:
         known = _TAGS[self.format] | _OTHER_TAGS
         errors = self._redundant()
-        strangers = list(dict.fromkeys(node.tag for node in self.root if node.tag not in known))
-        if strangers:
+        unknown = list(dict.fromkeys(node.tag for node in self.root if node.tag not in known))
+        if unknown:
             errors.append(
                 f'The manifest of package "{name}" (with format version {self.format}) must not contain the following tags: '
-                + ", ".join(strangers)
+                + ", ".join(unknown)
             )
-        if "run_depend" in strangers and self.format >= 2:
+        if "run_depend" in unknown and self.format >= 2:
             errors.append("Please replace <run_depend> tags with <exec_depend> tags.")
-        elif "exec_depend" in strangers and self.format < 2:
+        elif "exec_depend" in unknown and self.format < 2:
             errors.append("Either update to a newer format or replace <exec_depend> tags with <run_depend> tags.")
         for node in self.root:
             if node.tag not in known:
                 continue
-            strange = [attribute for attribute in node.attrib if attribute not in self._attributes(node.tag)]
-            if strange:
-                errors.append(f'The "{node.tag}" tag must not have the following attributes: {", ".join(strange)}')
+            unknown_attributes = [attribute for attribute in node.attrib if attribute not in self._attributes(node.tag)]
+            if unknown_attributes:
+                errors.append(
+                    f'The "{node.tag}" tag must not have the following attributes: {", ".join(unknown_attributes)}'
+                )
             if len(node) and node.tag not in ("description", "export"):
                 children = ", ".join(child.tag for child in node)
                 errors.append(f'The "{node.tag}" tag must not contain the following children: {children}')
@@ -265,8 +273,8 @@ def _text(node: ElementTree.Element) -> str:
 _CONDITION = re.compile(r"\s*(\$\w+|\"[^\"]*\"|'[^']*'|[\w.]+|==|!=|<=|>=|<|>|\(|\))")
 
 
-def _holds(condition: str | None, environment: Mapping[str, str]) -> bool:
-    """Evaluate a REP 149 condition like `$ROS_VERSION == 2 and $ROS_DISTRO != "humble"`; none always holds."""
+def _is_met(condition: str | None, environment: Mapping[str, str]) -> bool:
+    """Evaluate a REP 149 condition like `$ROS_VERSION == 2 and $ROS_DISTRO != "humble"`; no condition is always met."""
     if not condition:
         return True
     tokens: list[str] = []

@@ -1,4 +1,4 @@
-"""The order in which packages are built: whatever a package depends on comes first, otherwise by name."""
+"""The order in which packages are built: dependencies first, otherwise by name."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from day6_tui.core.workspace.packages import Package
 
 
 class OrderError(ValueError):
-    """Packages depend on each other in a circle, or two have one name. The text is colcon's."""
+    """Packages depend on each other in a cycle, or two have the same name. The text is colcon's."""
 
 
 @dataclass(eq=False)
 class Planned:
-    """A package in its place. `needs` are the names of workspace packages it depends on, however indirectly, in order."""
+    """A package in its place. `needs` are the workspace packages it depends on, directly or indirectly, in order."""
 
     package: Package
     needs: list[str]
@@ -22,9 +22,12 @@ class Planned:
 
 
 def plan(packages: Iterable[Package], *, direct: tuple[str, ...] = ()) -> list[Planned]:
-    """Return the packages in their order. Raises OrderError for a circle.
+    """Return the packages in build order.
 
-    `direct` limits which dependencies of a package itself count (none: all); of those further on only `run` counts.
+    `direct` limits the categories of direct dependencies (empty: all); of indirect ones only `run` counts.
+
+    Raises:
+        OrderError: packages depend on each other in a cycle.
     """
     packages = list(packages)
     names = {package.name for package in packages}
@@ -57,12 +60,12 @@ def _recursive(package: Package, by_name: dict[str, list[Package]], direct: tupl
         if name not in found:
             found.add(name)
             waiting += [further for each in by_name[name] for further in each.dependencies("run") if further in by_name]
-    # A circle comes back to the package itself; what only loops through `run` is told by the others in it.
+    # A cycle leads back to the package itself; a cycle through `run` only is reported by the other packages in it.
     return found - {package.name}
 
 
 def check_unique(planned: Iterable[Planned]) -> None:
-    """Raise OrderError if two selected packages have one name."""
+    """Raise OrderError if two selected packages have the same name."""
     places: dict[str, list[str]] = {}
     for each in planned:
         if each.selected:

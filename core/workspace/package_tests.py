@@ -1,7 +1,7 @@
-"""Runs the tests of a package, as `colcon test` does: of a Python package by pytest, of a CMake package those that are pytest's.
+"""Runs the tests of a package, as `colcon test` does: pytest for a Python package, the pytest tests of a CMake package.
 
-What a CMake package has besides (tests in C++, launch tests, linters) cannot run here. Each of them is a skipped result, and
-standard error names it: what did not run is never green.
+Other tests of a CMake package (C++ tests, launch tests, linters) cannot run here. Each of them becomes a skipped result and is
+named on standard error: a test that did not run is never green.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _OTHERS = frozenset(
 
 
 def test(package: Package, settings: Settings, work: Work, failures: list[str]) -> int:
-    """Run the tests of one package; returns an exit status. Failing tests are no error: the name is put into `failures`."""
+    """Run the tests of one package; returns an exit status. Failing tests are not an error: the name is added to `failures`."""
     environment = Environment(settings.environment)
     for name in (*settings.needs.get(package.name, ()), package.name):
         source_package(str(settings.prefix(name)), name, environment)
@@ -51,7 +51,7 @@ def test(package: Package, settings: Settings, work: Work, failures: list[str]) 
     status = run.python() if package.type.endswith("python") else run.cmake()
     if status == _TESTS_FAILED and find_spec("pytest") is not None:
         failures.append(package.name)
-        work.tell_test_failure()
+        work.report_test_failure()
         return 0
     return status  # without pytest 1 is "No module named pytest", which is more than a failing test
 
@@ -65,11 +65,11 @@ class _Run:
         self.results = (settings.test_result_base or settings.build_base) / package.name
 
     def python(self) -> int:
-        """All tests that pytest finds in a Python package."""
+        """Run all tests that pytest finds in a Python package; returns pytest's status."""
         return self._pytest([], self.results / "pytest.xml", self.environment)
 
     def cmake(self) -> int:
-        """The tests that are added while BUILD_TESTING is on; returns a status as pytest does, the worst one."""
+        """Run the tests added with BUILD_TESTING on; returns the worst of pytest's statuses."""
         lists = self.package.path / LISTS
         if not lists.is_file():
             return 0
@@ -94,9 +94,9 @@ class _Run:
         return self._pytest([str(command.folder / path)], result, environment)
 
     def _pytest(self, words: list[str], result: Path, environment: dict[str, str]) -> int:
-        """Run pytest; returns 0 also where there was no test, as colcon does."""
+        """Run pytest; returns 0 also if there were no tests, as colcon does."""
         name = self.package.name
-        # Should it end before it writes its own: a failing result.
+        # A failing result, in case pytest ends before it writes its own.
         self._write(result, ["pytest.missing_result"], "error", "The test invocation failed without a result file.")
         cache = (self.settings.build_base / name / ".pytest_cache").as_posix()
         options = [
@@ -115,14 +115,13 @@ class _Run:
         return 0 if status == _NO_TESTS else status
 
     def _skip(self, commands: list[Command]) -> None:
-        """Tell what does not run here, and leave a result that says so; an earlier one that is not true any more goes."""
+        """Report the tests that do not run here and write a skipped result for each; an outdated result is removed."""
         names = [_test_name(command) for command in commands]
         result = self.results / "test_results" / self.package.name / "not_run_here.xunit.xml"
         if names:
-            self._write(result, names, "skipped", "day6-tui runs only the tests that are pytest's")
+            self._write(result, names, "skipped", "day6-tui runs only pytest tests")
             self.work.stderr(
-                f"day6-tui runs only the tests that are pytest's: of '{self.package.name}' these did not run: "
-                f"{', '.join(names)}\n"
+                f"day6-tui runs only pytest tests: these of '{self.package.name}' did not run: {', '.join(names)}\n"
             )
         elif result.is_file():
             self.settings.output.remove(result)

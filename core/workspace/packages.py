@@ -1,4 +1,4 @@
-"""Finds the packages of a workspace, as colcon does: every folder below the base paths, until one is a package."""
+"""Finds the packages of a workspace, as colcon does: it searches the base paths, but not inside packages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from glob import glob
 from pathlib import Path
 
-from day6_tui.core.workspace.files import NotOurs
+from day6_tui.core.workspace.files import NotOurOutput
 from day6_tui.core.workspace.manifest import Manifest, ManifestError, read_manifest
 
 IGNORE_MARKER = "COLCON_IGNORE"
@@ -19,12 +19,12 @@ _IGNORE_MARKERS = (IGNORE_MARKER, "AMENT_IGNORE", "CATKIN_IGNORE")
 _IDENTIFICATION = "colcon.colcon_core.package_identification"
 
 Warn = Callable[[str, str], None]
-"""Called with the name of a logger and the text."""
+"""Called with a logger's name and the text."""
 
 
 @dataclass(eq=False)
 class Package:
-    """A package in the source tree. `path` is absolute, `shown` is it as messages name it (relative to where colcon runs)."""
+    """A package in the source tree. `path` is absolute, `shown` is the path in messages (relative to where colcon runs)."""
 
     name: str
     type: str
@@ -35,16 +35,16 @@ class Package:
     depends: dict[str, list[str]] = field(default_factory=lambda: {"build": [], "run": [], "test": []})
 
     def dependencies(self, *categories: str) -> set[str]:
-        """Return the names it depends on, in these categories (none: in all)."""
+        """Return the names of the dependencies in some categories (no argument: in all)."""
         return {name for each in categories or ("build", "run", "test") for name in self.depends[each]}
 
 
 def find_packages(
     base_paths: Iterable[str], cwd: Path, environment: Mapping[str, str], warn: Warn, *, paths: Iterable[str] = ()
 ) -> list[Package]:
-    """Return the packages below `base_paths` and exactly at `paths`, sorted by name and path. Both may have `*`.
+    """Return the packages below `base_paths` and exactly at `paths`, sorted by name and path. Both may contain `*`.
 
-    A folder that has an ignore marker, begins with a dot or was visited before (a loop of links) is left out.
+    Folders with an ignore marker, hidden folders, and folders visited before (a loop of links) are skipped.
     """
     found: list[Package] = []
     seen: set[Path] = set()
@@ -64,15 +64,19 @@ def find_packages(
 
 
 def refuse_sources(base: Path) -> None:
-    """Raise NotOurs if a folder that a build is to fill has packages in it, and no build has filled it before."""
+    """Refuse a folder for build output that contains packages and was not filled by an earlier build.
+
+    Raises:
+        NotOurs: there are packages in it.
+    """
     if any(os.path.lexists(base / name) for name in (*_IGNORE_MARKERS, ".built_by", ".colcon_install_layout")):
         return
     if (found := _first_package(base)) is not None:
-        raise NotOurs(f"'{base}' holds sources ('{found}'): name another folder for what the build makes")
+        raise NotOurOutput(f"'{base}' holds sources ('{found}'): choose another folder for the build's output")
 
 
 def holds_packages(base: Path) -> bool:
-    """Say whether there is a package in a folder or below it."""
+    """Return whether there is a package in a folder or below it."""
     return _first_package(base) is not None
 
 
@@ -84,7 +88,7 @@ def _first_package(base: Path) -> Path | None:
 
 
 def _expanded(paths: Iterable[str], cwd: Path) -> Iterator[Path]:
-    """Yield absolute paths; one with `*` stands for the folders that it matches (colcon_core's expand_dir_wildcards)."""
+    """Yield absolute paths; one with `*` stands for the folders it matches (colcon_core's expand_dir_wildcards)."""
     for path in paths:
         names = sorted(glob(path, root_dir=cwd)) if "*" in path else [path]
         yield from (cwd / name for name in names if "*" not in path or (cwd / name).is_dir())
@@ -95,7 +99,7 @@ def _is_ignored(folder: Path) -> bool:
 
 
 def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
-    """Yield folders from the root down; whoever takes one as a package puts it into `seen`, and what is below is left out."""
+    """Yield folders from the root down; the caller adds those that are packages to `seen`, and they are not searched."""
     waiting = [root]
     while waiting:
         folder = waiting.pop()
@@ -109,7 +113,7 @@ def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
         try:
             entries = sorted(os.scandir(folder), key=lambda entry: entry.name, reverse=True)
         except OSError:
-            continue  # a folder that may not be read holds no packages for this user
+            continue  # an unreadable folder has no packages for this user
         waiting.extend(folder / entry.name for entry in entries if not entry.name.startswith(".") and entry.is_dir())
 
 
@@ -121,7 +125,7 @@ def _shown(folder: Path, cwd: Path) -> str:
 
 
 def identify(folder: Path, shown: str, environment: Mapping[str, str], warn: Warn) -> Package | None:
-    """Say which package a folder is; None if it is none."""
+    """Return the package in a folder; None if the folder is not a package."""
     try:
         manifest = read_manifest(folder, shown, environment)
     except ManifestError as error:
@@ -154,7 +158,7 @@ def _cmake_name(folder: Path) -> str | None:
 
 
 def _python_name(folder: Path) -> str | None:
-    """Return the name that setup.cfg or setup.py gives, without running it (a list must not execute anything)."""
+    """Return the name in setup.cfg or setup.py without running it (listing packages must not execute anything)."""
     parser = ConfigParser(interpolation=None)
     try:
         if (folder / "setup.cfg").is_file():
@@ -169,7 +173,7 @@ def _python_name(folder: Path) -> str | None:
 
 
 def _name_argument(text: str) -> str | None:
-    """Find `name=` in the call of setup(): a string, or a variable that is one."""
+    """Find `name=` in the call of setup(): a string, or a variable set to one."""
     match = re.search(r"\bsetup\s*\(", text)
     given = re.search(r"\bname\s*=\s*(?:['\"]([^'\"]+)['\"]|(\w+))", text[match.end() :]) if match else None
     if given is None:

@@ -1,4 +1,4 @@
-"""What `colcon list`, `info`, `graph`, `extensions` and `version-check` print."""
+"""The output of `colcon list`, `info`, `graph`, `extensions` and `version-check`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _COLOURS = {"build": "#0000ff", "run": "#ff0000", "test": "#d2b48c"}
 
 
 def list_packages(planned: list[Planned], args: Namespace, console: Console) -> int:
-    """`colcon list`."""
+    """Run `colcon list`; returns the exit status."""
     for option, new in (("topological_graph", ""), ("topological_graph_dot", " --dot")):
         if getattr(args, option):
             what = "options --topological-graph / -g are" if not new else "option --topological-graph-dot is"
@@ -34,7 +34,7 @@ def list_packages(planned: list[Planned], args: Namespace, console: Console) -> 
 
 
 def info(planned: list[Planned], args: Namespace, console: Console) -> int:
-    """`colcon info`."""
+    """Run `colcon info`; returns the exit status."""
     if args.package_names:
         names = {each.package.name for each in planned}
         unknown = [name for name in args.package_names if name not in names]
@@ -65,7 +65,7 @@ def info(planned: list[Planned], args: Namespace, console: Console) -> int:
 
 
 def graph(planned: list[Planned], args: Namespace, console: Console) -> int:
-    """`colcon graph`: a triangle of marks, or DOT."""
+    """Run `colcon graph`: print a triangle of marks, or DOT; returns the exit status."""
     shown = [each for each in planned if each.selected]
     if args.dot:
         console.out("\n".join(_dot(planned, shown, args)) + "\n")
@@ -120,7 +120,7 @@ def _dot(planned: list[Planned], shown: list[Planned], args: Namespace) -> list[
 
 
 def extensions(console: Console) -> int:
-    """`colcon extensions`: what this colcon is made of."""
+    """Run `colcon extensions`: list the extensions of this colcon; returns the exit status."""
     console.out("colcon_core.event_handler\n")
     console.out("".join(f"  {name}: {each.summary}\n" for name, each in HANDLERS.items()))
     console.out("colcon_core.executor\n")
@@ -136,7 +136,7 @@ def extensions(console: Console) -> int:
 
 
 def version_check(console: Console) -> int:
-    """`colcon version-check`, of the one package that all this is part of; nothing is asked of the network."""
+    """Run `colcon version-check`: print the version of day6-tui, without using the network; returns the exit status."""
     try:
         version = metadata.version("day6-tui")
     except metadata.PackageNotFoundError:

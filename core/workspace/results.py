@@ -21,7 +21,7 @@ _SKIPPED = ("skip", "skipped", "disabled")
 
 @dataclass
 class Result:
-    """The counts of one file, or of all."""
+    """The counts of one file, or of all files."""
 
     name: str
     tests: int = 0
@@ -38,6 +38,7 @@ class Result:
         return f"{self.name}: {', '.join(counts)}, {self.skipped} skipped"
 
     def add(self, other: Result) -> None:
+        """Add the counts and details of another result."""
         for name in ("tests", "errors", "failures", "skipped"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.details += other.details

@@ -1,4 +1,4 @@
-"""Which of the packages are processed: `--packages-select`, `--packages-up-to` and their like."""
+"""Selects the packages to process: `--packages-select`, `--packages-up-to` and similar options."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ _LOGGER = "colcon.colcon_core.package_selection"
 
 
 class SelectionError(Exception):
-    """A package that must be there is not; the text is colcon's."""
+    """A package that must exist does not; the text is colcon's."""
 
 
 def without_ignored(packages: Iterable[Package], args: Namespace) -> list[Package]:
-    """Leave out what `--packages-ignore` and `--packages-ignore-regex` name."""
+    """Return the packages without those matched by `--packages-ignore` and `--packages-ignore-regex`."""
     names = set(args.packages_ignore or ())
     patterns = args.packages_ignore_regex or ()
     return [
@@ -29,7 +29,11 @@ def without_ignored(packages: Iterable[Package], args: Namespace) -> list[Packag
 
 
 def select(planned: list[Planned], args: Namespace, build_base: Path, warn: Callable[[str, str], None]) -> None:
-    """Set `selected` of every package. Raises SelectionError."""
+    """Set `selected` of every package by the options.
+
+    Raises:
+        SelectionError: a package named by an option does not exist.
+    """
     names = {each.package.name for each in planned}
     for option in ("select", "skip", "select_by_dep", "skip_by_dep"):
         for name in getattr(args, f"packages_{option}") or ():

@@ -1,4 +1,4 @@
-"""What one call of `colcon build` or `colcon test` was told, for the tasks that process a package."""
+"""The settings of one call of `colcon build` or `colcon test`, for the tasks that process a package."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class Settings:
     symlink_install: bool = False
     test_result_base: Path | None = None
     needs: Mapping[str, list[str]] = field(default_factory=dict)
-    """For each package the workspace packages it needs, in their order."""
+    """package -> the workspace packages it needs, in build order"""
     pytest_args: list[str] = field(default_factory=list)
 
     def prefix(self, package: str) -> Path:
-        """Return where a package is installed."""
+        """Return the install prefix of a package."""
         return self.install_base if self.merge_install else self.install_base / package

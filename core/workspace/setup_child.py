@@ -1,8 +1,8 @@
-"""Runs a student's setup.py for the build; started as a process of its own with setuptools at hand, in the package's folder.
+"""Runs a student's setup.py for the build, as a separate process with setuptools installed, in the package's folder.
 
-First only what the file says: one line of JSON after a mark on standard output, the mark alone on standard error. Then it
-reads one line of JSON: {"cwd": …, "commands": […]}, and runs those commands of setuptools there. An exception of setup.py
-comes out as it is, so a traceback names the student's line.
+First it reports the arguments of setup(): one line of JSON after a mark on standard output, the mark alone on standard error.
+Then it reads one line of JSON, {"cwd": …, "commands": […]}, and runs those setuptools commands there. Exceptions of setup.py
+are not caught, so a traceback names the student's line.
 """
 
 from __future__ import annotations
@@ -21,8 +21,9 @@ _FIELDS = ("data_files", "packages", "package_dir", "package_data", "py_modules"
 
 
 def main() -> None:
+    """Report the arguments of setup(), then run the requested commands."""
     sys.path[0] = os.getcwd()
-    _like_setuptools_68()
+    _ignore_newer_warnings()
     importlib.import_module("setuptools")
     core = importlib.import_module("distutils.core")
     distribution = core.run_setup("setup.py", [], "config")
@@ -40,24 +41,24 @@ def main() -> None:
     request = json.loads(line)
     os.chdir(request["cwd"])
     sys.path[0] = os.getcwd()
-    _like_setuptools_68()  # a changed filter also makes Python say its warnings again, as a second process would
+    _ignore_newer_warnings()  # a changed filter also makes Python repeat its warnings, as a second process would
     core.run_commands(core.run_setup("setup.py", request["commands"], "commandline"))
 
 
-def _like_setuptools_68() -> None:
-    """Keep silent about what the setuptools of Ubuntu 24.04 still took: the file of `ros2 pkg create` is full of it."""
+def _ignore_newer_warnings() -> None:
+    """Suppress warnings of things that Ubuntu 24.04's setuptools still accepts: the setup.py of `ros2 pkg create` has many."""
     warnings.filterwarnings("ignore", message=r"(?s).*setup\.py install is deprecated")
     warnings.filterwarnings("ignore", message=r"Unknown distribution option: 'tests_require'")
     warnings.filterwarnings("ignore", message=r"(?s).*License classifiers are deprecated")
-    # The build says where things go; what a plain distutils of the system thinks of it is of no use.
+    # The build sets all folders; the system's own distutils would change them.
     os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")
 
 
 def _options(distribution: Any, section: str) -> dict[str, str]:
     """Return the options of a command, names with `_`.
 
-    In a virtual environment setuptools drops `install-scripts` and its like when they are written with a dash in setup.cfg;
-    the interpreter of a ROS installation is in none, and files from Foxy are written so.
+    In a virtual environment setuptools drops options like `install-scripts` if setup.cfg writes them with a dash; a ROS
+    installation's interpreter is not in one, and files from Foxy use dashes.
     """
     parser = configparser.ConfigParser(interpolation=None)
     parser.read("setup.cfg", encoding="utf-8")
@@ -67,7 +68,7 @@ def _options(distribution: Any, section: str) -> dict[str, str]:
 
 
 def _plain(value: Any) -> Any:
-    """Make a value JSON: tuples and iterators become lists, everything unknown its text."""
+    """Make a value JSON: tuples and iterators become lists, anything else its text."""
     if isinstance(value, dict):
         return {str(key): _plain(each) for key, each in value.items()}
     if isinstance(value, (list, tuple, set, map, filter)) or hasattr(value, "__next__"):

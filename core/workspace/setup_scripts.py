@@ -1,6 +1,6 @@
-"""The scripts that a build leaves for shells: hooks and `package.*` of each package, `local_setup.*` and `setup.*` of all.
+"""The scripts a build leaves for shells: hooks and `package.*` of each package, `local_setup.*` and `setup.*` of the workspace.
 
-They do little themselves: what changes is written in .dsv files, and `local_setup_util.py`, copied beside them, reads those.
+They do little themselves: the changes are written in .dsv files, which `local_setup_util.py`, copied beside them, reads.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ _OWN_FOLDER = {
     "bash": '"$(builtin cd "$(dirname "${BASH_SOURCE[0]}")" > /dev/null && pwd)"',
     "zsh": '"$(builtin cd -q "$(dirname "${(%):-%N}")" > /dev/null && pwd)"',
 }
-"""How a script finds the folder it lies in; plain sh cannot, and has the path written in."""
+"""How a script finds its own folder; plain sh cannot, so the path is written into it."""
 
 
 # -- one package -------------------------------------------------------------------------------------------------------
 
 
 def write_hook(output: Output, prefix: Path, package: str, name: str, variable: str, value: str) -> list[str]:
-    """Write `share/PACKAGE/hook/NAME.*`, which prepend a path below the prefix to a variable; return their relative paths."""
+    """Write the hooks `share/PACKAGE/hook/NAME.*` that prepend a path to a variable; returns their relative paths."""
     folder = f"share/{package}/hook"
     inside = f"/{value}" if value and not os.path.isabs(value) else value
     whole = value if os.path.isabs(value) else f"$COLCON_CURRENT_PREFIX{inside}"
@@ -46,7 +46,7 @@ def write_hook(output: Output, prefix: Path, package: str, name: str, variable: 
 def write_package_scripts(
     output: Output, prefix: Path, package: str, hooks: Iterable[str], needs: Iterable[str]
 ) -> None:
-    """Write `share/PACKAGE/package.*` and the file that says what the package needs at run time."""
+    """Write `share/PACKAGE/package.*` and the file with the package's run-time dependencies."""
     hooks = list(hooks)
     share = prefix / "share" / package
     output.write_text(share / "package.dsv", "".join(f"source;{hook}\n" for hook in hooks))
@@ -122,7 +122,7 @@ $env:COLCON_CURRENT_PREFIX = (Get-Item $PSCommandPath).Directory.Parent.Parent.F
 
 
 def write_workspace_scripts(output: Output, install: Path, chained: Iterable[str]) -> None:
-    """Write `local_setup.*` and `setup.*`; the latter source the workspaces in `chained` (underlays, nearest first) before."""
+    """Write `local_setup.*` and `setup.*`; the latter first source the workspaces in `chained` (underlays, nearest first)."""
     util = _UTIL.read_text(encoding="utf-8")
     underlays = list(chained)[::-1]
     for shell in ("sh", "ps1", *(("bat",) if sys.platform == "win32" else ())):
@@ -142,7 +142,7 @@ def write_workspace_scripts(output: Output, install: Path, chained: Iterable[str
 
 
 def chained_in(setup_file: Path) -> list[str]:
-    """Return the workspaces that a `setup.*` script sources before its own, in its order; ours or the real colcon's."""
+    """Return the workspaces a `setup.*` script, ours or the real colcon's, sources before its own, in order."""
     try:
         text = setup_file.read_text(encoding="utf-8", errors="replace")
     except OSError:

@@ -1,6 +1,6 @@
-"""What `source install/setup.bash` does in the simulated terminal: the .dsv files say it, no shell script is run.
+"""Sourcing `install/setup.bash` in the simulated terminal: it applies the .dsv files and runs no shell script.
 
-So it is the same on Windows, which has no bash, and a workspace that the real colcon has built is sourced as well.
+So it works on Windows, which has no bash, and with a workspace built by the real colcon.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from types import ModuleType
 from day6_tui.core.interfaces import add_prefixes
 from day6_tui.core.interfaces.package import package_files
 from day6_tui.core.interfaces.registry import KINDS, package_folder
-from day6_tui.core.ros.environment import DISTRO, PYTHON_PATH, program_environment
+from day6_tui.core.ros.distribution import DISTRO
+from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
 from day6_tui.core.workspace.local_setup_util import Environment, source_package, source_workspace
 from day6_tui.core.workspace.setup_scripts import chained_in
 
@@ -27,9 +28,11 @@ _ROS_VARIABLES = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION", "PYTHONPATH
 
 
 def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] | None:
-    """Return the variables that sourcing `path` changes, None if it is no setup script of a ROS or colcon workspace.
+    """Return the variables that sourcing `path` changes, None if it isn't a setup script of a ROS or colcon workspace.
 
-    Raises FileNotFoundError for a ROS distribution that this machine does not have, ValueError for a broken .dsv file.
+    Raises:
+        FileNotFoundError: the script is that of a ROS distribution this machine does not have.
+        ValueError: a .dsv file is malformed.
     """
     ros = _ROS.fullmatch(PurePosixPath(path.as_posix()).as_posix())
     if ros is not None:
@@ -52,9 +55,9 @@ def source_setup(path: Path, environment: Mapping[str, str]) -> dict[str, str] |
 
 
 class _WorkspaceInterfaces:
-    """Finds `day6_msgs` and `day6_msgs.msg` of sourced workspaces for the programs of this process.
+    """Imports modules like `day6_msgs.msg` from sourced workspaces for the programs of this process.
 
-    They have environments of their own, but one `sys.path`; a student's other modules must not come onto that.
+    The programs have separate environments but share one `sys.path`; a student's other modules must not be added to it.
     """
 
     @staticmethod
@@ -75,8 +78,8 @@ class _TextLoader(Loader):
         exec(self._text, module.__dict__)
 
 
-def make_known(changed: Mapping[str, str]) -> None:
-    """Let the programs of this process use the interfaces of the packages that were sourced."""
+def import_interfaces(changed: Mapping[str, str]) -> None:
+    """Make the interfaces of sourced packages importable for the programs of this process."""
     add_prefixes([path for path in changed.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if path])
     if not any(isinstance(finder, _WorkspaceInterfaces) for finder in sys.meta_path):
         sys.meta_path.append(_WorkspaceInterfaces())

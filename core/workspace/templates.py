@@ -1,4 +1,4 @@
-"""The files of a new package, as `ros2 pkg create` writes them: they are the format that students know, so word by word."""
+"""The files of a new package, word for word as `ros2 pkg create` writes them."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ TESTS = {
 
 @dataclass
 class Plan:
-    """What was asked of `ros2 pkg create`."""
+    """The arguments of `ros2 pkg create`."""
 
     name: str
     build_type: str
@@ -86,7 +86,7 @@ class Plan:
 
 
 def package_xml(plan: Plan) -> str:
-    """The manifest. As in the original nothing is escaped: what makes it no XML is the student's to see."""
+    """Return package.xml. As in the original nothing is escaped, so an argument can make it malformed XML."""
     tools = {"ament_cmake": ["ament_cmake_ros" if plan.library else "ament_cmake"]}.get(plan.build_type, [])
     tests = {
         "ament_cmake": ["ament_lint_auto", "ament_lint_common"],
@@ -115,7 +115,7 @@ def package_xml(plan: Plan) -> str:
 
 
 def setup_py(plan: Plan) -> str:
-    """setup.py of an ament_python package."""
+    """Return setup.py of an ament_python package."""
     script = f"            '{plan.node} = {plan.name}.{plan.node}:main'\n" if plan.node else ""
     return f"""from setuptools import find_packages, setup
 
@@ -146,12 +146,12 @@ setup(
 
 
 def setup_cfg(plan: Plan) -> str:
-    """setup.cfg of an ament_python package: where its executables go."""
+    """Return setup.cfg of an ament_python package: where its executables go."""
     return f"[develop]\nscript_dir=$base/lib/{plan.name}\n[install]\ninstall_scripts=$base/lib/{plan.name}\n"
 
 
 def python_node(plan: Plan) -> str:
-    """The module of `--node-name` in Python."""
+    """Return the Python module of `--node-name`."""
     return f"def main():\n    print('Hi from {plan.name}.')\n\n\nif __name__ == '__main__':\n    main()\n"
 
 
@@ -211,7 +211,7 @@ def _install_library(plan: Plan, folder: str, export: str) -> str:
 
 
 def ament_cmake_lists(plan: Plan) -> str:
-    """CMakeLists.txt of an ament_cmake package."""
+    """Return CMakeLists.txt of an ament_cmake package."""
     found = "".join(f"find_package({name} REQUIRED)\n" for name in plan.dependencies) or _NO_DEPENDENCIES
     parts = [
         f"cmake_minimum_required(VERSION 3.8)\nproject({plan.name})\n{_WARNINGS}\n# find dependencies\n",
@@ -249,7 +249,7 @@ def ament_cmake_lists(plan: Plan) -> str:
 
 
 def cmake_lists(plan: Plan) -> str:
-    """CMakeLists.txt of a package that uses plain CMake."""
+    """Return CMakeLists.txt of a plain CMake package."""
     version = "".join(f"set({plan.name}_{part}_VERSION 0)\n" for part in ("MAJOR", "MINOR", "PATCH"))
     joined = ".".join(f"${{{plan.name}_{part}_VERSION}}" for part in ("MAJOR", "MINOR", "PATCH"))
     found = "".join(f"find_package({name} REQUIRED)\n" for name in plan.dependencies)
@@ -301,7 +301,7 @@ install(EXPORT export_{name}
 
 
 def cmake_config(plan: Plan) -> str:
-    """What `find_package` reads of a package of plain CMake."""
+    """Return the file that `find_package` reads of a plain CMake package."""
     name = plan.name
     lines = [f"# tells find_package({name}) where its parts are\n"]
     lines += [f'set({name}_INCLUDE_DIRS "@CONF_INCLUDE_DIRS@")\n', f'include("${{{name}_DIR}}/export_{name}.cmake")\n']
@@ -311,7 +311,7 @@ def cmake_config(plan: Plan) -> str:
 
 
 def cmake_config_version(plan: Plan) -> str:
-    """Its version, for `find_package(… VERSION)`."""
+    """Return the version file, for `find_package(… VERSION)`."""
     return f"""set(PACKAGE_VERSION "@{plan.name}_VERSION@")
 
 if("${{PACKAGE_VERSION}}" VERSION_LESS "${{PACKAGE_FIND_VERSION}}")
@@ -326,7 +326,7 @@ endif()
 
 
 def cpp_node(plan: Plan) -> str:
-    """The source of `--node-name` in C++."""
+    """Return the C++ source of `--node-name`."""
     return f"""#include <cstdio>
 
 int main(int argc, char ** argv)
@@ -345,7 +345,7 @@ def _class_name(library: str) -> str:
 
 
 def cpp_header(plan: Plan) -> str:
-    """The header of `--library-name`."""
+    """Return the header of `--library-name`."""
     assert plan.library is not None
     guard, name = f"{plan.name.upper()}__{plan.library.upper()}_HPP_", _class_name(plan.library)
     return f"""#ifndef {guard}
@@ -371,7 +371,7 @@ public:
 
 
 def cpp_library(plan: Plan) -> str:
-    """The source of `--library-name`."""
+    """Return the source of `--library-name`."""
     assert plan.library is not None
     name = _class_name(plan.library)
     return f"""#include "{plan.name}/{plan.library}.hpp"
@@ -392,7 +392,7 @@ namespace {plan.name}
 
 
 def cpp_visibility(plan: Plan) -> str:
-    """The header that says what a library exports."""
+    """Return the header with the export macros of a library."""
     name = plan.name.upper()
     return f"""#ifndef {name}__VISIBILITY_CONTROL_H_
 #define {name}__VISIBILITY_CONTROL_H_

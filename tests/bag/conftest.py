@@ -10,23 +10,17 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parents[1] / "ros2"))
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
 
-from bag_commands import counter, record
+from bag_commands import counted_bag
 from ros2_machine import Machine
 
 
 @pytest.fixture
 def machine(tmp_path: Path) -> Iterator[Machine]:
-    made = Machine(tmp_path)
-    made.graph.now_ns = made.clock.now_ns
-    yield made
+    yield Machine(tmp_path)
 
 
 @pytest.fixture
 def counted(machine: Machine) -> Machine:
     """A bag in which /count is published ten times a second for two seconds, and nobody who publishes any more."""
-    node = machine.node("counter", counter())
-    record(machine, "--topics", "/count")
-    node.destroy_timer(node.timer)
-    return machine
+    return counted_bag(machine)

@@ -345,18 +345,8 @@ def test_we_read_the_bags_of_rosbags(tmp_path, storage, version):
 # -- compression -------------------------------------------------------------------------------------------------------
 
 
-def _zstd() -> None:
-    from rosbag2_py._compression import zstd_codec
-
-    try:
-        zstd_codec()
-    except RuntimeError:
-        pytest.skip("this Python has no zstd library")
-
-
 @pytest.mark.parametrize(("storage", "mode"), (("mcap", "FILE"), ("sqlite3", "FILE"), ("sqlite3", "MESSAGE")))
 def test_compressed_bags_are_written_and_read(tmp_path, storage, mode):
-    _zstd()
     options = rosbag2_py.CompressionOptions("zstd", rosbag2_py.compression_mode_from_string(mode))
     writer = rosbag2_py.SequentialCompressionWriter(options)
     writer.open(rosbag2_py.StorageOptions(str(tmp_path / "bag"), storage_id=storage))
@@ -372,22 +362,8 @@ def test_compressed_bags_are_written_and_read(tmp_path, storage, mode):
 
 @pytest.mark.parametrize("preset", ("zstd_fast", "zstd_small"))
 def test_chunks_can_be_compressed(tmp_path, preset):
-    _zstd()
     write(tmp_path / "bag", "mcap", storage_preset_profile=preset)
     assert len(read(tmp_path / "bag")) == 110
     rosbags = pytest.importorskip("rosbags.highlevel")
     with rosbags.AnyReader([tmp_path / "bag"]) as bag:
         assert sum(1 for _ in bag.messages()) == 110
-
-
-def test_without_a_library_compression_says_what_is_missing(tmp_path, monkeypatch):
-    import rosbag2_py._compression as compression
-
-    def nothing(name):
-        raise ImportError(name)
-
-    monkeypatch.setattr(compression, "import_module", nothing)
-    options = rosbag2_py.CompressionOptions("zstd", rosbag2_py.CompressionMode.FILE)
-    with pytest.raises(RuntimeError, match=r"pip install zstandard"):
-        rosbag2_py.SequentialCompressionWriter(options).open(rosbag2_py.StorageOptions(str(tmp_path / "bag")))
-    assert not (tmp_path / "bag").exists()

@@ -12,6 +12,7 @@ from pathlib import Path
 from golden_cases import GOLDEN
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workspace"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "stepped"))
 
 from workshop import Workshop, edit
 
@@ -35,9 +36,7 @@ class Case:
 
 
 def load_cases() -> list[Case]:
-    """Read all cases; empty if the golden data is not beside the repository."""
-    if not CASES_FILE.exists():
-        return []
+    """Read all cases."""
     rows = [json.loads(line) for line in CASES_FILE.read_text(encoding="utf-8").splitlines()]
     return [
         Case(

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from golden_cases import STEPS_BEFORE, Case, differences
+from waiting import until
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros import environment, ros2
@@ -129,7 +130,7 @@ class World:
         self.scheduler.advance()
 
     def _start_thread(self, name: str, code: types.CodeType) -> None:
-        from rclpy._time_source import MACHINE_TIME
+        from rclpy._time_base import MACHINE_TIME
         from rclpy.context import Context
         from rclpy.executors import SingleThreadedExecutor
 
@@ -145,11 +146,7 @@ class World:
 
         before = len(self.graph.nodes)
         threading.Thread(target=run_as_process, args=(code, context, spin), name=name, daemon=True).start()
-        deadline = time.monotonic() + 10.0
-        while len(self.graph.nodes) == before or not self.graph.nodes[-1].endpoints:
-            if time.monotonic() > deadline:
-                raise TimeoutError(f"{name} did not come up")
-            time.sleep(0.05)
+        until(lambda: len(self.graph.nodes) > before and self.graph.nodes[-1].endpoints, every=0.05, told=lambda: name)
         time.sleep(0.3)  # its endpoints come one after the other
 
     # -- commands ------------------------------------------------------------------------------------------------------
@@ -172,7 +169,7 @@ class World:
             session.python = run_python
             session.env.update({name: os.environ[name] for name in ("PATH", "DAY6_RUNTIME_DIR") if name in os.environ})
             session.env.update(HOME=str(self.machine.files), ROS_DOMAIN_ID=str(DOMAIN))
-        session.shell = _Shell()  # a machine that goes on after the command: one with a daemon
+        session.host = _Shell()  # a machine that goes on after the command: one with a daemon
         return session
 
     def run(self, argv: list[str], stdin: str = "", interrupt_after: float | None = None) -> tuple[str, str, int]:
@@ -216,6 +213,8 @@ def _let_work_be_done() -> None:
 
 class _Shell:
     """The shell that commands see; `ros2 run --prefix` has it run a line."""
+
+    starts_programs = False
 
     async def run_line(self, line: str, session: Session) -> int:
         watch.end()  # it is the real shell, and there is nobody else to keep waiting

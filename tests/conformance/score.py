@@ -1,54 +1,156 @@
-"""Plays the recorded cases and prints how many are equal: `python tests/conformance/score.py [WORD…]` (words in case names)."""
+"""Prints the README's table "How true": plays everything that is recorded, and counts what is equal.
+
+    python tests/conformance/score.py [--sources FOLDER --real PYTHON [--colcon COLCON] [--clone]]
+
+Without options it needs nothing but the repository: a row is a count over tests that compare with recordings of the real thing.
+`--sources` and `--real` add the rows that need checkouts of public repositories (`checkouts.py`; `--clone` fetches them) and a
+real rclpy, `--colcon` the one that needs the real colcon; these rows run strangers' programs, and take half an hour.
+The reasons of all differences: `python -m pytest tests/conformance tests/launch`, at the end.
+"""
 
 from __future__ import annotations
 
-import shutil
+import argparse
+import re
+import subprocess
 import sys
 import tempfile
-from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from day6_tui.core.ros import environment
+from rclpy_suite import read_report
 
-environment.activate()
-
-from golden_cases import GOLDEN, load_cases, load_exceptions  # noqa: E402
-from machine import Machine  # noqa: E402
+HERE = Path(__file__).parent
+TESTS = HERE.parent
 
 
-def main(words: list[str]) -> int:
-    cases = [case for case in load_cases() if not words or any(word in case.name for word in words)]
-    if not cases:
-        print("no cases: the golden data is not beside the repository, or no case has such a name")
-        return 1
-    exceptions = load_exceptions()
-    equal: Counter[str] = Counter()
-    total: Counter[str] = Counter()
+@dataclass(frozen=True)
+class Row:
+    """A row that is counted over tests: cases are the parameters of the tests of a file whose names begin with `test`."""
+
+    what: str
+    file: str
+    test: str = "test_"
+
+
+ROWS = (
+    Row(
+        "message, service and action classes: fields, defaults, repr, refusals, bytes, hashes",
+        "interfaces/test_real_classes.py",
+    ),
+    Row(
+        "programs of ours, recorded with real rclpy: output, errors, exit status",
+        "conformance/test_programs.py",
+        "test_a_program_does",
+    ),
+    Row("rclpy, reference cases", "conformance/test_programs.py", "test_a_reference_program"),
+    Row("`ros2`, reference cases", "conformance/test_ros2cli.py"),
+    Row("launch files: order, texts, exit status", "launch/test_recorded.py"),
+    Row("`colcon`, reference cases", "conformance/test_colcon.py"),
+    Row("`check_urdf` and `urdf_to_graphviz`, reference cases", "conformance/test_check_urdf.py"),
+    Row(
+        "rqt_graph, node and edge sets over all combinations of options",
+        "rqt_graph/test_recorded_rqt_graph.py",
+    ),
+)
+_CASE = re.compile(r"(?P<test>\w+)\[(?P<case>.*)\]$", re.DOTALL)
+
+
+def counted(row: Row, outcomes: dict[str, str]) -> tuple[int, int]:
+    """Return how many cases of a row are equal, and how many there are. A case is equal when all tests with it pass."""
+    cases: dict[str, bool] = {}
+    for test, outcome in outcomes.items():
+        match = _CASE.search(test.rpartition("::")[2])
+        if match and match["test"].startswith(row.test):
+            cases[match["case"]] = cases.get(match["case"], True) and outcome == "passed"
+    return sum(cases.values()), len(cases)
+
+
+def recorded() -> Iterator[tuple[str, str]]:
+    """Run the tests of the rows and yield the rows."""
+    for file in dict.fromkeys(row.file for row in ROWS):
+        outcomes = _outcomes(file)
+        for row in ROWS:
+            if row.file == file:
+                equal, total = counted(row, outcomes)
+                yield row.what, f"{equal:,} of {total:,}"
+
+
+def _outcomes(file: str) -> dict[str, str]:
+    """Run a file of tests, what failed up to twice more: some cases are recorded by the wall clock."""
+    outcomes: dict[str, str] = {}
     with tempfile.TemporaryDirectory() as folder:
-        files = Path(folder) / "files"
-        shutil.copytree(GOLDEN / "files", files)
-        machine = Machine(GOLDEN / "nodes", files)
-        for case in cases:
-            group = " ".join(case.argv[1:3])
-            total[group] += 1
-            if any(not (GOLDEN / "nodes" / f"{node}.py").exists() for node in case.nodes if "ros2 run" not in node):
-                print(f"-- {case.name}: no stand-in for {case.nodes}")
-                continue
-            found = machine.play(case)
-            if not found:
-                equal[group] += 1
-                if case.name in exceptions:
-                    print(f"== {case.name}: listed as an exception, but equal")
-            elif case.name not in exceptions or words:
-                print(f"== {case.name}: {' '.join(case.argv)}\n{found}\n")
-        machine.close()
-    for group in sorted(total):
-        print(f"{equal[group]:4}/{total[group]:<4} {group}")
-    print(f"{sum(equal.values())} of {sum(total.values())} equal")
+        report = Path(folder) / "report.xml"
+        command = [
+            sys.executable,
+            "-m",
+            "pytest",
+            "-q",
+            "-o",
+            f"cache_dir={folder}",
+            f"--junit-xml={report}",
+            TESTS / file,
+        ]
+        for again in ([], ["--lf"], ["--lf"]):
+            subprocess.run([*command, *again], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=TESTS.parent)
+            outcomes |= read_report(Path(file).name, report.read_text(encoding="utf-8"))
+            if "failed" not in outcomes.values():
+                break
+    return outcomes
+
+
+def names() -> Iterator[tuple[str, str]]:
+    """Yield the row of rclpy's public names."""
+    told = _output("names.py")
+    found = re.search(r"(\d+) differences in (\d+) names", told)
+    yield "public names of rclpy 9.1.2", f"{int(found[2]) - int(found[1]):,} of {int(found[2]):,}" if found else told
+
+
+def with_sources(options: list[str], real: str, colcon: str | None) -> Iterator[tuple[str, str]]:
+    """Yield the rows that need checkouts."""
+    told = _output("rclpy_suite.py", *options)
+    yield "rclpy's own test suite", _found(r"rclpy's own test suite: (.*)", told)
+    told = _output("strangers.py", *options, "--real", real)
+    equal = _found(r"(\d+ of \d+ scenarios)", told)
+    yield f"strangers' programs from {_found(r'from (.*)$', told)}, run in both", equal
+    told = _output("strangers_built.py", *options, *(["--real", colcon] if colcon else []))
+    built = _found(r"(\d+ repositories, \d+ packages), built", told)
+    yield f"{built}, built plain and linked: sources changed", _found(r"(\d+) sources changed", told)
+    if colcon:
+        yield "install trees of strangers' Python packages", _found(r"(\d+ of \d+) install trees", told)
+
+
+def _output(script: str, *arguments: str) -> str:
+    command = [sys.executable, str(HERE / script), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8").stdout
+
+
+def _found(pattern: str, text: str) -> str:
+    match = re.search(pattern, text, re.MULTILINE)
+    return match[1] if match else "not measured"
+
+
+def main() -> int:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sources", help="folder with checkouts of public repositories")
+    parser.add_argument("--clone", action="store_true", help="clone what is missing there")
+    parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
+    parser.add_argument("--colcon", help="the real colcon")
+    chosen = parser.parse_args()
+    sections = [names(), recorded()]
+    if chosen.sources and chosen.real:
+        options = ["--sources", chosen.sources, *(["--clone"] if chosen.clone else [])]
+        sections.append(with_sources(options, chosen.real, chosen.colcon))
+    print("| compared with the real thing | equal |\n| --- | --- |")
+    for section in sections:
+        for what, equal in section:
+            print(f"| {what} | {equal} |", flush=True)
     return 0
 
 
 if __name__ == "__main__":
-    raise SystemExit(main(sys.argv[1:]))
+    raise SystemExit(main())

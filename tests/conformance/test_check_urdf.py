@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from golden_cases import GOLDEN
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros.programs import load
@@ -17,17 +18,13 @@ from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured
 
-GOLDEN = Path(__file__).resolve().parents[3] / "shared" / "reference" / "golden" / "check_urdf.jsonl"
 NO_DOT = "dot is not installed here, so there is no "
 
 
 def cases() -> list[dict[str, Any]]:
-    if not GOLDEN.exists():
-        return []
-    return [json.loads(line) for line in GOLDEN.read_text(encoding="utf-8").splitlines()]
+    return [json.loads(line) for line in (GOLDEN / "check_urdf.jsonl").read_text(encoding="utf-8").splitlines()]
 
 
-@pytest.mark.skipif(not GOLDEN.exists(), reason="the recorded cases lie in ../shared beside the repository")
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case["name"])
 def test_the_tools_answer_as_recorded(case: dict[str, Any], tmp_path: Path) -> None:
     if case["urdf"] is not None:

@@ -6,15 +6,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from colcon_cases import CASES_FILE, PREPARATIONS, Case, Workshop, differences, load_cases
+from colcon_cases import PREPARATIONS, Case, Workshop, differences, load_cases
 
 from day6_tui.core.session.streams import Captured
 
 CASES = load_cases()
 EXCEPTIONS: dict[str, str] = {}
 """`{case: why it differs}`."""
-
-pytestmark = pytest.mark.skipif(not CASES, reason=f"the golden data is not beside the repository ({CASES_FILE})")
 
 
 @pytest.fixture
@@ -26,8 +24,6 @@ def workshop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Worksh
 
 
 def _parameters() -> list:
-    if not CASES:
-        return [pytest.param(None, id="no-golden-data")]
     return [
         pytest.param(
             case,

@@ -8,34 +8,18 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
-import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
+from short_folder import make_short_folder
+from waiting import PATIENCE, until
 
 if TYPE_CHECKING:
     from terminal import Terminal
 
-PATIENCE = 30.0
-"""Seconds something may take on a machine that has a lot else to do; nothing waits that long unless it is broken."""
-
 _SCRIPT = shutil.which("day6-tui", path=os.path.dirname(sys.executable))
 DAY6 = [_SCRIPT] if _SCRIPT else [sys.executable, "-m", "day6_tui.tui.main"]
-
-_TAKEN_AWAY = (
-    "DAY6_LINK",
-    "PYTHONDONTWRITEBYTECODE",
-    "NO_COLOR",
-    "LC_ALL",
-    "LC_CTYPE",
-    "LANGUAGE",
-    "COLUMNS",
-    "LINES",
-    "ROS_DOMAIN_ID",
-)
 
 
 class Place:
@@ -45,13 +29,11 @@ class Place:
         self.work = work / "work"
         self.home = work / "home"
         self.work.mkdir()
-        # Short, because it holds Unix sockets.
-        self.runtime = Path(tempfile.mkdtemp(prefix="d6e2e-"))
+        self.runtime = make_short_folder("d6e2e-")
 
     def environment(self, **more: str | None) -> dict[str, str | None]:
         """What differs from this process's variables; None stands for "not set"."""
-        taken: dict[str, str | None] = dict.fromkeys(_TAKEN_AWAY)
-        return {**taken, "LANG": "C.UTF-8", "DAY6_RUNTIME_DIR": str(self.runtime), **more}
+        return {"DAY6_LINK": None, "DAY6_RUNTIME_DIR": str(self.runtime), **more}
 
     def _variables(self, **more: str | None) -> dict[str, str]:
         merged = {**os.environ, **self.environment(**more)}
@@ -143,13 +125,3 @@ class Place:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
         shutil.rmtree(self.runtime, ignore_errors=True)
-
-
-def until(condition: Callable[[], Any], limit: float = PATIENCE, every: float = 0.05) -> Any:
-    """Ask until the answer is true and return it; AssertionError when it never is."""
-    end = time.monotonic() + limit
-    while not (answer := condition()):
-        if time.monotonic() > end:
-            raise AssertionError(f"after {limit} s the answer is still {answer!r}")
-        time.sleep(every)
-    return answer

@@ -17,8 +17,8 @@ import pyte
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "perf"))
 
-from place import PATIENCE
 from screen import Screen, set_window_size
+from waiting import PATIENCE, until
 
 KEYS = {
     "Enter": "\r",
@@ -127,13 +127,14 @@ class Terminal(Screen):
 
     def wait_end(self, limit: float = PATIENCE) -> int:
         """Wait until the program has ended by itself; returns its exit status, or minus the signal."""
-        end = time.monotonic() + limit
-        while self.status is None:
+
+        def step() -> None:
             self.look(0.02)
             self._reap()
-            if time.monotonic() > end:
-                raise AssertionError(f"still running, and shows\n{self.look()}")
+
+        until(lambda: self.status is not None, limit, every=0, meanwhile=step, told=self.look)
         self.look(0.1)
+        assert self.status is not None
         return self.status
 
     def kill(self, number: int = signal.SIGKILL) -> None:

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from place import until
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place
@@ -215,7 +215,7 @@ def test_a_launched_teleop_with_xterm_gets_a_terminal_of_its_own(place: Place) -
     file = place.file("drive.launch.py", XTERM_LAUNCH)
     with place.desktop("--scene", "empty", columns=120, rows=40, lang="en") as screen:
         screen.wait("student@day6:~$")
-        screen.line(f"ros2 launch {file}")
+        screen.line(f"ros2 launch '{file}'")
         screen.wait("2 turtle_teleop_key", "Use arrow keys to move the turtle.", "╭ TurtleSim")
         screen.press("Up")
         screen.wait("x 7.56")

@@ -7,7 +7,8 @@ import signal
 from typing import TYPE_CHECKING
 
 import pytest
-from place import DAY6, until
+from place import DAY6
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place

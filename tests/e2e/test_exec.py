@@ -8,7 +8,7 @@ import time
 from typing import TYPE_CHECKING
 
 import pytest
-from place import PATIENCE, until
+from waiting import PATIENCE, until
 
 if TYPE_CHECKING:
     from place import Place

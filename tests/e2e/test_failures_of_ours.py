@@ -21,14 +21,18 @@ def breaks(*arguments, **named):
     raise RuntimeError("planted")
 """
 A_KEY = f"""{BREAK}
-from day6_tui.tui.app_actions import AppActions
-AppActions.do_palette = breaks
+from day6_tui.tui.guidance import Guidance
+Guidance.open_palette = breaks
 from day6_tui.tui.terminal_pane import TerminalPane
 TerminalPane.on_mouse_scroll_up = breaks
 """
 EVERYTHING = f"""{BREAK}
-from day6_tui.tui.app_actions import AppActions
-AppActions.do_palette = lambda self: self.call_later(breaks)
+from day6_tui.tui.guidance import Guidance
+Guidance.open_palette = lambda self: self._desktop.app.call_later(breaks)
+"""
+A_CHOICE = f"""{BREAK}
+from day6_tui.tui.terminals import Terminals
+Terminals.use_idle = breaks
 """
 READER = f"""{BREAK}
 from day6_tui.tui.terminal_driver import TerminalDriver
@@ -42,11 +46,11 @@ TerminalDriver._read = _read
 """
 
 
-def desktop(place: Place, plant: str) -> Terminal:
+def desktop(place: Place, plant: str, scene: str | None = "empty") -> Terminal:
     """The desktop with a mistake planted in it."""
     from terminal import Terminal
 
-    words = ["--home", str(place.home), "--lang", "en", "--scene", "empty"]
+    words = ["--home", str(place.home), "--lang", "en", *(("--scene", scene) if scene else ())]
     code = START.format(words=words, plant=plant)
     return Terminal([sys.executable, "-c", code], 80, 24, cwd=place.work, env=place.environment())
 
@@ -66,6 +70,21 @@ def test_a_key_or_a_click_that_fails_is_told_and_everything_goes_on(place: Place
         desk.send_bytes(data)
         desk.wait("RuntimeError: planted")
         desk.press("Esc")
+        desk.wait_gone("RuntimeError")
+        desk.line("echo $((6*9))")
+        desk.wait_lines("54")
+        desk.press("Ctrl-Q")
+        assert desk.wait_end() == 0
+        given_back(desk)
+
+
+def test_what_is_typed_at_the_welcome_choices_and_fails_is_told_and_everything_goes_on(place: Place) -> None:
+    with desktop(place, A_CHOICE, scene=None) as desk:
+        desk.wait("Drive the turtle")
+        desk.wait("$")
+        desk.send("l")
+        desk.wait("RuntimeError: planted")
+        desk.press("Esc", "F2")
         desk.wait_gone("RuntimeError")
         desk.line("echo $((6*9))")
         desk.wait_lines("54")
@@ -105,7 +124,7 @@ def test_with_as_many_programs_as_there_may_be_no_terminal_opens_and_the_desktop
         desk.line(FORKS)
         desk.wait("bash: fork: Resource temporarily unavailable")
         desk.press("F2")
-        desk.wait("too many programs run")
+        desk.wait("too many programs are running")
         desk.press("Ctrl-Q")
         assert desk.wait_end() == 0
         given_back(desk)

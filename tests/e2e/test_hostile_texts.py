@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from hostile import HOSTILE, MARK, SEQUENCES, SHORT, foreign
-from place import until
+from waiting import until
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -85,7 +85,7 @@ def hostile_files(folder: Path) -> None:
     package.mkdir(parents=True)
     (package / "package.xml").write_text(
         f"<package format='3'><name>pkg{RAW}</name><version>0.0.0</version><description>{RAW}</description>"
-        f"<maintainer email='a@b.c'>m</maintainer><license>{RAW}</license>"
+        f"<maintainer email='a@example.org'>m</maintainer><license>{RAW}</license>"
         "<export><build_type>ament_python</build_type></export></package>",
         encoding="utf-8",
     )
@@ -188,9 +188,18 @@ REAL_COMMANDS = {
 }
 
 
+MANIFEST = (
+    "<package><name>lab</name><version>0.0.0</version><description>d</description>"
+    "<maintainer email='a@example.org'>a</maintainer><license>MIT</license></package>"
+)
+
+
 @pytest.mark.parametrize("words", REAL_COMMANDS.values(), ids=REAL_COMMANDS)
 def test_messages_of_commands_in_a_real_terminal_are_text(place: Place, words: list[str]) -> None:
     place.file("evil.urdf", ROBOT)
+    # A workspace: `export` looks for the package there.
+    (place.work / "src" / "lab").mkdir(parents=True)
+    (place.work / "src" / "lab" / "package.xml").write_text(MANIFEST)
     with place.terminal(*words, columns=200) as screen:
         data = ended(screen)
     assert foreign(data, desktop=False) == []

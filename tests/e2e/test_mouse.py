@@ -40,7 +40,7 @@ def test_the_wheel_looks_back_and_dragging_copies_what_the_middle_button_pastes(
         screen.line("seq 1 100; echo echo 小海龟 pasted")
         screen.wait_lines("100", "echo 小海龟 pasted")
         mouse.wheel(10, 10, 10)
-        screen.wait("30 lines further down")
+        screen.wait("30 more lines below")
         screen.wait_lines("60")
         mouse.wheel(10, 10, -10)
         screen.wait_lines("echo 小海龟 pasted")

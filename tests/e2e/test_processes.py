@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from place import until
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place

@@ -8,8 +8,8 @@ import signal
 import time
 from typing import TYPE_CHECKING
 
-from place import until
 from students import ASKS, STUBBORN, TALKER, WHEEL_SPINNER, WRONG_NAMES
+from waiting import until
 
 from day6_tui.urdf.shipped import shipped_model
 
@@ -109,7 +109,7 @@ def test_the_talker_of_another_real_terminal_is_seen_in_the_desktop(place: Place
 def test_a_script_without_a_screen_hears_the_talker(place: Place) -> None:
     file = place.file("talker.py", TALKER)
     done = place.execute(
-        f"python3 {file} 2> log & ros2 topic echo /chatter std_msgs/msg/String > heard & "
+        f"python3 '{file}' 2> log & ros2 topic echo /chatter std_msgs/msg/String > heard & "
         "sleep 1.8; kill %1 %2; wait; cat heard; cat log"
     )
     numbers = [int(text) for text in re.findall(r"^data: line (\d+) of the talker$", done.stdout, re.MULTILINE)]

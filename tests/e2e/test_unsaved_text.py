@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 import signal
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,11 +13,11 @@ import pytest
 if sys.platform == "win32":
     pytest.skip("needs a pty", allow_module_level=True)
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
 
 from disks import ROOT, SETPRIV, WITHOUT_RIGHTS
 from place import DAY6
 from terminal import Terminal
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place
@@ -34,14 +33,6 @@ def desktop(place: Place, *before: str) -> Terminal:
 
 def copies(place: Place) -> list[Path]:
     return list((place.work / "data").rglob("*.json"))
-
-
-def until(holds: object, limit: float = 20.0) -> None:
-    assert callable(holds)
-    end = time.monotonic() + limit
-    while not holds():
-        assert time.monotonic() < end, "still waiting"
-        time.sleep(0.02)
 
 
 def type_in_nano(screen: Terminal) -> None:

@@ -6,8 +6,9 @@ import os
 import signal
 from typing import TYPE_CHECKING
 
-from place import DAY6, until
+from place import DAY6
 from students import TALKER
+from waiting import until
 
 if TYPE_CHECKING:
     from place import Place

@@ -73,7 +73,7 @@ def test_the_shipped_car_is_launched_in_one_line(place: Place) -> None:
 def test_the_shipped_launch_file_takes_sliders_and_another_robot(place: Place) -> None:
     robot = place.file("cart.urdf", '<robot name="cart"><link name="base_link"/></robot>\n')
     done = place.execute(
-        f"ros2 launch day6_bot display.launch.py sliders:=true robot:={robot} > log 2>&1 &\n"
+        f"ros2 launch day6_bot display.launch.py sliders:=true robot:='{robot}' > log 2>&1 &\n"
         "timeout 10 ros2 topic echo --once --full-length --qos-durability transient_local "
         "/robot_description std_msgs/msg/String --field data\nsleep 1\n"
         "ros2 node list | grep -v transform\nkill -INT %1; wait\n"

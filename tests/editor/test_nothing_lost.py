@@ -126,7 +126,7 @@ def test_a_signal_ends_the_desktop_with_what_was_typed_last_kept(tmp_path: Path)
         await bench.press("a", "b")
         left: list[dict[str, object]] = []
         bench.app.exit = lambda **more: left.append(more)
-        bench.app.end_by_signal()
+        bench.app.leaving.end_by_signal()
         assert left == [{}]
 
     async def again(bench: Bench) -> None:
@@ -142,7 +142,7 @@ def test_a_signal_on_a_full_disk_tells_what_was_lost(tmp_path: Path, disk: Disk)
         disk(True)
         left: list[dict[str, object]] = []
         bench.app.exit = lambda **more: left.append(more)
-        bench.app.end_by_signal()
+        bench.app.leaving.end_by_signal()
         assert left[0]["return_code"] == 1 and "talker.py (No space left on device)" in str(left[0]["message"])
 
     Bench(tmp_path).run(act)
@@ -163,7 +163,7 @@ def test_a_closed_gedit_asks_a_third_time_when_there_is_no_room_for_a_copy(tmp_p
 def test_the_cross_and_the_desktops_key_ask_as_the_editors_own_key_does(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         await bench.press("a")
-        bench.app.do_close()
+        bench.app.actions["close"]()
         await bench.step()
         assert bench.open and "Save modified buffer?" in screen_text(bench.app)
         await bench.press("escape")

@@ -332,7 +332,7 @@ def test_a_change_on_the_disk_shows_up_unless_there_is_unsaved_text(tmp_path: Pa
 def test_the_text_takes_the_theme_of_the_desktop(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         before = bench.pane.area.theme
-        bench.app.do_theme()
+        bench.app.actions["theme"]()
         await bench.step()
         assert bench.pane.area.theme != before
 

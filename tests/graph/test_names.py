@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from day6_tui.core.graph import names
@@ -19,7 +21,7 @@ TOPIC_FLAWS = [
     ("{bad", "topic name must not have unmatched (unbalanced) curly braces '{}'", 0),
     ("bad}", "topic name must not have unmatched (unbalanced) curly braces '{}'", 3),
     ("{no de}", "substitution name must not contain characters other than alphanumerics or '_'", 3),
-    ("{{a}}", "substitution name must not contain characters other than alphanumerics or '_'", 0),
+    ("{{a}}", "substitution name must not contain characters other than alphanumerics or '_'", 1),
     ("{1a}", "substitution name must not start with a number", 1),
 ]
 
@@ -135,3 +137,111 @@ def test_a_leading_underscore_anywhere_hides_a_name() -> None:
         False,
         False,
     ]
+
+
+@pytest.mark.parametrize(
+    ("check", "name", "flaw"),
+    [
+        (names.flaw_of_node_name, "", (0, 1)),
+        (names.flaw_of_node_name, "a-b", (1, 2)),
+        (names.flaw_of_node_name, "1a", (0, 3)),
+        (names.flaw_of_node_name, "a" * 255, None),
+        (names.flaw_of_node_name, "a" * 256, (254, 4)),
+        (names.flaw_of_namespace, "", (0, 1)),
+        (names.flaw_of_namespace, "a", (0, 2)),
+        (names.flaw_of_namespace, "/", None),
+        (names.flaw_of_namespace, "/a/", (2, 3)),
+        (names.flaw_of_namespace, "//", (1, 3)),
+        (names.flaw_of_namespace, "/a-b", (2, 4)),
+        (names.flaw_of_namespace, "/a//b", (3, 5)),
+        (names.flaw_of_namespace, "/a/1b", (3, 6)),
+        (names.flaw_of_namespace, "/a1/b2", None),
+        (names.flaw_of_namespace, "/" + "a" * 244, None),
+        (names.flaw_of_namespace, "/" + "a" * 245, (244, 7)),
+        (names.flaw_of_full_topic_name, "", (0, 1)),
+        (names.flaw_of_full_topic_name, "a", (0, 2)),
+        (names.flaw_of_full_topic_name, "/a/", (2, 3)),
+        (names.flaw_of_full_topic_name, "/", (0, 3)),
+        (names.flaw_of_full_topic_name, "/a b", (2, 4)),
+        (names.flaw_of_full_topic_name, "/a//b", (3, 5)),
+        (names.flaw_of_full_topic_name, "/1b", (1, 6)),
+        (names.flaw_of_full_topic_name, "/" + "a" * 246, None),
+        (names.flaw_of_full_topic_name, "/" + "a" * 247, (246, 7)),
+        (names.flaw_of_topic_name, "1a", (0, 0)),
+        (names.flaw_of_topic_name, "{a1}/b", None),
+        (names.flaw_of_topic_name, "{a_}{b}", None),
+        (names.flaw_of_topic_name, "a}{", (1, 0)),
+        (names.flaw_of_topic_name, "a{b", (1, 0)),
+        (names.flaw_of_topic_name, "a{b/c}", (3, 0)),
+        (names.flaw_of_topic_name, "~a", None),
+        (names.flaw_of_topic_name, "~ab", (1, 0)),
+        (names.flaw_of_topic_name, "~/", (1, 0)),
+        (names.flaw_of_topic_name, "/1", (1, 0)),
+        (names.flaw_of_topic_name, "a1", None),
+    ],
+)
+def test_a_flaw_has_a_place_and_rmws_number(check: Any, name: str, flaw: tuple[int, int] | None) -> None:
+    found = check(name)
+    assert (None if found is None else (found.position, found.number)) == flaw
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("a:=b", ("name", "a", "b", None)),
+        ("/a/b:=~/c", ("name", "/a/b", "~/c", None)),
+        ("n:a:=b", ("name", "a", "b", "n")),
+        ("rostopic://a:=b", ("name", "a", "b", None)),
+        ("rosservice://a:=b", ("name", "a", "b", None)),
+        ("__node:=b", ("node", "__node", "b", None)),
+        ("__name:=b", ("node", "__name", "b", None)),
+        ("n:__node:=b", ("node", "__node", "b", "n")),
+        ("__ns:=/b", ("namespace", "__ns", "/b", None)),
+        ("n:__ns:=/b", ("namespace", "__ns", "/b", "n")),
+    ],
+)
+def test_a_rule_is_read_from_a_text(text: str, rule: tuple[str, str, str, str | None]) -> None:
+    found = names.RemapRule.parse(text)
+    assert (found.kind, found.match, found.replacement, found.node) == rule
+
+
+@pytest.mark.parametrize("text", ["a:=b c", "a b:=c", "__node:=", "__name:=1", "__ns:=", "n:__ns:=b", "a/:=b", "a:=b/"])
+def test_a_rule_with_a_bad_name_is_refused(text: str) -> None:
+    with pytest.raises(ValueError):
+        names.RemapRule.parse(text)
+
+
+@pytest.mark.parametrize(
+    ("rules", "expected"),
+    [
+        ([], ("n", "/lab")),
+        (["a:=b"], ("n", "/lab")),
+        (["__node:=m", "__node:=o"], ("m", "/lab")),
+        (["x:__node:=m", "n:__node:=o"], ("o", "/lab")),
+        (["__ns:=/x", "__ns:=/y"], ("n", "/x")),
+        (["__node:=m", "n:__ns:=/x"], ("m", "/lab")),
+        (["__node:=m", "m:__ns:=/x"], ("m", "/x")),
+    ],
+)
+def test_the_first_rule_for_a_node_counts(rules: list[str], expected: tuple[str, str]) -> None:
+    assert names.remap_node("n", "/lab", [names.RemapRule.parse(each) for each in rules]) == expected
+
+
+@pytest.mark.parametrize(
+    ("rules", "full"),
+    [
+        (["a:=b", "a:=c"], "/lab/b"),
+        (["__node:=b", "a:=c"], "/lab/c"),
+        (["m:a:=b", "n:a:=c"], "/lab/c"),
+        (["/lab/a:=/c"], "/c"),
+        (["/a:=c"], "/lab/a"),
+        (["a:=~"], "/lab/n"),
+    ],
+)
+def test_the_first_rule_for_a_topic_counts(rules: list[str], full: str) -> None:
+    assert names.remap_topic("/lab/a", "n", "/lab", [names.RemapRule.parse(each) for each in rules]) == full
+
+
+def test_a_namespace_and_a_name_are_joined() -> None:
+    assert names.full_name("/", "a") == "/a"
+    assert names.full_name("/sp", "a") == "/sp/a"

@@ -13,7 +13,6 @@ from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, String
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from fakes import FakeDesk
@@ -21,7 +20,7 @@ from screens import opened, screen_text, step
 from stepped_machine import Running, SteppedMachine
 
 from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
+from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.urdf import shipped_model
@@ -113,8 +112,8 @@ def test_one_sided_topics_are_named_with_their_node(lab: Lab) -> None:
     lab.says(String, "/news", "talker")
     lab.hears(Twist, "/cmd_vel", "base")
     assert lab.findings() == {
-        "unsaid": "/cmd_vel: /base listens, nobody publishes",
-        "unheard": "/news: /talker publishes, nobody listens",
+        "unsaid": "/cmd_vel: /base subscribes, but nobody publishes",
+        "unheard": "/news: /talker publishes, but nobody subscribes",
     }
 
 
@@ -140,7 +139,7 @@ def test_qos_that_do_not_suit_are_an_error(lab: Lab, offer: Any, request_: Any, 
     lab.says(String, "/scan", "lidar", offer)
     lab.hears(String, "/scan", "mapper", request_)
     assert lab.findings() == {
-        "qos": f"/scan: the QoS of /lidar does not suit /mapper ({policy}); nothing arrives",
+        "qos": f"/scan: the QoS of /lidar is incompatible with /mapper ({policy}); nothing arrives",
     }
 
 
@@ -181,7 +180,7 @@ def test_one_message_a_second_is_too_slow_for_the_eye(lab: Lab) -> None:
     lab.robot()
     publisher = lab.says(JointState, "joint_states", "wheel_spinner")
     lab.turn(publisher, WHEELS, times=5, every=1.0)
-    assert lab.findings() == {"slow": "/joint_states comes 1 times a second; the eye needs about 20"}
+    assert lab.findings() == {"slow": "/joint_states arrives 1 times a second; the eye needs about 20"}
     lab.turn(publisher, WHEELS, times=30)
     assert lab.findings() == {}
 

@@ -37,30 +37,30 @@ def test_every_joint_that_can_move_has_a_slider(machine: SteppedMachine, arm: st
 def test_a_slider_has_ten_thousand_steps_and_is_published(machine: SteppedMachine, arm: str) -> None:
     seen = machine.watch(JointState, "/joint_states")
     model = open_sliders(machine, arm)
-    model.wish("step", "bend", 2500)
+    model.request("step", "bend", 2500)
     machine.advance(0.2)
     assert value(model, "bend") == pytest.approx(-1 + 3 * 0.25)
     assert dict(zip(seen[-1].name, seen[-1].position, strict=True))["bend"] == pytest.approx(-0.25)
-    model.wish("step", "bend", 20_000)
+    model.request("step", "bend", 20_000)
     machine.advance(0.1)
     assert value(model, "bend") == 2.0
 
 
 def test_an_exact_number_is_taken_exactly_and_kept_within_the_limits(machine: SteppedMachine, arm: str) -> None:
     model = open_sliders(machine, arm)
-    for wished, got in ((0.123456, 0.123456), (5.0, 2.0), (-9.0, -1.0)):
-        model.wish("value", "bend", wished)
+    for requested, got in ((0.123456, 0.123456), (5.0, 2.0), (-9.0, -1.0)):
+        model.request("value", "bend", requested)
         machine.advance(0.1)
         assert value(model, "bend") == got
 
 
 def test_center_goes_to_the_zeros_and_randomize_stays_within_the_limits(machine: SteppedMachine, arm: str) -> None:
     model = open_sliders(machine, arm, "--ros-args", "-p", "zeros.turn:=1.0")
-    model.wish("randomize")
+    model.request("randomize")
     machine.advance(0.1)
     assert all(slider.minimum <= slider.value <= slider.maximum for slider in model.sliders)
     assert value(model, "turn") != pytest.approx(1.0, abs=1e-3)
-    model.wish("center")
+    model.request("center")
     machine.advance(0.1)
     assert value(model, "turn") == pytest.approx(1.0, abs=2 * math.pi / 10_000)
     assert value(model, "far") == pytest.approx(1.5)
@@ -68,7 +68,7 @@ def test_center_goes_to_the_zeros_and_randomize_stays_within_the_limits(machine:
 
 def test_its_log_says_centering_and_randomizing(machine: SteppedMachine) -> None:
     running = machine.start("joint_state_publisher_gui", "joint_state_publisher_gui", str(shipped_model()), screen=True)
-    machine.display.windows[-1].model.wish("randomize")
+    machine.display.windows[-1].model.request("randomize")
     machine.advance(0.1)
     assert running.log == [f"[INFO] [joint_state_publisher]: {word}" for word in ("Centering", "Randomizing")]
 

@@ -1,35 +1,35 @@
-"""The slider window: what stands in it at which size, and what keys and the mouse wish for."""
+"""The slider window: what stands in it at which size, and what keys and the mouse request."""
 
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from textual.geometry import Size
 
-from day6_tui.core.ros.programs.joint_state_publisher_gui._sliders import Slider
+from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider
 from day6_tui.core.session.display import Display
 from day6_tui.tui.app import make_look
 from day6_tui.tui.cells import cell_len
+from day6_tui.tui.options import Options
 from day6_tui.tui.windows.joint_state_publisher import SlidersPane
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
 
 class FakeModel:
-    """Sliders the test sets; remembers what was wished for."""
+    """Sliders the test sets; remembers what was requested."""
 
     def __init__(self, *sliders: Slider) -> None:
         self.sliders = sliders
         self.described = True
         self.others: tuple[str, ...] = ()
         self.version = 1
-        self.wishes: list[tuple[str, str, float]] = []
+        self.requests: list[tuple[str, str, float]] = []
 
-    def wish(self, kind: str, joint: str = "", number: float = 0.0) -> None:
-        self.wishes.append((kind, joint, number))
+    def request(self, kind: str, joint: str = "", number: float = 0.0) -> None:
+        self.requests.append((kind, joint, number))
 
 
 def wheel(name: str = "left_wheel_joint", value: float = 0.0) -> Slider:
@@ -42,7 +42,7 @@ LIFT = Slider("lift", 0.0, 0.5, 0.1, 2000, False)
 
 def pane_of(model: FakeModel, width: int = 60, height: int = 20, **options: Any) -> SlidersPane:
     window = Display().open("joint_state_publisher", "Joint State Publisher", model)
-    pane = SlidersPane(window, make_look(SimpleNamespace(**options), UTF8))
+    pane = SlidersPane(window, make_look(Options(**options), UTF8))
     pane.extent = Size(width, height)
     pane.touch = lambda: None  # type: ignore[method-assign]
     return pane
@@ -85,7 +85,7 @@ def test_arrows_move_coarsely_and_with_shift_finely() -> None:
     pane = pane_of(model)
     for key in ("right", "shift+left", "pageup", "home", "end"):
         pane._press(key, "")
-    assert model.wishes == [
+    assert model.requests == [
         ("step", "left_wheel_joint", 5100),
         ("step", "left_wheel_joint", 4999),
         ("step", "left_wheel_joint", 6000),
@@ -102,14 +102,14 @@ def test_a_number_can_be_typed_in_degrees_and_taken_or_left() -> None:
         pane._press(character, character)
     assert "90_" in text_of(pane)
     pane._press("enter", "")
-    assert model.wishes == [("value", "left_wheel_joint", pytest.approx(math.pi / 2))]
+    assert model.requests == [("value", "left_wheel_joint", pytest.approx(math.pi / 2))]
     pane._press("enter", "")
     for character in "-1e":
         pane._press(character, character)
     pane._press("enter", "")  # "-1e" is no number
     pane._press("5", "5")
     pane._press("escape", "")
-    assert len(model.wishes) == 1
+    assert len(model.requests) == 1
 
 
 def test_letters_are_the_buttons() -> None:
@@ -117,7 +117,7 @@ def test_letters_are_the_buttons() -> None:
     pane = pane_of(model)
     for key in "rcz":
         assert pane._press(key, key)
-    assert model.wishes == [("randomize", "", 0.0), ("center", "", 0.0), ("zero", "left_wheel_joint", 0.0)]
+    assert model.requests == [("randomize", "", 0.0), ("center", "", 0.0), ("zero", "left_wheel_joint", 0.0)]
     assert not pane._press("q", "q")
 
 
@@ -131,7 +131,7 @@ def test_the_mouse_drags_the_knob_to_where_it_is() -> None:
     pane._dragged = "lift"
     for share, step in ((0.0, 0), (0.5, 5000), (1.0, 10_000), (2.0, 10_000)):
         pane._drag_to(pane.inner_offset + column + round(share * (width - 1)))
-        assert model.wishes[-1] == ("step", "lift", pytest.approx(step, abs=200))
+        assert model.requests[-1] == ("step", "lift", pytest.approx(step, abs=200))
 
 
 @pytest.mark.parametrize(("lang", "word"), [("en", "jitters"), ("zh", "抖动")])

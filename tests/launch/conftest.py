@@ -5,12 +5,12 @@ from __future__ import annotations
 import logging
 import os
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
+from waiting import until
 
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
@@ -22,9 +22,6 @@ from day6_tui.core.shell.language.redirection import Streams
 sys.path.insert(
     0, str(Path(__file__).parent)
 )  # the tests import `launch_cases`, which is also a script's (`record.py`)
-
-PATIENCE = 30.0
-"""Wall seconds a test waits for real processes at most."""
 
 
 @pytest.fixture(autouse=True)
@@ -85,9 +82,11 @@ class Machine:
         return self.desk.start_program(["bash"], script, streams, env=shell.environment, cwd=shell.cwd, shell=shell)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        end = time.monotonic() + PATIENCE
-        while not self.desk.scheduler.run(condition, 0.05):
-            assert time.monotonic() < end, f"still waiting; so far:\n{self.out.text}\n{self.err.text}"
+        until(
+            lambda: self.desk.scheduler.run(condition, 0.05),
+            every=0.0,
+            told=lambda: f"{self.out.text}\n{self.err.text}",
+        )
 
     def run(self, commands: str) -> tuple[int, str, str]:
         program = self.start(commands)

@@ -117,7 +117,7 @@ _MASKS = (
     (re.compile(r"\b0x[0-9a-f]{4,}\b"), "<ADDR>"),
     (re.compile(r"/\S*/launch_params_\w+"), "<PARAMETERS>"),
     (re.compile(r"launch_ros_\d+"), "launch_ros_<PID>"),
-    (re.compile(r"\(/\S+/(launch\w*/\S+\.py)\)"), r"(<SITE>/\1)"),
+    (re.compile(r"\(/[^)\n]+/(launch\w*/\S+\.py)\)"), r"(<SITE>/\1)"),
     # The other prefixes of this machine
     (re.compile(r"(searching: \['<PREFIX>')(, '[^']+')*"), r"\1, …"),
 )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
+import tempfile
 from pathlib import Path
 from typing import Any
 
 import pytest
-from launch._programs import Foreign, what_runs
+from launch._programs import ProcessPlan, resolve
 from launch_cases import Case, our_command, play
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to a process")
@@ -58,13 +60,43 @@ def test_a_program_of_ours_is_a_process_in_a_real_terminal_and_logs(tmp_path: Pa
 
 def test_on_a_desk_it_is_one_of_the_desks_programs(machine: Any) -> None:
     path = machine.write("main.launch.py", DISPLAY)
-    program = machine.start(f"ros2 launch {path}")
+    program = machine.start(f"ros2 launch '{path}'")
     machine.wait(lambda: "Spawning turtle [turtle1]" in machine.out.text)
     assert [each.session.name for each in machine.desk.programs.values()].count("turtlesim_node") == 1
     program.interrupt()
     machine.wait(lambda: program.status is not None)
     assert "process has finished cleanly" in machine.out.text
     assert not [each for each in machine.desk.programs.values() if each.session.name == "turtlesim_node"]
+
+
+TERMINAL = """
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['xterm', '-e', 'true'], output='screen')])
+"""
+
+
+def test_a_terminal_is_opened_by_the_desk_where_there_is_no_display(machine: Any, monkeypatch: Any) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    path = machine.write("main.launch.py", TERMINAL)
+    program = machine.start(f"ros2 launch '{path}'")
+    machine.wait(lambda: program.status is not None)
+    assert "[xterm-1]: process has finished cleanly" in machine.out.text  # a real one would not open
+
+
+def test_it_goes_also_where_the_path_of_temporary_files_leaves_no_room_for_a_sockets_name(
+    machine: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    long = tmp_path / ("long" * 30)
+    long.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(long))
+    path = machine.write("main.launch.py", DISPLAY)
+    program = machine.start(f"ros2 launch '{path}'")
+    machine.wait(lambda: "Spawning turtle [turtle1]" in machine.out.text)
+    program.interrupt()
+    machine.wait(lambda: program.status is not None)
 
 
 @pytest.mark.parametrize(
@@ -77,9 +109,9 @@ def test_on_a_desk_it_is_one_of_the_desks_programs(machine: Any) -> None:
     ],
 )
 def test_a_shell_line_finds_our_commands_without_a_path_to_them(line: str, ours: int) -> None:
-    plan = what_runs([line], True, hosted=False)
-    assert isinstance(plan, Foreign)
-    assert str(plan.args).count("_process command ") == ours
+    plan = resolve([line], True, hosted=False)
+    assert isinstance(plan, ProcessPlan)
+    assert len(re.findall(r"_process'? command ", str(plan.args))) == ours
 
 
 def test_tab_offers_packages_and_launch_files_and_what_is_in_a_package(machine: Any) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,13 +13,6 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from link_harness import World
-
-
-@pytest.fixture
-def short_folder() -> Iterator[Path]:
-    """A folder whose name leaves room for a socket's (pytest's own are too long)."""
-    with tempfile.TemporaryDirectory(prefix="d6-") as name:
-        yield Path(name)
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""What the suite's participants are made with: `World`, `ProcessPeer`, `until`."""
+"""What the suite's participants are made with: `World`, `ProcessPeer`."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,14 +15,6 @@ from link_peer import Peer
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
-
-
-def until(condition: Callable[[], Any], timeout: float = 10.0) -> Any:
-    """Return the first true value of `condition`, or its last one when `timeout` seconds are over."""
-    deadline = time.monotonic() + timeout
-    while not (value := condition()) and time.monotonic() < deadline:
-        time.sleep(0.005)
-    return value
 
 
 class ProcessPeer:

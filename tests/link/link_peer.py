@@ -176,7 +176,7 @@ class Peer:
 
     def keeps_meeting_point(self) -> bool:
         link: Any = self.graph.transport
-        return bool(link._meeting.kept_here)
+        return bool(link._meeting.held_here)
 
 
 def _hash(type_name: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from link_harness import until
+from waiting import until
 
 Pair = tuple[Any, Any]
 

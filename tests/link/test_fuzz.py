@@ -52,18 +52,18 @@ def test_random_tokens_come_and_go_and_leave_nothing_behind() -> None:
         token = mutated(random_, random_.choice(TOKENS))
         assert token_of(token) is None or len(token) <= 2048
         seen.append(token)
-        if admission.come(token) is not None:
+        if admission.admit(token) is not None:
             remote.appear(token)
         if random_.random() < 0.5:
             gone = random_.choice(seen[-50:])
-            if admission.go(gone) is not None:
+            if admission.remove(gone) is not None:
                 remote.vanish(gone)
     assert refusals.counts["names"] > 1000
     for token in seen:
-        admission.go(token)
+        admission.remove(token)
         remote.vanish(token)
-    assert graph.nodes == () and admission.of(None) == []
-    assert not (admission._of_one or any(admission._in_all.values()) or admission._waiting)
+    assert graph.nodes == () and admission.tokens_of(None) == []
+    assert not (admission._of_session or any(admission._total.values()) or admission._waiting)
     assert not (remote._nodes or remote._publishers or remote._waiting or remote._nodes_of or remote._endpoints_of)
 
 

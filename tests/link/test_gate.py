@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from link_harness import World, until
+from link_harness import World
+from waiting import until
 
 from day6_tui.core.link import state_of
 from day6_tui.core.link.addresses import address_of
@@ -164,9 +165,9 @@ def test_endpoints_one_can_listen_on(endpoint: str) -> None:
 @pytest.mark.parametrize(
     ("endpoint", "words"),
     [
-        ("nonsense", "'nonsense' is no endpoint like tcp/192.168.1.5:7447"),
-        ("", "'' is no endpoint like"),
-        ("tcp/", "'tcp/' is no endpoint like"),
+        ("nonsense", "'nonsense' is not an endpoint like tcp/192.168.1.5:7447"),
+        ("", "'' is not an endpoint like"),
+        ("tcp/", "'tcp/' is not an endpoint like"),
         ("foo/1.2.3.4:5", "has an unknown protocol: use tcp, udp or ws"),
         ("tls/1.2.3.4:5", "has an unknown protocol"),
         ("tcp/1.2.3.4", "has no port: write tcp/1.2.3.4:7447"),
@@ -183,8 +184,8 @@ def test_endpoints_one_can_listen_on(endpoint: str) -> None:
         ("tcp/:7447", "has no valid host name: it is empty"),
         ("tcp/a b:7447", "has no valid host name"),
         ("tcp/\x1b]0;x\x07:7447", "has no valid host name"),
-        ("tcp/0.0.0.0:7447", "is every address of this machine, none to connect to"),
-        ("tcp/[::]:7447", "is every address of this machine, none to connect to"),
+        ("tcp/0.0.0.0:7447", "means every address of this machine, so it cannot be connected to"),
+        ("tcp/[::]:7447", "means every address of this machine, so it cannot be connected to"),
     ],
 )
 def test_endpoints_one_cannot_connect_to(endpoint: str, words: str) -> None:
@@ -226,5 +227,5 @@ def test_a_secret_that_is_none_is_refused(text: str, words: str) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="has no FIFOs")
 def test_a_fifo_in_place_of_the_secret_does_not_stop_the_start(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "fifo", 0o600)
-    with pytest.raises(ValueError, match="is no file"):
+    with pytest.raises(ValueError, match="is not a file"):
         secret_of(str(tmp_path / "fifo"))

@@ -87,6 +87,31 @@ def test_what_is_too_long_or_no_name_is_refused(part: str, value: str) -> None:
     assert parse_token(token(**{part: value})) is None
 
 
+@pytest.mark.parametrize(
+    ("part", "value"),
+    [
+        ("name", "n" * 255),
+        ("namespace", "%" + "n" * 244),
+        ("topic", "%" + "t" * 246),
+        ("hash", "RIHS01_" + "0" * 64),
+        ("zid", "a" * 32),
+        ("node_id", "1" * 20),
+        ("qos", f"::,{2**64 - 1}:,:,:,,"),
+    ],
+)
+def test_what_is_just_not_too_long_is_read(part: str, value: str) -> None:
+    assert parse_token(token(**{part: value})) is not None
+
+
+def test_a_token_has_2048_characters_at_most() -> None:
+    def of_length(length: int) -> str:
+        first, _, rest = token().split("/", 2)
+        return f"{first}/{'0' * (length - len(first) - len(rest) - 2)}/{rest}"
+
+    assert parse_token(of_length(2048)) == parse_token(token()) is not None
+    assert parse_token(of_length(2049)) is None
+
+
 def test_a_node_is_not_announced_with_more_behind_its_name() -> None:
     node = "@ros2_lv/0/abc/1/1/NN/%/%/talker"
     assert parse_token(node) is not None

@@ -11,7 +11,8 @@ import threading
 from collections.abc import Iterator
 
 import pytest
-from link_harness import World, until
+from link_harness import World
+from waiting import until
 
 pytestmark = pytest.mark.skipif(
     importlib.util.find_spec("zenoh_ros2_sdk") is None, reason="zenoh-ros2-sdk is not installed (the test extra has it)"

@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from link_harness import World, until
+from link_harness import World
 from link_peer import Peer
+from waiting import until
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.graph.endpoints import Subscription
@@ -26,13 +27,13 @@ from day6_tui.core.link.limits import (
     MOST_ENDPOINTS_OF_ONE,
     MOST_NODES,
     MOST_NODES_OF_ONE,
-    MOST_STRANGERS,
-    STRANGER_SECONDS,
+    MOST_UNANNOUNCED,
+    UNANNOUNCED_SECONDS,
     Refusals,
 )
 from day6_tui.core.link.remote import Origin, RemoteGraph, lives_here
 from day6_tui.core.link.state import DoorState
-from day6_tui.core.link.strangers import Strangers
+from day6_tui.core.link.unannounced import UnannouncedSenders
 
 PATIENCE = 60.0
 MANY = 3000
@@ -104,7 +105,7 @@ def test_one_process_has_so_many_nodes_and_no_more() -> None:
     for number in range(20_000):
         remote.vanish(NODES.replace("{}", str(number)))
     assert graph.nodes == ()
-    remote.let_in()
+    remote.admit_waiting()
     assert graph.nodes == () and refusals.counts == {}
 
 
@@ -113,11 +114,11 @@ def test_who_came_too_late_is_let_in_when_another_goes() -> None:
     for number in range(MOST_NODES_OF_ONE + 2):
         remote.appear(NODES.replace("{}", str(number)))
     remote.vanish(NODES.replace("{}", "7"))
-    remote.let_in()
+    remote.admit_waiting()
     names = [node.name for node in graph.nodes]
     assert len(names) == MOST_NODES_OF_ONE and names[-1] == f"flood{MOST_NODES_OF_ONE}"
     remote.vanish(NODES.replace("{}", "8"))
-    remote.let_in()
+    remote.admit_waiting()
     assert graph.nodes[-1].name == f"flood{MOST_NODES_OF_ONE + 1}" and refusals.counts == {}
 
 
@@ -155,9 +156,9 @@ def test_senders_that_nothing_announced_do_not_pile_up() -> None:
     subscription: Subscription = peer.things[peer.subscription(0, "/chatter")]
     first = remote.publisher_for(bytes(16), subscription)
     assert remote.publisher_for(bytes(16), subscription) is first
-    for number in range(10 * MOST_STRANGERS):
+    for number in range(10 * MOST_UNANNOUNCED):
         assert remote.publisher_for(number.to_bytes(16, "big"), subscription) is not None
-    assert len(remote._strangers) == MOST_STRANGERS
+    assert len(remote._unannounced) == MOST_UNANNOUNCED
 
 
 def test_thousands_of_nodes_of_a_stranger_are_bounded_and_forgotten_and_nobody_else_notices(
@@ -225,9 +226,9 @@ def test_a_flood_of_messages_from_ever_new_senders_fills_no_memory(open_desk: Pe
     assert until(
         lambda: hostile.messages(data_key(thing), good, sender, 1) and open_desk.length(subscription), PATIENCE
     )
-    hostile.messages(data_key(thing), good, sender, 3 * MOST_STRANGERS, vary=True)
+    hostile.messages(data_key(thing), good, sender, 3 * MOST_UNANNOUNCED, vary=True)
     link: Any = open_desk.graph.transport
-    assert until(lambda: len(link._remote._strangers) == MOST_STRANGERS, PATIENCE)
+    assert until(lambda: len(link._remote._unannounced) == MOST_UNANNOUNCED, PATIENCE)
     assert open_desk.length(subscription) == 5
 
 
@@ -298,14 +299,14 @@ def test_nobody_outside_takes_the_name_of_a_process_of_this_machine(
 def test_a_machine_is_forgotten_with_its_last_link_and_not_token_by_token() -> None:
     admission = Admission(lambda zid: False, Refusals())
     for number in range(20_000):
-        admission.come(NODES.replace("{}", str(number)))
-    admission.come("@ros2_lv/0/abc/1/1/NN/%/%/other")
-    inside = admission.of("f" * 16)
-    assert len(inside) == MOST_NODES_OF_ONE and list(admission.let_in()) == []
+        admission.admit(NODES.replace("{}", str(number)))
+    admission.admit("@ros2_lv/0/abc/1/1/NN/%/%/other")
+    inside = admission.tokens_of("f" * 16)
+    assert len(inside) == MOST_NODES_OF_ONE and list(admission.admit_waiting()) == []
     for key in inside:
-        assert admission.go(key) is not None
-    assert list(admission.let_in()) == []
-    assert admission.of(None) == ["@ros2_lv/0/abc/1/1/NN/%/%/other"]
+        assert admission.remove(key) is not None
+    assert list(admission.admit_waiting()) == []
+    assert admission.tokens_of(None) == ["@ros2_lv/0/abc/1/1/NN/%/%/other"]
 
 
 def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: World, open_desk: Peer) -> None:
@@ -322,20 +323,20 @@ def test_a_second_gate_of_the_same_user_waits_until_the_first_is_closed(world: W
 def test_who_was_never_announced_is_forgotten_after_a_while() -> None:
     """Last words come after their sender's token is gone: without this every program that ends would leave something."""
     now = [0.0]
-    strangers = Strangers(lambda: now[0])
+    senders = UnannouncedSenders(lambda: now[0])
     made: list[object] = []
 
     def make() -> Any:
         made.append(object())
         return made[-1]
 
-    first = strangers.get((b"a", "/t"), make)
-    now[0] = STRANGER_SECONDS - 1
-    assert strangers.get((b"a", "/t"), make) is first
-    strangers.get((b"b", "/t"), make)
-    now[0] += STRANGER_SECONDS + 1
-    strangers.get((b"c", "/t"), make)
-    assert len(strangers) == 1
-    now[0] += STRANGER_SECONDS + 1
-    strangers.forget_old()
-    assert len(strangers) == 0
+    first = senders.get((b"a", "/t"), make)
+    now[0] = UNANNOUNCED_SECONDS - 1
+    assert senders.get((b"a", "/t"), make) is first
+    senders.get((b"b", "/t"), make)
+    now[0] += UNANNOUNCED_SECONDS + 1
+    senders.get((b"c", "/t"), make)
+    assert len(senders) == 1
+    now[0] += UNANNOUNCED_SECONDS + 1
+    senders.forget_old()
+    assert len(senders) == 0

@@ -14,8 +14,9 @@ from typing import Any
 import pytest
 import zenoh
 import zenoh.ext
-from link_harness import World, until
+from link_harness import World
 from link_peer import Peer
+from waiting import until
 
 from day6_tui.core.graph import EndpointKind, Graph, QoS
 from day6_tui.core.graph.endpoints import Publisher

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from link_harness import World, until
+from link_harness import World
+from waiting import until
 
 from day6_tui.core.link import paths
 from day6_tui.core.link.paths import LinkError, meeting_place

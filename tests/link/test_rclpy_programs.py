@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from link_harness import ROOT, World, until
+from link_harness import ROOT, World
+from waiting import until
 
 SERVER = """
 import rclpy

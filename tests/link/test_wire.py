@@ -16,7 +16,6 @@ from day6_tui.core.link.qos_text import qos_from_text, qos_to_text
 
 STRING_HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
 
-
 # Made once with the xxhash package 4.1.0.
 GOLDEN_XXH3 = [
     (17, 0xC9EC869FCE815D2A, 0x0A728C277506A9B3),
@@ -176,6 +175,10 @@ def test_an_attachment_has_33_bytes_and_is_read_with_and_without_its_length_byte
     for broken in (b"", data[:-2], data[:15], data + b"x"):
         with pytest.raises(ValueError, match="attachment"):
             unpack(broken)
+
+
+def test_a_gid_is_xxh3_128_with_its_low_half_first() -> None:
+    assert gid_of("@ros2_lv/0/aac3178e146ba6f1/0/0/NN/%/%/listener").hex() == "13d0970ae7d35d37066c1d6c30efa073"
 
 
 @pytest.mark.parametrize(("length", "low", "high"), GOLDEN_XXH3)

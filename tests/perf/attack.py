@@ -12,31 +12,26 @@ nor a temporary file. The exit status is 1 if any run was not good.
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import os
-import random
 import re
 import select
-import shutil
 import signal
 import sys
-import tempfile
-import termios
 import time
 from collections import Counter
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 
 import pyte
-from ends import KEYS, LINES, PROGRAMS, _processes, modes_left
+from ends import KEYS, LINES, PROGRAMS
 from hostile import HOSTILE, SEQUENCES, SHORT, foreign
-from screen import Screen, set_window_size
+from random_runs import RandomRun, options_of, played
+from screen import set_window_size
 
 START = """\
 import asyncio, faulthandler, signal, sys
@@ -164,38 +159,21 @@ MORE_LINES = (
 
 
 @dataclass
-class Attack:
+class Attack(RandomRun):
     """One desktop under attack."""
 
-    number: int
-    random: random.Random
-    folder: Path
-    verbose: bool = False
-    deeds: list[str] = field(default_factory=list)
-    troubles: list[str] = field(default_factory=list)
     slowest_answer: float = 0.0
-    status: int | None = None
     size: tuple[int, int] = (80, 24)
-    _read_to: int = 0
-
-    def note(self, text: str) -> None:
-        self.deeds.append(text)
-        if self.verbose:
-            print(f"  {text}", flush=True)
 
     # -- a run ---------------------------------------------------------------------------------------------------------
 
-    def play(self) -> Attack:
-        home, runtime, temporary = (self.folder / name for name in ("h", "r", "t"))
-        for each in (home, runtime, temporary):
-            each.mkdir(mode=0o700)
-        for name, code in {**PROGRAMS, **MORE_PROGRAMS}.items():
-            (home / f"{name}.py").write_text(code, encoding="utf-8")
-        (home / "evil.txt").write_text(HOSTILE + "\n", encoding="utf-8", newline="")
-        (home / SHORT).mkdir()
-        with open(os.fsencode(home) + b"/b\xff\xe1", "wb"):
+    def play(self) -> None:
+        self.prepare({**PROGRAMS, **MORE_PROGRAMS})
+        (self.home / "evil.txt").write_text(HOSTILE + "\n", encoding="utf-8", newline="")
+        (self.home / SHORT).mkdir()
+        with open(os.fsencode(self.home) + b"/b\xff\xe1", "wb"):
             pass
-        words = ["--home", str(home), "--lang", self.random.choice(["en", "zh"])]
+        words = ["--home", str(self.home), "--lang", self.random.choice(["en", "zh"])]
         for option, values in (
             ("--scene", [None, "turtle", "car", "world", "empty", "empty"]),
             ("--glyphs", [None, None, "ascii", "braille", "cell"]),
@@ -204,11 +182,8 @@ class Attack:
             words += [] if value is None else [option, value]
         self.size = self.random.choice([(80, 24), (120, 40)])
         self.note(f"{' '.join(words[2:])}, {self.size[0]}x{self.size[1]}")
-        self.stacks, self.log = self.folder / "stacks", self.folder / "log"
-        command = [sys.executable, "-c", START.format(stacks=str(self.stacks), words=words)]
-        env = {"DAY6_RUNTIME_DIR": str(runtime), "TMPDIR": str(temporary), "DAY6_LOG": str(self.log)}
-        self.screen = Screen(command, *self.size, cwd=str(self.folder), **env)
-        self.before = termios.tcgetattr(self.screen._fd)
+        self.log = self.folder / "log"
+        self.start(START, words, self.size, DAY6_LOG=str(self.log))
         with contextlib.suppress(TimeoutError, OSError):
             self.screen.first_frame()
         for _ in range(self.random.randint(2, 6)):
@@ -220,13 +195,11 @@ class Attack:
         if self.status is None and not self.troubles:
             self.leave()
         elif self.status is None:
-            os.kill(self.screen.pid, signal.SIGKILL)
-            os.waitpid(self.screen.pid, 0)
+            self.kill()
         self.check_output()
-        self.look_for_leftovers(runtime, temporary)
+        self.look_for_leftovers()
         with contextlib.suppress(OSError):
             os.close(self.screen._fd)
-        return self
 
     # -- the terminal --------------------------------------------------------------------------------------------------
 
@@ -335,17 +308,12 @@ class Attack:
             self.look(0.1)
         if self.status is None:
             self.troubles.append(f"does not end\n{self.stacks.read_text()}")
-            os.kill(self.screen.pid, signal.SIGKILL)
-            os.waitpid(self.screen.pid, 0)
+            self.kill()
             return
         self.look(0.1)
         if self.status:
             self.troubles.append(f"status {self.status}")
-        output = self.screen.output.decode("utf-8", "replace")
-        if left := modes_left(output):
-            self.troubles.append(f"not given back: {', '.join(left)}")
-        if termios.tcgetattr(self.screen._fd) != self.before:
-            self.troubles.append("the terminal's settings are not given back")
+        self.check_terminal()
 
     def check_output(self) -> None:
         data = bytes(self.screen.output)
@@ -364,17 +332,6 @@ class Attack:
     def log_text(self) -> str:
         """What our own parts have logged."""
         return self.log.read_text(encoding="utf-8", errors="replace") if self.log.exists() else ""
-
-    def look_for_leftovers(self, runtime: Path, temporary: Path) -> None:
-        end = time.monotonic() + 5
-        while (left := _processes(runtime)) and time.monotonic() < end:
-            time.sleep(0.05)
-        for pid, words in left.items():
-            self.troubles.append(f"process {pid} is left: {words}")
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)
-        for path in temporary.iterdir():
-            self.troubles.append(f"temporary file {path.name} is left")
 
 
 # -- deeds -------------------------------------------------------------------------------------------------------------
@@ -533,51 +490,21 @@ DEEDS: tuple[Callable[[Attack], None], ...] = (
 
 def main() -> int:
     """Play the runs; print what was not good."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--minutes", type=float, default=10.0)
-    parser.add_argument("--runs", type=int, help="so many runs, instead of minutes")
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--first", type=int, default=0, metavar="N", help="begin with run N")
-    parser.add_argument("--only", type=int, metavar="N", help="play run N alone and say what it does")
-    options = parser.parse_args()
-    for number in (signal.SIGINT, signal.SIGHUP):  # a script's `&` and `nohup` have these ignored
-        signal.signal(number, signal.SIG_DFL)
-    end = time.monotonic() + 60 * options.minutes
     counts: Counter[str] = Counter()
-
-    def play(number: int) -> None:
-        if options.runs is None and options.only is None and time.monotonic() > end:
-            return
-        folder = Path(tempfile.mkdtemp(prefix="d6a-", dir="/tmp"))
-        try:
-            attack = Attack(
-                number, random.Random(f"{options.seed}/{number}"), folder, verbose=options.only is not None
-            ).play()
-        finally:
-            shutil.rmtree(folder, ignore_errors=True)
+    for attack in played(Attack, options_of(__doc__, runs=None, jobs=1, minutes=10.0)):
         counts["runs"] += 1
         counts["deeds"] += len(attack.deeds)
         counts["bytes"] += len(attack.screen.output)
         counts["slowest ms"] = max(counts["slowest ms"], int(1000 * attack.slowest_answer))
         if attack.troubles:
             counts["bad"] += 1
-            told = [f"run {number}: {'; '.join(attack.deeds)}", *(f"    {trouble}" for trouble in attack.troubles)]
+            told = [
+                f"run {attack.number}: {'; '.join(attack.deeds)}",
+                *(f"    {trouble}" for trouble in attack.troubles),
+            ]
             print("\n".join(told), flush=True)
         else:
-            print(f"{number} …", flush=True)
-
-    last = 10**6 if options.runs is None else options.first + options.runs
-    numbers = range(options.first, last) if options.only is None else [options.only]
-    with ThreadPoolExecutor(options.jobs) as pool:
-        if options.runs is None and options.only is None:
-            waves = (range(first, first + options.jobs) for first in range(options.first, last, options.jobs))
-            for wave in waves:
-                list(pool.map(play, wave))
-                if time.monotonic() > end:
-                    break
-        else:
-            list(pool.map(play, numbers))
+            print(f"{attack.number} …", flush=True)
     print(
         f"{counts['runs']} runs, {counts['deeds']} deeds, {counts['bytes'] / 1e6:.0f} MB drawn, slowest answer "
         f"{counts['slowest ms'] / 1000:.1f} s, {counts['bad']} not good",

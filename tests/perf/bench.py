@@ -1,17 +1,19 @@
 """Measures the budgets of day6-tui and prints one table.
 
-    python tests/perf/bench.py [--real PYTHON] [--messages FILE] [--rclpy] [--quick]
+    python tests/perf/bench.py [--real PYTHON] [--real-ros2 COMMAND] [--rclpy] [--quick]
 
-`--real` is an interpreter with real rclpy; `--messages` a message benchmark that runs on any rclpy. With both, messages are
-measured on both and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
+`--real` is an interpreter with real rclpy, `--real-ros2` the real command with its daemon running: what can be measured on both
+is, in turns, and the ratio is printed. Everything is compared within one run, because machines differ. Linux only.
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import itertools
 import json
 import os
+import shlex
 import statistics
 import subprocess
 import sys
@@ -231,6 +233,48 @@ class Bench:
             screen.read(2)
             yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
 
+    def paste(self) -> Iterator[Row]:
+        """A megabyte pasted at the prompt: when its end is on the screen, and what it does to turtlesim meanwhile."""
+        (self.home / "poses.py").write_text(POSES, encoding="utf-8")
+        with self.desktop(120, 40, "--scene", "empty") as screen:
+            screen.first_frame()
+            screen.read(2)
+            screen.send(TURTLE)
+            screen.read(2)
+            screen.send("python3 poses.py &\n")
+            screen.read(3)
+            screen.output.clear()
+            pasted = time.time()
+            began = time.perf_counter()
+            screen.paste(": '" + "x" * 1_000_000 + "ENDOFPASTE")
+            screen.wait_for(lambda output: b"ENDOFPASTE" in output, 60.0)
+            seconds = time.perf_counter() - began
+            screen.read(2)
+            screen.send("\x03")
+            screen.read(1)
+        times = [float(line) for line in (self.home / "poses.txt").read_text(encoding="utf-8").splitlines()]
+        times = [each for each in times if pasted <= each <= pasted + max(seconds, 1.0)]
+        gaps = [after - before for before, after in itertools.pairwise(times)]
+        yield "a paste of 1 MB at the prompt: shown after", f"{seconds:.2f} s", "<= 1 s"
+        yield (
+            "  turtlesim's poses meanwhile",
+            f"{1 / statistics.mean(gaps):.1f} Hz, at most {max(gaps) * 1000:.0f} ms apart",
+            "62.5 Hz",
+        )
+
+
+POSES = """
+import time
+import rclpy
+from turtlesim.msg import Pose
+rclpy.init()
+node = rclpy.create_node('bench_poses')
+out = open('poses.txt', 'w', buffering=1)
+node.create_subscription(Pose, 'turtle1/pose', lambda pose: print(time.time(), file=out), 100)
+rclpy.spin(node)
+"""
+"""Writes down when each pose of the turtle comes."""
+
 
 def _bare_flood(program: Path) -> float:
     """The seconds until a reader that only throws it away has all that a program prints on its pty."""
@@ -261,31 +305,6 @@ def _echoes(screen: Screen, count: int) -> list[float]:
 
 def _spread(seconds: list[float]) -> str:
     return f"{statistics.median(seconds) * 1000:.0f} ms median, {max(seconds) * 1000:.0f} ms worst"
-
-
-def messages(script: Path, real: str | None) -> Iterator[Row]:
-    """Publish to callback in one process, ours and real."""
-    ours = _run_messages(sys.executable, script, program_environment({**os.environ, "DAY6_LINK": "off"}))
-    theirs = _run_messages(real, script, dict(os.environ)) if real else None
-    for kind, budget in (("String_20B", 10), ("Twist", 8), ("JointState_10", 8)):
-        mine = ours["pubsub"][kind]["throughput_msg_s"]
-        text, wanted = f"{mine} messages/s", "-"
-        if theirs:
-            text += f" = {mine / theirs['pubsub'][kind]['throughput_msg_s']:.0f} x real rclpy"
-            wanted = f">= {budget} x"
-        yield f"publish -> callback, {kind}", text, wanted
-    start = ours["startup_median"]
-    text = f"{start['whole_process_ms']:.0f} ms, {start['rss_kib'] / 1024:.1f} MB"
-    if theirs:
-        text += f" = {start['whole_process_ms'] / theirs['startup_median']['whole_process_ms']:.2f} x real rclpy"
-    yield "process with a node, alone", text, "<= 1/3, <= 24 MB"
-
-
-def _run_messages(python: str, script: Path, env: dict[str, str]) -> dict:  # type: ignore[type-arg]
-    done = subprocess.run(
-        [python, str(script), "--quick"], capture_output=True, text=True, env=env, check=True, encoding="utf-8"
-    )
-    return json.loads(done.stdout)  # type: ignore[no-any-return]
 
 
 SIDE_BY_SIDE = {
@@ -343,44 +362,95 @@ rclpy.shutdown()
 """
 
 
+ALONE = """
+import sys
+import rclpy
+rclpy.init()
+node = rclpy.create_node('bench_alone')
+print(next(int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmRSS')), flush=True)
+node.destroy_node()
+rclpy.shutdown()
+"""
+
+
 def processes(real: str | None, rounds: int) -> Iterator[Row]:
-    """Start of a student's process to its first message out, joined to the link."""
-    env = program_environment({**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")})
-    ours = [_first_message(sys.executable, env) for _ in range(rounds)]
-    seconds = statistics.median(each[0] for each in ours)
-    text = f"{seconds * 1000:.0f} ms, {statistics.median(each[1] for each in ours):.1f} MB"
-    if real:
-        both = [_first_message(real, dict(os.environ)) for _ in range(rounds)]
-        theirs = statistics.median(each[0] for each in both)
-        text += (
-            f" = {seconds / theirs:.2f} x real rclpy, which has {statistics.median(each[1] for each in both):.1f} MB"
-        )
-    yield "process joined, start to first message", text, "<= 1/3, <= 38 MB"
+    """A student's process: from its start to its first message out, joined to the link; from start to end, alone."""
+    joined = program_environment({**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")})
+    alone = program_environment({**os.environ, "DAY6_LINK": "off"})
+    for what, measure, env, budget in (
+        ("process joined, start to first message", _first_message, joined, "<= 1/3, <= 38 MB"),
+        ("process with a node, alone, start to end", _whole_process, alone, "<= 1/3, <= 24 MB"),
+    ):
+        ours, theirs = [], []
+        for _ in range(rounds):
+            ours.append(measure(sys.executable, env))
+            if real:
+                theirs.append(measure(real, dict(os.environ)))
+        seconds, memory = _medians(ours)
+        text = f"{seconds * 1000:.0f} ms, {memory:.1f} MB"
+        if theirs:
+            seconds_of_real, memory_of_real = _medians(theirs)
+            text += f" = {seconds / seconds_of_real:.2f} x real rclpy, which has {memory_of_real:.1f} MB"
+        yield what, text, budget
+
+
+def _medians(pairs: list[tuple[float, float]]) -> tuple[float, float]:
+    return statistics.median(each[0] for each in pairs), statistics.median(each[1] for each in pairs)
 
 
 def _first_message(python: str, env: dict[str, str]) -> tuple[float, float]:
     began = time.time()
-    done = subprocess.run([python, "-c", TALKER], capture_output=True, text=True, env=env, check=True, encoding="utf-8")
-    at, rss = done.stdout.split()
+    at, rss = _words(python, TALKER, env)
     return float(at) - began, int(rss) / 1024
+
+
+def _whole_process(python: str, env: dict[str, str]) -> tuple[float, float]:
+    began = time.perf_counter()
+    (rss,) = _words(python, ALONE, env)
+    return time.perf_counter() - began, int(rss) / 1024
+
+
+def _words(python: str, code: str, env: dict[str, str]) -> list[str]:
+    done = subprocess.run([python, "-c", code], capture_output=True, text=True, env=env, check=True, encoding="utf-8")
+    return done.stdout.split()
+
+
+def topic_list(real: str | None, rounds: int) -> Iterator[Row]:
+    """`ros2 topic list` in a terminal that is not ours, each time a process of its own."""
+    env = {**os.environ, "DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-bench-")}
+    command = [str(Path(sys.executable).with_name("day6-tui")), "ros2", "topic", "list"]
+    ours, theirs = [], []
+    for _ in range(rounds):
+        ours.append(_seconds(command, env))
+        if real:
+            theirs.append(_seconds([*shlex.split(real), "topic", "list"], dict(os.environ)))
+    text = f"{statistics.median(ours):.2f} s"
+    if theirs:
+        text += f" = {statistics.median(ours) / statistics.median(theirs):.2f} x the real one"
+    yield "ros2 topic list, a process of its own", text, "<= 1/3"
+
+
+def _seconds(command: list[str], env: dict[str, str]) -> float:
+    began = time.perf_counter()
+    subprocess.run(command, env=env, check=True, capture_output=True)
+    return time.perf_counter() - began
 
 
 def main() -> int:
     """Run the sections and print the table as Markdown."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--real", metavar="PYTHON", help="interpreter with real rclpy")
-    parser.add_argument("--messages", metavar="FILE", type=Path, help="message benchmark")
+    parser.add_argument("--real-ros2", metavar="COMMAND", help="the real ros2, with its daemon running")
     parser.add_argument("--rclpy", action="store_true", help="only programs, not the desktop")
     parser.add_argument("--quick", action="store_true", help="shorter and fewer measurements")
     options = parser.parse_args()
     bench = Bench(options.quick)
     print("| what | measured | budget |\n| --- | --- | --- |")
-    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.floods(), bench.keys()]
+    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.floods(), bench.keys(), bench.paste()]
     sections = [] if options.rclpy else screens
     sections.append(processes(options.real, bench.rounds))
     sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))
-    if options.messages:
-        sections.append(messages(options.messages, options.real))
+    sections.append(topic_list(options.real_ros2, bench.rounds))
     for section in sections:
         for what, measured, budget in section:
             print(f"| {what} | {measured} | {budget} |", flush=True)

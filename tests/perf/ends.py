@@ -10,25 +10,20 @@ writes the stacks of its threads first. The exit status is 1 if any run was not 
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import os
-import random
 import re
 import select
-import shutil
 import signal
 import sys
-import tempfile
-import termios
 import time
 from collections import Counter
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-from screen import Screen, set_window_size
+from random_runs import RandomRun, options_of, played, processes_of
+from screen import set_window_size
 
 START = """\
 import faulthandler, signal, sys
@@ -76,65 +71,28 @@ DESK_LIMIT, SECOND_LIMIT = 8.0, 3.0
 SLOW = 4.0
 """Seconds after which what it does is written down: programs have two, the rest should be quick."""
 
-ON_OFF = {
-    "alternate screen": ("\x1b[?1049h", "\x1b[?1049l"),
-    "cursor": ("\x1b[?25l", "\x1b[?25h"),
-    "mouse": ("\x1b[?1000h", "\x1b[?1000l"),
-    "mouse moves": ("\x1b[?1003h", "\x1b[?1003l"),
-    "paste marks": ("\x1b[?2004h", "\x1b[?2004l"),
-    "focus": ("\x1b[?1004h", "\x1b[?1004l"),
-    "line wrap": ("\x1b[?7l", "\x1b[?7h"),
-    "keyboard protocol": ("\x1b[>", "\x1b[<u"),
-}
-"""What the desktop turns on in the terminal, and how that is taken back."""
-
-
-def modes_left(output: str) -> list[str]:
-    """Return what was turned on in the terminal and not taken back."""
-    return [name for name, (on, off) in ON_OFF.items() if output.rfind(on) > output.rfind(off)]
-
 
 @dataclass
-class Run:
+class Run(RandomRun):
     """One start and end."""
 
-    number: int
-    random: random.Random
-    folder: Path
-    verbose: bool = False
-    deeds: list[str] = field(default_factory=list)
-    troubles: list[str] = field(default_factory=list)
     way: str = ""
     seconds: float = 0.0
-    status: int | None = None
     hung_up: bool = False
     """The terminal's window is gone, so that nothing can be seen of what was given back."""
     stuck: bool = False
     """Nothing can be written to the terminal any more."""
 
-    def note(self, text: str) -> None:
-        self.deeds.append(text)
-        if self.verbose:
-            print(f"  {text}", flush=True)
-
     # -- what a run does -----------------------------------------------------------------------------------------------
 
-    def play(self) -> Run:
-        home, runtime, temporary = (self.folder / name for name in ("h", "r", "t"))
-        for each in (home, runtime, temporary):
-            each.mkdir(mode=0o700)
-        for name, code in PROGRAMS.items():
-            (home / f"{name}.py").write_text(code, encoding="utf-8")
+    def play(self) -> None:
+        self.prepare(PROGRAMS)
         scene = self.random.choice([None, "turtle", "car", "world", "empty", "empty"])
-        words = ["--home", str(home), "--lang", self.random.choice(["en", "zh"])]
+        words = ["--home", str(self.home), "--lang", self.random.choice(["en", "zh"])]
         words += [] if scene is None else ["--scene", scene]
-        stacks = self.folder / "stacks"
-        command = [sys.executable, "-c", START.format(stacks=str(stacks), words=words)]
         columns, rows = self.random.choice([(80, 24), (120, 40), (40, 10)])
         self.note(f"scene {scene}, {columns}x{rows}")
-        env = {"DAY6_RUNTIME_DIR": str(runtime), "TMPDIR": str(temporary)}
-        self.screen = Screen(command, columns, rows, cwd=str(self.folder), **env)
-        self.before = termios.tcgetattr(self.screen._fd)
+        self.start(START, words, (columns, rows))
         early = self.random.random() < 0.2
         if early:
             self.wait_for_handlers()
@@ -152,26 +110,24 @@ class Run:
             self.signal(signal.SIGUSR1)
             status = self.wait(limit - SLOW)
             if status is not None:
-                self.troubles.append(f"took {time.monotonic() - began:.1f} s\n{stacks.read_text()}")
+                self.troubles.append(f"took {time.monotonic() - began:.1f} s\n{self.stacks.read_text()}")
         self.seconds = time.monotonic() - began
         if status is None:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(self.screen.pid, signal.SIGUSR1)
             time.sleep(0.5)
-            self.troubles.append(f"still runs after {limit} s\n{stacks.read_text()}")
-            os.kill(self.screen.pid, signal.SIGKILL)
-            os.waitpid(self.screen.pid, 0)
+            self.troubles.append(f"still runs after {limit} s\n{self.stacks.read_text()}")
+            self.kill()
         else:
             self.check(status, statuses)
-        self.look_for_leftovers(runtime, temporary)
+        self.look_for_leftovers()
         if not self.hung_up:
             os.close(self.screen._fd)
-        return self
 
     def wait_for_handlers(self) -> None:
         """Until Python itself has started: what comes before our first line is not ours."""
         end = time.monotonic() + 10
-        while time.monotonic() < end and not (self.folder / "stacks").exists():
+        while time.monotonic() < end and not self.stacks.exists():
             time.sleep(0.005)
 
     def busy(self) -> None:
@@ -253,35 +209,11 @@ class Run:
             self.troubles.append(f"status {status}, not one of {sorted(statuses)}")
         if self.hung_up:
             return
+        self.check_terminal(modes=not self.stuck)
         output = self.screen.output.decode("utf-8", "replace")
-        if (left := modes_left(output)) and not self.stuck:
-            self.troubles.append(f"not given back: {', '.join(left)}")
-        if termios.tcgetattr(self.screen._fd) != self.before:
-            self.troubles.append("the terminal's settings are not given back")
         outside = re.sub(r"\x1b\[\?1049h.*?(?:\x1b\[\?1049l|\Z)", "", output, flags=re.DOTALL)
         if "Traceback" in outside or "Error" in outside or "Exception" in outside:
             self.troubles.append(f"printed\n{outside[-3000:]}")
-
-    def look_for_leftovers(self, runtime: Path, temporary: Path) -> None:
-        end = time.monotonic() + 5
-        while (left := _processes(runtime)) and time.monotonic() < end:
-            time.sleep(0.05)
-        for pid, words in left.items():
-            self.troubles.append(f"process {pid} is left: {words}")
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)
-        for path in temporary.iterdir():
-            self.troubles.append(f"temporary file {path.name} is left")
-
-
-def _processes(runtime: Path) -> dict[int, str]:
-    mark = f"DAY6_RUNTIME_DIR={runtime}".encode()
-    found = {}
-    for entry in Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError):
-            if mark in (entry / "environ").read_bytes().split(b"\0"):
-                found[int(entry.name)] = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode()
-    return found
 
 
 Ended = tuple[set[int], float]
@@ -365,7 +297,7 @@ def stuck_terminal(run: Run) -> Ended:
 
 def child_killed(run: Run) -> Ended:
     """The shell that ends what we leave is killed first."""
-    for pid, words in _processes(run.folder / "r").items():
+    for pid, words in processes_of(run.runtime).items():
         if pid != run.screen.pid and run.random.random() < 0.7:
             run.note(f"kill {words[:50]}")
             with contextlib.suppress(ProcessLookupError):
@@ -390,40 +322,17 @@ WAYS: tuple[Callable[[Run], Ended], ...] = (
 
 def main() -> int:
     """Play the runs; print a line for each that was not good, and how long each way took."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--runs", type=int, default=500)
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--first", type=int, default=0, metavar="N", help="begin with run N")
-    parser.add_argument("--only", type=int, metavar="N", help="play run N alone and say what it does")
-    options = parser.parse_args()
-    for number in (
-        signal.SIGINT,
-        signal.SIGHUP,
-    ):  # a script's `&` and `nohup` have these ignored, and so would the desktop
-        signal.signal(number, signal.SIG_DFL)
     bad, ways, slowest = 0, Counter[str](), dict[str, float]()
-
-    def play(number: int) -> Run:
-        folder = Path(tempfile.mkdtemp(prefix="d6e-", dir="/tmp"))
-        try:
-            run = Run(number, random.Random(f"{options.seed}/{number}"), folder, verbose=options.only is not None)
-            return run.play()
-        finally:
-            shutil.rmtree(folder, ignore_errors=True)
-
-    numbers = range(options.first, options.runs) if options.only is None else [options.only]
-    with ThreadPoolExecutor(options.jobs) as pool:
-        for run in pool.map(play, numbers):
-            ways[run.way] += 1
-            slowest[run.way] = max(slowest.get(run.way, 0.0), run.seconds)
-            if run.troubles:
-                bad += 1
-                print(f"run {run.number} ({run.way}): {'; '.join(run.deeds)}")
-                for trouble in run.troubles:
-                    print(f"    {trouble}")
-            elif run.number % 25 == 0:
-                print(f"{run.number} …", flush=True)
+    for run in played(Run, options_of(__doc__, runs=500, jobs=2)):
+        ways[run.way] += 1
+        slowest[run.way] = max(slowest.get(run.way, 0.0), run.seconds)
+        if run.troubles:
+            bad += 1
+            print(f"run {run.number} ({run.way}): {'; '.join(run.deeds)}")
+            for trouble in run.troubles:
+                print(f"    {trouble}")
+        elif run.number % 25 == 0:
+            print(f"{run.number} …", flush=True)
     for name, count in sorted(ways.items()):
         print(f"| {name} | {count} times | {slowest[name]:.1f} s at most |")
     print(f"{sum(ways.values())} runs, {bad} not good", flush=True)

@@ -100,6 +100,21 @@ class Screen:
         """Type."""
         os.write(self._fd, keys.encode())
 
+    def paste(self, text: str) -> None:
+        """Paste, as a terminal with bracketed paste does; what the program writes meanwhile is read."""
+        left = memoryview(f"\x1b[200~{text}\x1b[201~".encode())
+        os.set_blocking(self._fd, False)
+        while left:
+            readable, writable, _ = select.select([self._fd], [self._fd], [], 5)
+            if not (readable or writable):
+                raise TimeoutError("the program takes no more of what is pasted")
+            if readable:
+                self.output += os.read(self._fd, 65536)
+            if writable:
+                with contextlib.suppress(BlockingIOError):
+                    left = left[os.write(self._fd, left) :]
+        os.set_blocking(self._fd, True)
+
     def wait_for(self, condition: Callable[[bytes], bool], limit: float = 20.0) -> None:
         """Read until `condition(all output so far)` holds."""
         deadline = time.perf_counter() + limit

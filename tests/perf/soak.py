@@ -288,7 +288,11 @@ class Soak:
             f"{statistics.median(tally.seconds_to_agree):.1f} s (median), {max(tally.seconds_to_agree):.1f} s (worst), "
             "the command's own time included |"
         )
-        print(f"| desktop's memory | {calm[2]:.1f} MB before, {max(memory):.1f} MB at most, {after[2]:.1f} MB after |")
+        growth = 1024 * (after[2] - calm[2]) / max(tally.started, 1)
+        print(
+            f"| desktop's memory | {calm[2]:.1f} MB before, {max(memory):.1f} MB at most, {after[2]:.1f} MB after: "
+            f"{growth:.1f} kB a program |"
+        )
         print(f"| desktop's threads, open files | {calm[0]}, {calm[1]} before; {after[0]}, {after[1]} after |")
         print(f"| left behind | {'; '.join(tally.troubles) or 'nothing'} |", flush=True)
 

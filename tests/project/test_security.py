@@ -39,7 +39,7 @@ REASONS = {
     ("core/ros/python/launch/substitutions/python_expression.py", "eval"): "the same: $(eval …) is there to run Python",
     ("core/ros/python/launch_xml/parser.py", "xml"): "refuses a document type, without which there are no entities",
     (
-        "core/ros/programs/joint_state_publisher/_joints.py",
+        "core/ros/programs/joint_state_publisher/joints.py",
         "xml",
     ): "expat only says what is no XML; every entity definition is refused; tried in tests/joint_state_publisher",
     ("core/ros/programs/rviz2/model/collada.py", "xml"): "a document type is refused; tried in tests/rviz2",
@@ -173,7 +173,7 @@ def test_a_manifest_cannot_fill_the_memory_or_read_files(tmp_path: Path) -> None
         (index / name).touch()
         (share / name).mkdir()
         (share / name / "package.xml").write_text(text, encoding="utf-8")
-    done = exec_line(f"export AMENT_PREFIX_PATH={tmp_path}; ros2 pkg xml laughs; ros2 pkg xml reads", tmp_path)
+    done = exec_line(f"export AMENT_PREFIX_PATH='{tmp_path}'; ros2 pkg xml laughs; ros2 pkg xml reads", tmp_path)
     assert done.stdout == ""
     assert done.stderr.count("ParseError") == 2, done.stderr
     assert "root:" not in done.stderr
@@ -185,8 +185,8 @@ def test_yaml_makes_no_objects(tmp_path: Path) -> None:
     )
     text = f"{{data: !!python/object/apply:os.mkdir ['{tmp_path}/done']}}"
     done = exec_line(
-        f"ros2 run turtlesim turtlesim_node --ros-args --params-file {tmp_path}/p.yaml & sleep 0.2;"
-        f'ros2 param load /turtlesim {tmp_path}/p.yaml; ros2 topic pub --once /t std_msgs/msg/String "{text}"',
+        f"ros2 run turtlesim turtlesim_node --ros-args --params-file '{tmp_path}/p.yaml' & sleep 0.2;"
+        f"ros2 param load /turtlesim '{tmp_path}/p.yaml'; ros2 topic pub --once /t std_msgs/msg/String \"{text}\"",
         tmp_path,
     )
     assert done.returncode == 1

@@ -9,12 +9,12 @@ import signal
 import stat
 import subprocess
 import sys
-import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from waiting import until
 
 from day6_tui.core.whole_file import append_private, replace_file, write_private
 
@@ -141,9 +141,8 @@ def test_kill_9_in_the_middle_of_saving_leaves_one_whole_text(tmp_path: Path) ->
     for attempt in range(8):
         with subprocess.Popen([sys.executable, "-c", WRITER, str(target)], stdout=subprocess.PIPE) as writer:
             assert writer.stdout is not None and writer.stdout.readline()
-            first, end = target.stat().st_mtime_ns, time.monotonic() + 20
-            while target.stat().st_mtime_ns == first and time.monotonic() < end:
-                pass  # until it has begun to write
+            first = target.stat().st_mtime_ns
+            until(lambda first=first: target.stat().st_mtime_ns != first, every=0)  # it has begun to write
             for _ in range(attempt * 40):
                 target.stat()
             writer.send_signal(signal.SIGKILL)
@@ -256,6 +255,7 @@ def test_a_robot_that_was_half_copied_is_not_taken_for_ones_own_the_next_time(tm
     result = subprocess.run(
         [sys.executable, "-c", line],
         cwd=tmp_path,
+        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},  # Python would leave halves of its own
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
         capture_output=True,
         text=True,

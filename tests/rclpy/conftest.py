@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from typing import Any
 
@@ -65,6 +66,19 @@ class World:
             self.time.elapsed = max(self.time.elapsed, deadline)
             self.settle()
         self.time.elapsed = end
+
+    def interrupt(self) -> None:
+        """Do what SIGTERM does: every context is invalid after it, and nothing is destroyed."""
+        import rclpy
+        from rclpy.signals import SignalHandlerOptions
+
+        before = signal.signal(signal.SIGTERM, lambda _number, _frame: None)
+        try:
+            rclpy.install_signal_handlers(SignalHandlerOptions.SIGTERM)
+            signal.raise_signal(signal.SIGTERM)
+        finally:
+            rclpy.uninstall_signal_handlers()
+            signal.signal(signal.SIGTERM, before)
 
     def until(self, future: Any) -> Any:
         """Run until a future is done; returns its result."""

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
+from waiting import until
 
 from day6_tui.core.graph import Graph
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
@@ -206,13 +207,6 @@ def _machine_context() -> Context:
     return context
 
 
-def _wait_until(condition: Any, seconds: float = 5.0) -> None:
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it did not happen in time"
-        threading.Event().wait(0.001)
-
-
 def test_a_message_from_another_thread_wakes_a_waiting_executor_at_once() -> None:
     context = _machine_context()
     node = Node("n", context=context)
@@ -225,10 +219,10 @@ def test_a_message_from_another_thread_wakes_a_waiting_executor_at_once() -> Non
     thread = threading.Thread(target=executor.spin, daemon=True)
     thread.start()
     for number in range(1, 21):
-        _wait_until(lambda: executor._waiting)
+        until(lambda: executor._waiting)
         sent[0] = time.monotonic()
         publisher.publish(String())
-        _wait_until(lambda number=number: len(delays) == number)
+        until(lambda number=number: len(delays) == number)
     executor.shutdown()
     thread.join(5)
     assert not thread.is_alive()
@@ -255,7 +249,7 @@ def test_reentrant_callbacks_run_at_the_same_time_in_a_multi_threaded_executor()
     thread.start()
     publisher.publish(String())
     publisher.publish(String())
-    _wait_until(lambda: len(met) == 2)
+    until(lambda: len(met) == 2)
     executor.shutdown()
     thread.join(5)
     context.shutdown()
@@ -300,7 +294,7 @@ def test_a_shutdown_of_the_context_ends_a_waiting_spin() -> None:
 
     thread = threading.Thread(target=spin, daemon=True)
     thread.start()
-    _wait_until(lambda: executor._waiting)
+    until(lambda: executor._waiting)
     context.shutdown()
     thread.join(5)
     assert outcome == [ExternalShutdownException]
@@ -311,7 +305,7 @@ def test_two_threads_that_spin_one_executor_are_told_so() -> None:
     executor = SingleThreadedExecutor(context=context)
     thread = threading.Thread(target=executor.spin_once, daemon=True)
     thread.start()
-    _wait_until(lambda: executor._waiting)
+    until(lambda: executor._waiting)
     with pytest.raises(ValueError, match="generator already executing"):
         executor.spin_once()
     executor.shutdown()

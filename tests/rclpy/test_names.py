@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import json
 import os
 import sys
 import warnings
+from operator import attrgetter
 
 import pytest
+
+from rclpy import qos
+from rclpy.clock_type import ClockType
+from rclpy.duration import Duration
+from rclpy.signals import SignalHandlerOptions
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, "conformance"))
 
@@ -76,3 +84,40 @@ def test_names_of_pythons_library_are_found_where_editors_take_them_from() -> No
     assert rclpy.node.time is time
     with pytest.raises(AttributeError, match=r"module 'rclpy\.node' has no attribute 'Lock'"):
         _ = rclpy.node.Lock
+
+
+DEFAULTS = {
+    "rclpy:create_node": {"rosout_qos_profile": qos.qos_profile_rosout_default},
+    "rclpy:install_signal_handlers": {"options": SignalHandlerOptions.ALL},
+    "rclpy.action:ActionClient": {
+        "goal_service_qos_profile": qos.qos_profile_services_default,
+        "result_service_qos_profile": qos.qos_profile_services_default,
+        "cancel_service_qos_profile": qos.qos_profile_services_default,
+        "feedback_sub_qos_profile": qos.QoSProfile(depth=10),
+        "status_sub_qos_profile": qos.qos_profile_action_status_default,
+    },
+    "rclpy.action:ActionServer": {
+        "goal_service_qos_profile": qos.qos_profile_services_default,
+        "result_service_qos_profile": qos.qos_profile_services_default,
+        "cancel_service_qos_profile": qos.qos_profile_services_default,
+        "feedback_pub_qos_profile": qos.QoSProfile(depth=10),
+        "status_pub_qos_profile": qos.qos_profile_action_status_default,
+        "result_timeout": 10,
+    },
+    "rclpy.node:Node.create_client": {"qos_profile": qos.qos_profile_services_default},
+    "rclpy.node:Node.create_service": {"qos_profile": qos.qos_profile_services_default},
+    "rclpy.parameter_client:AsyncParameterClient": {"qos_profile": qos.qos_profile_services_default},
+    "rclpy.parameter_event_handler:ParameterEventHandler": {"qos_profile": qos.qos_profile_parameter_events},
+    "rclpy.publisher:Publisher.wait_for_all_acked": {"timeout": Duration(seconds=-1)},
+    "rclpy.time:Time": {"clock_type": ClockType.SYSTEM_TIME},
+    "rclpy.time:Time.from_msg": {"clock_type": ClockType.ROS_TIME},
+    "rclpy.timer:TimerInfo": {"clock_type": ClockType.SYSTEM_TIME},
+    "rclpy.type_hash:TypeHash": {"version": -1, "value": bytes(32)},
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_defaults_that_are_objects_are_those_of_rclpy(name: str) -> None:
+    module, _, path = name.partition(":")
+    arguments = inspect.signature(attrgetter(path)(importlib.import_module(module))).parameters
+    assert {each: arguments[each].default for each in DEFAULTS[name]} == DEFAULTS[name]

@@ -183,3 +183,37 @@ def test_a_timer_leaves_out_the_calls_a_busy_program_missed(world: Any) -> None:
     world.settle()
     assert calls == [3_000_000_000]
     assert timer.time_until_next_call() == 1_000_000_000
+
+
+@pytest.mark.parametrize(
+    ("value", "level", "told"),
+    [
+        (None, "DEBUG", "Parameter start_type_description_service not set, defaulting to true."),
+        (5, "ERROR", "Invalid type for parameter 'start_type_description_service' <Type.INTEGER: 2> should be bool"),
+    ],
+)
+def test_a_parameter_that_is_no_truth_value_starts_no_type_description(
+    world: Any, value: Any, level: str, told: str
+) -> None:
+    from rcl_interfaces.msg import ParameterDescriptor
+
+    from rclpy.logging import LoggingSeverity
+    from rclpy.node import Node
+    from rclpy.type_description_service import TypeDescriptionService
+
+    class Undecided(Node):
+        """Has another value for the parameter than the service expects."""
+
+        def has_parameter(self, name: str) -> bool:
+            if name == "start_type_description_service" and not super().has_parameter(name):
+                self.get_logger().set_level(LoggingSeverity.DEBUG)
+                self.declare_parameter(name, value, ParameterDescriptor(dynamic_typing=True))
+            return super().has_parameter(name)
+
+    node = Undecided("n", context=world.context)
+    assert any(f"[{level}]" in line and told in line for line in world.log), world.log
+    assert "/n/get_type_description" not in dict(node.get_service_names_and_types())
+    service = TypeDescriptionService(world.node("m"))
+    assert service.enabled
+    service.destroy()
+    assert not service.enabled

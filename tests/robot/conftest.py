@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import sys
-import time
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from sensor_msgs.msg import JointState
+from stepped_machine import Running, SteppedMachine
 
 from day6_tui.urdf import shipped_model
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
-
-from stepped_machine import Running, SteppedMachine
-
 
 class Machine(SteppedMachine):
+    WHILE_WAITING = 0.0
+
     def __init__(self) -> None:
         super().__init__()
         self._joints: Any = None
@@ -40,14 +36,6 @@ class Machine(SteppedMachine):
 
     def watch(self, message: type, topic: str, qos: Any = 100) -> list[Any]:
         return super().watch(message, topic, qos)
-
-    def until(self, condition: Callable[[], object], seconds: float = 20.0) -> None:
-        """Wait in real time for what a thread does, without moving the machine's time on."""
-        end = time.monotonic() + seconds
-        while not condition():
-            assert time.monotonic() < end, "it did not happen"
-            time.sleep(0.002)
-            self.advance()
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 from std_msgs.msg import Float64MultiArray, String
 
-from day6_tui.core.ros.programs.day6_bot._model import CarModel
+from day6_tui.core.ros.programs.day6_bot.model import CarModel
 from day6_tui.urdf import parse_robot, shipped_model
 from day6_tui.urdf.topplan import find_wheels, spin_of
 from day6_tui.urdf.topview import render_top
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 STAYS = (
-    "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
+    "The wheels turn, so why does the car not move? Like RViz, this picture only draws angles. To roll on a floor: "
     "ros2 launch day6_world world.launch.py"
 )
 NO_JOINT_STATES = "nobody publishes /joint_states: the wheels do not turn"
@@ -149,7 +149,9 @@ def test_another_type_on_joint_states_is_named(machine: Machine) -> None:
     model = open_car(machine)
     machine.node.create_publisher(Float64MultiArray, "/joint_states", 10)
     machine.advance(1.0)
-    assert "/joint_states has type std_msgs/msg/Float64MultiArray, sensor_msgs/msg/JointState is needed" in texts(model)
+    assert "/joint_states has type std_msgs/msg/Float64MultiArray, but it must be sensor_msgs/msg/JointState" in texts(
+        model
+    )
 
 
 def test_one_message_a_second_is_called_slow_and_none_silent(machine: Machine) -> None:
@@ -158,7 +160,7 @@ def test_one_message_a_second_is_called_slow_and_none_silent(machine: Machine) -
     for step in range(5):
         machine.joint_states(["left_wheel_joint", "right_wheel_joint"], [0.02 * step] * 2, after=1.0)
     machine.advance(0.4)
-    assert "/joint_states comes only 1.0 times a second: the eye needs about 20" in texts(model)
+    assert "/joint_states arrives only 1.0 times a second: the eye needs about 20" in texts(model)
     machine.advance(2.6)
     assert "nothing on /joint_states for 3 s" in texts(model)
 

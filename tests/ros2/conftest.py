@@ -1,4 +1,4 @@
-"""Gives the tests of this folder a `machine` that runs `ros2`."""
+"""Gives the tests of this folder a `machine` that runs `ros2`, and a recorded bag."""
 
 from __future__ import annotations
 
@@ -9,10 +9,18 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
 
+from bag_commands import counted_bag
 from ros2_machine import Machine
 
 
 @pytest.fixture
 def machine(tmp_path: Path) -> Iterator[Machine]:
     yield Machine(tmp_path)
+
+
+@pytest.fixture
+def counted(machine: Machine) -> Machine:
+    """A machine with a bag in which /count was published ten times a second for two seconds, by nobody any more."""
+    return counted_bag(machine)

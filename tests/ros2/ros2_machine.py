@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+import threading
+from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +17,17 @@ from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured, InputStream, TextInput
 from day6_tui.core.session.task import Signal, wait_for
+
+LONGEST = 30.0
+"""Seconds of the wall that a command's thread may work."""
+
+
+def _work_is_done() -> bool:
+    """Wait for what commands do in threads (`core/session/threads.py`): the stepped clock does not. False without any."""
+    working = [thread for thread in threading.enumerate() if thread.name == "day6-work"]
+    for thread in working:
+        thread.join(LONGEST)
+    return bool(working)
 
 
 class Result(NamedTuple):
@@ -63,20 +75,32 @@ class Command:
         self.machine.step()
 
 
+class NoPrograms:
+    """A shell of day6-tui that starts nothing beside a command."""
+
+    starts_programs = False
+    terminals = ()
+
+
 class Machine:
     """One graph and one stepped clock. `daemon`: whether commands find a daemon, as in the desktop."""
 
     def __init__(self, cwd: Path) -> None:
         self.graph = Graph()
         self.clock = WorldClock(wall=None)
+        self.graph.now_ns = self.clock.now_ns
         self.scheduler = Scheduler(self.clock)
         self.cwd = cwd
         self.daemon = False
         self.env = {"COLUMNS": "80"}
+        self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None
+        """What `session.run_python` does, if a test lets commands start processes."""
         self._pids = itertools.count(100)
 
     def step(self, seconds: float = 0.0) -> None:
         self.scheduler.advance(seconds)
+        if _work_is_done():
+            self.scheduler.advance(0.0)
 
     def session(self, argv: list[str], stdin: str = "") -> Session:
         session = Session(
@@ -90,7 +114,8 @@ class Machine:
             stdout=Captured(),
             stderr=Captured(),
         )
-        session.shell = object() if self.daemon else None
+        session.host = NoPrograms() if self.daemon else None
+        session.python = self.python
         return session
 
     def start(self, *words: str, stdin: str = "") -> Command:

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from day6_tui.core.ros.programs import executables, packages
+from day6_tui.core.ros.program_index import executables, packages
 
 DEMOS = [
     each

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
-
 from stepped_machine import SteppedMachine
 from turtlesim.srv import TeleportAbsolute
 
-from day6_tui.core.ros.programs.rqt_console import _model
-from day6_tui.core.ros.programs.rqt_console._model import Console
+from day6_tui.core.ros.programs.rqt_console import model
+from day6_tui.core.ros.programs.rqt_console.model import Console
 
 
 def log(text="hello", level=20, node="talker", second=5):
@@ -87,7 +82,7 @@ def test_what_comes_while_paused_is_not_kept_and_clear_forgets():
 
 
 def test_old_messages_are_forgotten_when_there_are_too_many(monkeypatch):
-    monkeypatch.setattr(_model, "MOST", 10)
+    monkeypatch.setattr(model, "MOST", 10)
     console = Console()
     for number in range(95):
         console.receive(log(str(number)))

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from screens import look_at
 
-from day6_tui.core.ros.programs.rqt_console._model import Console
+from day6_tui.core.ros.programs.rqt_console.model import Console
 
 
 def log(text, level, node):

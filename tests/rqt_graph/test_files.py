@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from day6_tui.core.ros.programs.rqt_graph._dot import DotError, read_dot, write_dot
-from day6_tui.core.ros.programs.rqt_graph._fit import unfitted
-from day6_tui.core.ros.programs.rqt_graph._image import write_image
-from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge
+from day6_tui.core.ros.programs.rqt_graph.model.dot import DotError, read_dot, write_dot
+from day6_tui.core.ros.programs.rqt_graph.model.fit import unfitted
+from day6_tui.core.ros.programs.rqt_graph.model.image import write_image
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
 
 BOXES = [
     Box("/a/talker", ("/a/talker",), "node", "/a"),

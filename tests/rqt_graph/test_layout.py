@@ -6,10 +6,10 @@ import random
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw, draw_pulse, measure
-from day6_tui.core.ros.programs.rqt_graph._fit import elide, fitted
-from day6_tui.core.ros.programs.rqt_graph._layout import layout
-from day6_tui.core.ros.programs.rqt_graph._shapes import Box, Edge, Picture, Rect
+from day6_tui.core.ros.programs.rqt_graph.model.drawing import ASCII, UNICODE, draw, draw_pulse, measure
+from day6_tui.core.ros.programs.rqt_graph.model.fit import elide, fitted
+from day6_tui.core.ros.programs.rqt_graph.model.layout import layout
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture, Rect
 
 FEEDBACK = "/turtle1/rotate_absolute/_action/feedback"
 LESSON = (

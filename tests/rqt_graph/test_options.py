@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import sys
 from itertools import product
+from pathlib import Path
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_graph._content import (
+sys.path.insert(0, str(Path(__file__).parent))
+
+from one_graph import FACTS, shown
+
+from day6_tui.core.ros.programs.rqt_graph.model.content import (
     QUIET_EDGES,
     QUIET_NAMES,
-    Content,
     Facts,
     GraphType,
     Options,
@@ -17,41 +22,6 @@ from day6_tui.core.ros.programs.rqt_graph._content import (
     select,
 )
 
-ACTION = "/turtle1/rotate_absolute/_action/"
-FACTS = Facts(
-    publishers={
-        "/turtle1/cmd_vel": ("/teleop_turtle",),
-        "/turtle1/pose": ("/turtlesim",),
-        ACTION + "feedback": ("/turtlesim",),
-        ACTION + "status": ("/turtlesim",),
-        "/rosout": ("/turtlesim", "/teleop_turtle", "/_ros2cli_1"),
-        "/parameter_events": ("/turtlesim", "/teleop_turtle"),
-        "/tf": ("/robot_state_publisher",),
-        "/tf_static": ("/robot_state_publisher",),
-        "/joint_states": ("/wheel_spinner",),
-        "/cam/image": ("/cam/driver",),
-        "/cam/image/compressed": ("/cam/driver",),
-        "/cam/image/theora": ("/cam/driver",),
-        **{f"/dock/{end}": ("/client",) for end in ("goal", "cancel")},
-        **{f"/dock/{end}": ("/server",) for end in ("feedback", "status", "result")},
-        "/clock": ("/sim",),
-    },
-    subscribers={
-        "/turtle1/cmd_vel": ("/turtlesim", "/_ros2cli_1"),
-        ACTION + "feedback": ("/teleop_turtle",),
-        ACTION + "status": ("/teleop_turtle",),
-        "/parameter_events": ("/turtlesim",),
-        "/tf": ("/rviz2", "/listener"),
-        "/tf_static": ("/rviz2",),
-        "/joint_states": ("/robot_state_publisher",),
-        "/cam/image": ("/viewer",),
-        "/cam/image/compressed": ("/viewer",),
-        "/nobody_sends": ("/viewer",),
-        **{f"/dock/{end}": ("/server",) for end in ("goal", "cancel")},
-        **{f"/dock/{end}": ("/client",) for end in ("feedback", "status", "result")},
-        "/clock": ("/turtlesim",),
-    },
-)
 NODES = {node for table in (FACTS.publishers, FACTS.subscribers) for names in table.values() for node in names}
 TOPICS = {*FACTS.publishers, *FACTS.subscribers}
 CAMERA = {"/cam/image", "/cam/image/compressed", "/cam/image/theora"}
@@ -110,11 +80,6 @@ def nodes_and_topics(options: Options) -> tuple[set[str], set[tuple[str, str, st
         edges |= {(sender, group.get(topic, topic), "") for sender in senders if sender in nodes}
         edges |= {(group.get(topic, topic), hearer, "") for hearer in hearers if hearer in nodes}
     return nodes | {name for edge in edges for name in edge[:2]}, edges
-
-
-def shown(content: Content) -> tuple[set[str], set[tuple[str, str, str]]]:
-    boxes = {box.lines[0] for box in content.boxes}
-    return boxes, {(edge.start.strip(), edge.end.strip(), edge.label) for edge in content.edges}
 
 
 @pytest.mark.parametrize("graph_type", list(GraphType))

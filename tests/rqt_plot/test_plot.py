@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
-
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool, Float64MultiArray, String
 from stepped_machine import SteppedMachine
 from turtlesim.msg import Pose
 
-from day6_tui.core.ros.programs.rqt_plot import _model
-from day6_tui.core.ros.programs.rqt_plot._axis import label, limits, seen, ticks
-from day6_tui.core.ros.programs.rqt_plot._field import NoField, find_topic, plottable, reader, split_paths
-from day6_tui.core.ros.programs.rqt_plot._lines import polyline
+from day6_tui.core.ros.programs.rqt_plot.model import plot as plot_module
+from day6_tui.core.ros.programs.rqt_plot.model.axis import label, limits, seen, ticks
+from day6_tui.core.ros.programs.rqt_plot.model.field import NoField, find_topic, plottable, reader, split_paths
+from day6_tui.core.ros.programs.rqt_plot.model.lines import polyline
 
 # -- paths -------------------------------------------------------------------------------------------------------------
 
@@ -157,7 +151,7 @@ def test_a_topic_that_comes_later_is_waited_for(machine):
     assert next(curve for curve in plot.curves if curve.path == "/pose/theta").last == 2.0
 
 
-def test_curves_are_added_and_removed_and_their_ears_too(machine):
+def test_curves_are_added_and_removed_and_their_subscriptions_too(machine):
     machine.node.create_publisher(Pose, "/turtle1/pose", 10)
     machine.node.create_publisher(String, "/chatter", 10)
     plot, running = plot_of(machine)
@@ -200,8 +194,8 @@ def test_pausing_stops_the_picture_but_not_the_listening(machine):
 
 
 def test_old_points_are_forgotten(monkeypatch):
-    monkeypatch.setattr(_model, "MOST", 10)
-    curve = _model.Curve("/x/data", 0)
+    monkeypatch.setattr(plot_module, "MOST", 10)
+    curve = plot_module.Curve("/x/data", 0)
     for number in range(100):
         curve.add(float(number), 0.0)
         assert len(curve.points[0]) == len(curve.points[1]) <= 20

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from screens import look_at
 
-from day6_tui.core.ros.programs.rqt_plot._model import Curve, Plot
+from day6_tui.core.ros.programs.rqt_plot.model.plot import Curve, Plot
 
 NOW = 100.0
 
@@ -79,10 +79,10 @@ def test_a_field_is_chosen_from_the_list_or_typed():
     text = look(plot, ["a"])
     assert "/turtle1/pose/theta" in text
     look(plot, ["a", *"the", "enter"])
-    assert len(plot._wishes) == 1
+    assert len(plot._requests) == 1
     look(plot, ["e", *"/p/x:y", "enter"])
-    while plot._wishes:
-        plot._wishes.pop(0)()
+    while plot._requests:
+        plot._requests.pop(0)()
     assert [each.path for each in plot.curves] == ["/turtle1/pose/theta", "/p/x", "/p/y"]
 
 
@@ -90,8 +90,8 @@ def test_keys_pause_zoom_and_remove(waves):
     text = look(waves, ["p", "minus", "down", "delete"])
     assert "paused" in text and "20 s" in text
     waves._node.destroy_subscription = lambda ear: None
-    waves._ears = {"/topic": None}
-    waves.grant_wishes()
+    waves._subscriptions = {"/topic": None}
+    waves.handle_requests()
     assert [each.path for each in waves.curves] == ["/wave/data"]
 
 

@@ -140,13 +140,13 @@ def test_a_type_nobody_here_knows_is_told_in_the_window(world) -> None:
     world.start(world.display)
     model = world.display.windows[0].model
     model.topics = (*model.topics, _unknown(model))
-    model._wishes.append("/strange")
+    model._toggled.append("/strange")
     model._listen("/strange")
     assert "strange_msgs" in model._problems["/strange"]
 
 
 def _unknown(model: Any) -> Any:
-    from day6_tui.core.ros.programs.rqt_topic._model import Topic
+    from day6_tui.core.ros.programs.rqt_topic.model import Topic
 
     return Topic("/strange", ("strange_msgs/msg/Thing",), (), ())
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-for folder in ("stepped", "tui", "rviz2"):
+for folder in ("tui", "rviz2"):
     path = str(Path(__file__).parents[1] / folder)
     if path not in sys.path:
         sys.path.insert(0, path)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from typing import Any
 
@@ -37,14 +36,6 @@ class RVizMachine(SteppedMachine):
         assert window.kind == "rviz2"
         self.rviz: RViz = window.model
         return self.rviz
-
-    def until(self, condition: Callable[[], object], seconds: float = 20.0) -> None:
-        """Wait in real time for what a thread does; the machine's time goes on a little with every look."""
-        end = time.monotonic() + seconds
-        while not condition():
-            assert time.monotonic() < end, "it did not happen"
-            time.sleep(0.002)
-            self.advance(0.01)
 
     def settle(self, seconds: float = 0.2) -> None:
         self.advance(seconds)

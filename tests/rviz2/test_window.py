@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import os
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -18,8 +17,6 @@ from day6_tui.urdf import shipped_model
 if TYPE_CHECKING:
     from rviz_machine import RVizMachine
 
-os.environ.pop("NO_COLOR", None)
-
 
 class Walk:
     """Presses keys at the window and lets the machine answer."""
@@ -30,7 +27,7 @@ class Walk:
     @property
     def pane(self) -> Any:
         """The window that has the keys; the newest one while a dialog has them."""
-        focused = self.app.desktop.focused_pane()
+        focused = self.app.desktop.focused_pane
         return focused if hasattr(focused, "rviz") else list(self.app.desktop.panes.values())[-1]
 
     async def press(self, *keys: str) -> None:
@@ -89,17 +86,17 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             await at.press("enter")
             await at.settle()
             (robot,) = [display for display in machine.rviz.displays if display.type == "RobotModel"]
-            assert at.pane.prop is robot
+            assert at.pane.displays.prop is robot
             assert "Enter on Description Topic lets you choose: /robot_description" in " ".join(at.screen().split())
             for _ in range(20):
-                if at.pane.prop is not robot.topic:
+                if at.pane.displays.prop is not robot.topic:
                     await at.press("down")
             await at.press("enter", "enter")
             machine.until(lambda: robot.status("URDF") is not None)
             await at.settle()
             assert robot.topic.value == "/robot_description"
             await at.press("tab", "f")
-            at.pane._words_at = -10.0
+            at.pane.status_bar.hurry()
             await at.settle()
             assert "blue box base_link 0.4×0.25×0.08 m" in " ".join(at.screen().split())
             blue = [colour for colour in _colours(at) if colour & 255 > 2 * (colour >> 16)]
@@ -250,7 +247,7 @@ def test_the_wheel_zooms_over_the_view_and_scrolls_over_the_panel(machine: RVizM
 def test_a_click_opens_branches_and_sets_boxes(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            row = next(index for index, line in enumerate(at.pane.lines) if line.prop.name == "Grid")
+            row = next(index for index, line in enumerate(at.pane.displays.lines) if line.prop.name == "Grid")
             await at.pilot.click(at.pane, offset=(1, row + 1))
             await at.settle()
             assert "Cell Size" in at.screen()
@@ -300,7 +297,7 @@ def test_long_statuses_are_told_in_full_below(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
             at.pane.choose(machine.rviz.statuses.children[0])
-            at.pane._words_at = -10.0
+            at.pane.status_bar.hurry()
             await at.settle()
             assert "No tf data.  Actual error: Frame [map] does not exist" in at.screen()
 

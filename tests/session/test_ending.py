@@ -49,8 +49,8 @@ PROGRAM = """\
 import os, signal, threading
 from day6_tui.core.session.ending import Ending, Step
 ending = Ending(Step(lambda: print("first", flush=True), 1000), Step(lambda: print("second", flush=True), {last}))
-ending.give_back = lambda: (print("given back", flush=True), threading.Event().wait())
-ending.listen()
+ending.restore_terminal = lambda: (print("given back", flush=True), threading.Event().wait())
+ending.handle_signals()
 print("ready", flush=True)
 threading.Event().wait()
 """

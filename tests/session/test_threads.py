@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable
 from typing import Any
 
 import pytest
+from waiting import until
 
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.scheduler import Scheduler
@@ -16,10 +16,7 @@ from day6_tui.core.session.threads import in_thread
 
 
 def finish(scheduler: Scheduler, task: Task) -> Task:
-    end = time.monotonic() + 10
-    while not task.finished:
-        assert time.monotonic() < end, "it did not end"
-        scheduler.advance()
+    until(lambda: task.finished, every=0.0, meanwhile=scheduler.advance)
     return task
 
 

@@ -25,7 +25,7 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[
     """Runs a function on a scheduler's thread; returns what the check says of it."""
     file = tmp_path / "waits.txt"
     monkeypatch.setenv(watch.VARIABLE, str(file))
-    watch._told.clear()
+    watch._reported.clear()
 
     def run(function: Callable[[], object]) -> str:
         scheduler = Scheduler(WorldClock())

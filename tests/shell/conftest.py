@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from waiting import until
 
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
@@ -18,18 +18,6 @@ from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, Lo
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.terminal import Terminal
-
-PATIENCE = 20.0
-"""Wall seconds a test waits for a real process at most."""
-
-
-def poll(desk: Desk, condition: Callable[[], bool]) -> bool:
-    """Run the programs until the condition holds; it may depend on what a process's own threads do."""
-    end = time.monotonic() + PATIENCE
-    while not desk.scheduler.run(condition, 0.01):
-        if time.monotonic() > end:
-            return False
-    return True
 
 
 class Result(NamedTuple):
@@ -74,7 +62,11 @@ class Machine:
 
     def wait(self, condition: Callable[[], bool]) -> None:
         """Let real processes work until the condition holds."""
-        assert poll(self.desk, condition), f"still waiting; so far:\n{self.out.text}\n{self.err.text}"
+        until(
+            lambda: self.desk.scheduler.run(condition, 0.01),
+            every=0.0,
+            told=lambda: f"{self.out.text}\n{self.err.text}",
+        )
 
     def run(self, commands: str, stdin: str = "", seconds: float = 0.0) -> Result:
         """Run a script to its end, stepping the world by `seconds`."""
@@ -132,7 +124,7 @@ class Seat:
             seen = self.terminal.screen.text
             return condition(seen)
 
-        assert poll(self.desk, holds), f"the screen still shows:\n{seen}"
+        until(lambda: self.desk.scheduler.run(holds, 0.01), every=0.0, told=lambda: seen)
         return seen
 
     def wait_prompt(self) -> str:

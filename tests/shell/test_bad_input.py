@@ -12,7 +12,7 @@ from day6_tui.core.shell.language.parser import parse
 from day6_tui.core.shell.language.words import SyntaxProblem
 from day6_tui.core.shell.rows import row_text
 from day6_tui.core.shell.screen import Screen
-from day6_tui.core.shell.width import text_width
+from day6_tui.core.width import text_width
 
 SHELL_PIECES = st.sampled_from(
     [

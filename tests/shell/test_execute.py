@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import select
+import shlex
 import signal
 import subprocess
 import sys
@@ -133,7 +134,7 @@ def test_an_unknown_command_is_told_in_one_line(tmp_path: Path) -> None:
 
 
 def test_env_prints_lines_that_a_shell_can_evaluate(tmp_path: Path) -> None:
-    script = f'eval "$({sys.executable} -m day6_tui.tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
+    script = f'eval "$({shlex.quote(sys.executable)} -m day6_tui.tui.main env)"; python3 -c "import rclpy; print(rclpy.__file__)"'
     if os.name != "posix":
         pytest.skip("needs a POSIX shell")
     env = {**os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}

@@ -7,11 +7,11 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 from typing import Any
 
 import pytest
+from waiting import until
 
 from day6_tui.core.session import real_streams
 from day6_tui.core.session.clock import WorldClock
@@ -72,10 +72,7 @@ def test_what_feeds_a_process_says_that_it_will_not_write_any_more() -> None:
 
     feeder = Feeder(Pipe())  # type: ignore[arg-type]
     feeder.put(b"x" * 1_000_000)
-    end = time.monotonic() + PATIENCE
-    while not feeder.broken:
-        assert time.monotonic() < end
-        time.sleep(0.001)
+    until(lambda: feeder.broken)
     assert not feeder.is_full
 
 
@@ -118,11 +115,11 @@ def test_a_reader_of_standard_input_that_fails_is_its_end(monkeypatch: pytest.Mo
 def test_a_signal_is_heard_although_waking_the_application_failed() -> None:
     heard = threading.Event()
     ending = Ending(Step(heard.set, PATIENCE), Step(breaks, PATIENCE))
-    ending.nudge = breaks
+    ending.wake_main_thread = breaks
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR2)
     before = {number: signal.getsignal(number) for number in numbers}
     signal.signal(signal.SIGUSR2, lambda number, frame: None)
-    ending.listen()
+    ending.handle_signals()
     try:
         os.kill(os.getpid(), signal.SIGUSR2)  # only wakes
         os.kill(os.getpid(), signal.SIGTERM)

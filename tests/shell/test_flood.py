@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from day6_tui.core.shell import screen as screen_module
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
 from day6_tui.core.shell.screen import Screen
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.width import char_width
 
 WORDS = ["a", " ", "  ", "hello", "x" * 7, "word " * 5, "y" * 33, "z" * 130, "é", "\xa0", "\ufffd", "\u3000"]
 CHINESE = ["你", "你好", "机器人操作系统", "a你b好", "温度" * 20, "，", "한글", "🙂"]

@@ -59,7 +59,7 @@ def test_what_cannot_be_written_is_told_and_makes_the_status(
     machine: Any, tmp_path: Path, line: str, says: str, status: int
 ) -> None:
     (tmp_path / "f").write_text("b\na\n")
-    result = machine.run(f"cd {tmp_path}\n{line}")
+    result = machine.run(f"cd '{tmp_path}'\n{line}")
     assert result.err.rstrip("\n") == says.format(*[NO_SPACE] * 2)
     assert result.status == status
 
@@ -69,7 +69,7 @@ def test_what_cannot_be_written_is_told_and_makes_the_status(
 def test_real_bash_ends_with_the_same_status(machine: Any, tmp_path: Path, line: str) -> None:
     (tmp_path / "f").write_text("b\na\n")
     real = subprocess.run(["bash", "-c", line], cwd=tmp_path, capture_output=True, check=False)
-    assert machine.run(f"cd {tmp_path}\n{line}").status == real.returncode
+    assert machine.run(f"cd '{tmp_path}'\n{line}").status == real.returncode
 
 
 def test_a_failed_write_leaves_no_traceback_and_the_next_command_works(machine: Any, caplog: Any) -> None:
@@ -94,7 +94,7 @@ def test_as_much_as_fits_is_in_the_file(tmp_path: Path) -> None:
     result = subprocess.run(
         [*MAIN, "exec", "-c", "seq 5000 > numbers; echo $?; echo on > small; cat small"],
         cwd=tmp_path,
-        env={**os.environ, "XDG_DATA_HOME": str(tmp_path / "data")},
+        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "XDG_DATA_HOME": str(tmp_path / "data")},
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192)),
         capture_output=True,
         text=True,
@@ -139,7 +139,7 @@ print('alive')
 
 def test_a_program_that_logs_to_a_full_disk_goes_on(machine: Any, tmp_path: Path) -> None:
     (tmp_path / "logger.py").write_text(LOGGER)
-    result = machine.run(f"cd {tmp_path}; DAY6_LINK=off python3 logger.py 2> /dev/full")
+    result = machine.run(f"cd '{tmp_path}'; DAY6_LINK=off python3 logger.py 2> /dev/full")
     assert (result.out, result.status) == ("alive\n", 0)
 
 
@@ -152,5 +152,5 @@ def test_a_node_of_ours_that_logs_to_a_full_disk_goes_on(machine: Any) -> None:
 
 def test_a_log_file_that_cannot_be_written_ends_nothing(machine: Any, tmp_path: Path) -> None:
     (tmp_path / "log").write_text("a file, not a folder")
-    line = f"ROS_LOG_DIR={tmp_path}/log timeout 0.5 ros2 run turtlesim turtlesim_node; echo $?"
+    line = f"ROS_LOG_DIR='{tmp_path}/log' timeout 0.5 ros2 run turtlesim turtlesim_node; echo $?"
     assert machine.run(line, seconds=1.0).out == "124\n"

@@ -162,7 +162,8 @@ def test_pycharm_gets_source_roots_and_variables_beside_its_own(project: Path) -
     module = ElementTree.parse(idea / "mine.iml")
     assert module.find(".//orderEntry[@jdkName='Python 3.12']") is not None
     assert module.find(".//excludeFolder") is not None
-    assert module.find(f".//sourceFolder[@url='{PYTHON_PATH.as_uri()}']") is not None
+    urls = [each.get("url") for each in module.iterfind(".//sourceFolder")]
+    assert f"file://{'' if os.name == 'posix' else '/'}{PYTHON_PATH.as_posix()}" in urls
     template = ElementTree.parse(idea / "runConfigurations" / "_template__of_Python.xml")
     path = template.find(".//env[@name='PYTHONPATH']")
     assert path is not None and str(PYTHON_PATH) in str(path.get("value"))
@@ -201,16 +202,18 @@ def test_a_plain_python3_with_the_editors_variables_is_a_ros_program(project: Pa
     assert str(PYTHON_PATH) in done.stdout
 
 
-PYRIGHT = os.environ.get("DAY6_PYRIGHT") or shutil.which("pyright")
+PYRIGHT = os.environ.get("DAY6_PYRIGHT") or shutil.which("basedpyright", path=os.path.dirname(sys.executable))
 
 
-@pytest.mark.skipif(PYRIGHT is None, reason="pyright is not installed (DAY6_PYRIGHT may name it)")
+@pytest.mark.skipif(PYRIGHT is None, reason="basedpyright is not installed (DAY6_PYRIGHT may name another pyright)")
 def test_pyright_finds_nothing_wrong_with_a_lesson_and_much_with_a_slip(project: Path) -> None:
     print_environment(["--vscode", str(project)])
     paths = jsonc.parse((project / ".vscode" / "settings.json").read_text(encoding="utf-8"))[
         "python.analysis.extraPaths"
     ]
-    (project / "pyrightconfig.json").write_text(json.dumps({"extraPaths": paths}), encoding="utf-8")
+    (project / "pyrightconfig.json").write_text(
+        json.dumps({"extraPaths": paths, "typeCheckingMode": "standard"}), encoding="utf-8"
+    )
     (project / "lesson.py").write_text(LESSON, encoding="utf-8")
     (project / "slip.py").write_text(
         LESSON.replace("message.name", "message.nam").replace("Twist()", "Twist(linar=1)"), encoding="utf-8"

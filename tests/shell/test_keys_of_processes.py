@@ -8,6 +8,7 @@ import time
 from typing import Any
 
 import pytest
+from waiting import until
 
 from day6_tui.core.shell import pty_keys
 
@@ -96,12 +97,13 @@ def test_keys_nobody_read_are_the_shells_also_when_they_were_many(seat: Any) -> 
     seat.wait(lambda text: "ready" in text)
     seat.terminal.send("".join(f"echo {number:04} >> out\r" for number in range(1000)))
     seat.desk.scheduler.advance()
-    end = time.monotonic() + 30
     out = seat.desk.home / "out"
-    while not (out.exists() and "0999" in out.read_text()):
-        assert time.monotonic() < end, seat.look()
+
+    def meanwhile() -> None:
         seat.desk.scheduler.run(lambda: False, 0.05)
         seat.look()
+
+    until(lambda: out.exists() and "0999" in out.read_text(), meanwhile=meanwhile, told=seat.look)
     assert out.read_text().split() == [f"{number:04}" for number in range(1000)]
 
 
@@ -144,3 +146,16 @@ def test_what_is_typed_around_a_programs_end_arrives_in_its_order(seat: Any) -> 
     seat.terminal.send("echo all of ''them\r")
     seat.wait(lambda text: "all of them" in text)
     assert (seat.desk.home / "numbers").read_text().split() == numbers
+
+
+def test_a_program_that_reads_ctrl_z_itself_gets_it_as_a_key(seat: Any) -> None:
+    (seat.desk.home / "a.py").write_text(
+        "import os, tty\ntty.setraw(0)\nprint('ready', flush=True)\nprint(repr(os.read(0, 9)), end='\\r\\n')\n",
+        encoding="utf-8",
+    )
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "ready" in text)
+    seat.type("a\x1ab\x03")
+    seat.wait(lambda text: "\\x" in text)
+    assert "b'a\\x1ab\\x03'" in seat.wait_prompt()
+    assert not seat.terminal.is_stubborn and "Stopped" not in seat.look()

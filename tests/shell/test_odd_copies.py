@@ -184,7 +184,7 @@ def test_it_says_and_leaves_what_the_real_tool_does(machine: Any, tmp_path: Path
         make(folder)
     env = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8"}
     expected = subprocess.run(["bash", "-c", line], cwd=real, env=env, capture_output=True, text=True, check=False)
-    result = machine.run(f"cd {ours}\n{line}")
+    result = machine.run(f"cd '{ours}'\n{line}")
     assert result.err == expected.stderr.replace("bash: line 1: ", "bash: ")
     assert result.out == expected.stdout
     assert result.status == expected.returncode
@@ -240,7 +240,7 @@ def limited(line: str, folder: Path, size: int) -> subprocess.CompletedProcess[s
     return subprocess.run(
         [sys.executable, "-m", "day6_tui.tui.main", "exec", "-c", line],
         cwd=folder,
-        env={**os.environ, "XDG_DATA_HOME": str(folder.parent / "data")},
+        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "XDG_DATA_HOME": str(folder.parent / "data")},
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)),
         capture_output=True,
         text=True,

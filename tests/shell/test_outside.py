@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from broken_lines import without_blanks
 
 PROMPT = "student@day6:~$"
 CHANGING = ["rm {}", "touch {}", "cp here {}", "mv here {}", "mv {} here", "chmod 600 {}", "echo new > {}", "echo new >> {}",
@@ -29,7 +30,7 @@ def test_a_file_outside_is_changed_only_after_a_yes(seat: Any, theirs: Path, com
     seat.line("echo mine > here")
     seat.line("clear")
     question = f"{theirs} is outside your home folder. Change it? [y/N]"
-    assert question in seat.line(command.format(theirs)).replace("\n", "")
+    assert without_blanks(question) in without_blanks(seat.line(command.format(f"'{theirs}'")))
     screen = seat.type("\r")
     assert screen.endswith(PROMPT)
     assert theirs.read_text(encoding="utf-8") == "mine\n" and theirs.stat().st_mode & 0o777 == 0o644
@@ -38,13 +39,13 @@ def test_a_file_outside_is_changed_only_after_a_yes(seat: Any, theirs: Path, com
 
 def test_yes_changes_it_and_the_question_is_in_the_users_language(seat: Any, theirs: Path) -> None:
     seat.line("export DAY6_LANG=zh")
-    assert "不在你的主目录里，真的要改动它吗？[y/N]" in seat.line(f"echo new > {theirs}").replace("\n", "")
+    assert "不在你的主目录里，真的要改动它吗？[y/N]" in without_blanks(seat.line(f"echo new > '{theirs}'"))
     seat.type("y\r")
     assert theirs.read_text(encoding="utf-8") == "new\n"
-    seat.line(f"rm {theirs}")
+    seat.line(f"rm '{theirs}'")
     seat.type("y\r")
     assert not theirs.exists()
-    seat.line(f"mkdir {theirs}")
+    seat.line(f"mkdir '{theirs}'")
     seat.type("\x03")
     assert not theirs.exists()
     assert seat.line("echo still here").splitlines()[-2] == "still here"
@@ -53,7 +54,7 @@ def test_yes_changes_it_and_the_question_is_in_the_users_language(seat: Any, the
 def test_the_home_folder_and_scratch_folders_are_not_asked_about(seat: Any, theirs: Path, tmp_path: Path) -> None:
     (tmp_path / "scratch").mkdir()
     seat.line(
-        f"mkdir -p a/b; echo x > a/b/c; mv a z; rm -r z; echo y > {tmp_path}/scratch/f 2> /dev/null; cat {theirs} > copy"
+        f"mkdir -p a/b; echo x > a/b/c; mv a z; rm -r z; echo y > '{tmp_path}/scratch/f' 2> /dev/null; cat '{theirs}' > copy"
     )
     assert seat.line("ls").splitlines()[-2:] == ["copy  ros2_ws", PROMPT]
     assert (tmp_path / "scratch" / "f").read_text(encoding="utf-8") == "y\n"
@@ -61,21 +62,21 @@ def test_the_home_folder_and_scratch_folders_are_not_asked_about(seat: Any, thei
 
 def test_a_link_that_leads_outside_is_outside(seat: Any, theirs: Path) -> None:
     (seat.desk.home / "way").symlink_to(theirs.parent)
-    assert "is outside your home folder" in seat.line("rm way/homework").replace("\n", "")
+    assert without_blanks("is outside your home folder") in without_blanks(seat.line("rm way/homework"))
     seat.type("n\r")
     assert theirs.exists()
 
 
 def test_a_script_is_not_asked(machine: Any, theirs: Path) -> None:
-    assert machine.run(f"echo new > {theirs}; rm {theirs}").status == 0
+    assert machine.run(f"echo new > '{theirs}'; rm '{theirs}'").status == 0
     assert not theirs.exists()
 
 
 @pytest.mark.parametrize("command", ["colcon build", "ros2 pkg create --build-type ament_python day6_car"])
 def test_nothing_is_built_or_created_outside_unasked(seat: Any, theirs: Path, command: str) -> None:
-    seat.line(f"cd {theirs.parent}")
+    seat.line(f"cd '{theirs.parent}'")
     seat.line("clear")
     question = f"{theirs.parent} is outside your home folder. Change it? [y/N]"
-    assert question in seat.line(command).replace("\n", "")
+    assert without_blanks(question) in without_blanks(seat.line(command))
     seat.type("\r")
     assert sorted(path.name for path in theirs.parent.iterdir()) == ["homework"]

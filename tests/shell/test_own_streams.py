@@ -25,7 +25,7 @@ ERR = ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2", pytest.param(f"/proc/{os.g
 )
 def test_out_is_the_commands_own(machine: Any, tmp_path: Path, line: str, name: str, capfd: Any) -> None:
     (tmp_path / "f").write_text("hi\n")
-    result = machine.run(f'cd {tmp_path}\nx=$({line.format(name)} 2>&1); echo "got $x"')
+    result = machine.run(f'cd "{tmp_path}"\nx=$({line.format(name)} 2>&1); echo "got $x"')
     wanted = "got \n" if "tee" in line else "got hi\n"
     assert (result.out, result.err) == (wanted, "")
     assert capfd.readouterr() == ("", "")
@@ -44,13 +44,13 @@ def test_err_is_the_commands_own(machine: Any, name: str, capfd: Any) -> None:
 @pytest.mark.parametrize("name", ["/dev/stdin", "/dev/fd/0"])
 def test_in_is_the_commands_own(machine: Any, tmp_path: Path, line: str, name: str) -> None:
     (tmp_path / "g").write_text("echo hi\n")
-    result = machine.run(f"cd {tmp_path}\necho 'echo hi' | " + "{ " + line.format(name) + "; }")
+    result = machine.run(f"cd '{tmp_path}'\necho 'echo hi' | " + "{ " + line.format(name) + "; }")
     expected = {"wc": f"1 {name}\n", "di": "", "so": "hi\n", "ba": "hi\n"}.get(line[:2], "echo hi\n")
     assert (result.out, result.err, result.status) == (expected, "", 0)
 
 
 def test_a_redirection_means_the_streams_as_they_are_by_then(machine: Any, tmp_path: Path) -> None:
-    machine.run(f"cd {tmp_path}\nls nope > f 2> /dev/stdout; echo three 3> g > /dev/fd/3")
+    machine.run(f"cd '{tmp_path}'\nls nope > f 2> /dev/stdout; echo three 3> g > /dev/fd/3")
     assert "nope" in (tmp_path / "f").read_text() and (tmp_path / "g").read_text() == "three\n"
 
 
@@ -76,7 +76,7 @@ def test_the_terminal_is_the_simulated_one(seat: Any) -> None:
 def test_a_link_to_a_stream_is_that_stream(machine: Any, tmp_path: Path, capfd: Any) -> None:
     (tmp_path / "out").symlink_to("/dev/stdout")
     (tmp_path / "again").symlink_to("out")
-    result = machine.run(f"cd {tmp_path}; echo hi > again")
+    result = machine.run(f"cd '{tmp_path}'; echo hi > again")
     assert result.out == "hi\n" and capfd.readouterr() == ("", "")
 
 

@@ -8,11 +8,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+from waiting import until
 
 from day6_tui.core.shell.process import running_processes
 from day6_tui.core.shell.rows import row_text
@@ -33,16 +33,6 @@ def gone(pid: int) -> bool:
         return True
     status = Path(f"/proc/{pid}/stat")
     return status.exists() and status.read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "Z"
-
-
-def until(condition: Callable[[], bool], seconds: float = 20.0) -> bool:
-    """Poll at a process boundary."""
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            return False
-        os.sched_yield() if hasattr(os, "sched_yield") else None
-    return True
 
 
 def test_arguments_output_and_status_are_the_programs_own(machine: Any) -> None:

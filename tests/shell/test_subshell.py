@@ -19,7 +19,7 @@ def bash(folder: Path, home: Path, line: str) -> subprocess.CompletedProcess[str
     folder.mkdir()
     env = {**subshell.environment(), "HOME": str(home)}
     rc = subshell._start_file("bash", folder, env)[1]
-    return subprocess.run(["bash", "-c", f". {rc}; {line}"], env=env, capture_output=True, encoding="utf-8")
+    return subprocess.run(["bash", "-c", f". '{rc}'; {line}"], env=env, capture_output=True, encoding="utf-8")
 
 
 @posix
@@ -28,7 +28,7 @@ def test_our_commands_come_first_even_if_the_users_own_file_puts_others_there(tm
     (home / "bin").mkdir(parents=True)
     (home / "bin" / "python3").write_text("#!/bin/sh\necho the wrong one\n")
     (home / "bin" / "python3").chmod(0o755)
-    (home / ".bashrc").write_text(f"export PATH={home}/bin:$PATH OWN=kept\n")
+    (home / ".bashrc").write_text(f'export PATH="{home}/bin:$PATH" OWN=kept\n')
     done = bash(scripts, home, "python3 -c 'import sys, rclpy; print(sys.executable)'; type -p ros2; echo $OWN")
     executable, place, kept = done.stdout.splitlines()
     assert (executable, kept) == (sys.executable, "kept"), done.stderr
@@ -40,7 +40,7 @@ def test_every_command_of_ours_runs(tmp_path: Path) -> None:
     wrong = tmp_path / "wrong.urdf"
     wrong.write_text("<robot/>")
     done = bash(
-        tmp_path / "scripts", tmp_path, f"ros2 pkg prefix turtlesim; check_urdf {wrong}; urdf_to_graphviz; true"
+        tmp_path / "scripts", tmp_path, f"ros2 pkg prefix turtlesim; check_urdf '{wrong}'; urdf_to_graphviz; true"
     )
     assert done.stdout.splitlines()[0].endswith("ros"), done.stdout
     assert "No name given for the robot" in done.stderr

@@ -399,3 +399,14 @@ def test_a_prompt_drawn_anew_for_another_size_is_no_news(seat: Any) -> None:
     seat.terminal.resize(80, 24)
     seat.settle(6)
     assert seat.terminal.has_news
+
+
+def test_an_open_condition_asks_for_more(seat: Any) -> None:
+    assert seat.line("[[ a = a").splitlines()[-1] == ">"
+    assert seat.line("&& 1 -lt 2").splitlines()[-1] == ">"
+    assert seat.line("]]; echo $?").splitlines()[-2:] == ["0", PROMPT]
+
+
+@pytest.mark.parametrize("line", ["export", "export -p", "history", "alias", "jobs", "set", "shopt"])
+def test_a_list_of_what_there_is_succeeds(machine: Any, line: str) -> None:
+    assert machine.run(f"false; {line} > f; echo $?").out == "0\n"

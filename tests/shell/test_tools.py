@@ -56,7 +56,7 @@ SAME_AS_THE_TOOLS = [
     "printf 'a b\\nc\\n' | xargs; printf 'a b c\\n' | xargs -n 2 echo got; printf 'x y\\nz\\n' | xargs -I {} echo '<{}>'",
     "find a -name '*.py' | xargs cat; printf '' | xargs echo none; printf '' | xargs -r echo never; echo f g | xargs wc -l",
     "printf 'a\\0b c\\0' | xargs -0 -n1 echo; echo 1 | xargs false; echo $?; echo \"'a b' c\" | xargs -n1 echo",
-    "pushd a > /dev/null; pushd b > /dev/null; basename $PWD; popd > /dev/null; basename $PWD; popd > /dev/null; popd; echo $?",
+    'n=/dev/null; pushd a > $n; pushd b > $n; basename "$PWD"; popd > $n; basename "$PWD"; popd > $n; popd; echo $?',
     "wc f g; wc -l f g; wc f; wc -lw f a/x.py; wc < f",
     "ln -sf f f; echo $?; cat f; ln -f f f; echo $?; cat f; ln -sf ./f f; echo $?; cat f; ln -f nope f; echo $?; cat f",
     "ln -s f l; ln -sf f l; cat l; ln -f f l; cat l; ln -sf a l; readlink l; ln -sf f a/f; readlink a/f; ls -A",

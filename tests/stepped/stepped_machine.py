@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import importlib
 import re
+from collections.abc import Callable
 from typing import Any
+
+from waiting import PATIENCE, until
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.session.clock import WorldClock
@@ -45,6 +48,9 @@ class Running:
 class SteppedMachine:
     """One graph, one clock that stands still between calls of `advance`, and `node`, the test's own."""
 
+    WHILE_WAITING = 0.01
+    """Seconds."""
+
     def __init__(self) -> None:
         self.clock = WorldClock(wall=None, epoch_ns=EPOCH_NS)
         self.scheduler = Scheduler(self.clock)
@@ -84,6 +90,10 @@ class SteppedMachine:
 
     def advance(self, seconds: float = 0.0) -> None:
         self.scheduler.advance(seconds)
+
+    def until(self, condition: Callable[[], object], limit: float = PATIENCE) -> None:
+        """Wait in real time for what a thread does; the machine's time goes on by WHILE_WAITING with every look."""
+        until(condition, limit, every=0.002, meanwhile=lambda: self.advance(self.WHILE_WAITING))
 
     def wait(self, future: Any, seconds: float = 4.0, step: float = STEP) -> Any:
         """Move on until the future is done; return its result."""

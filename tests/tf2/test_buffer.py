@@ -15,6 +15,7 @@ from builtin_interfaces.msg import Time as TimeMsg
 from geometry_msgs.msg import PointStamped, Pose, PoseStamped, TransformStamped
 from tf2_msgs.msg import TFMessage
 from tf2_msgs.srv import FrameGraph
+from waiting import until
 
 import rclpy
 from day6_tui.core.ros.environment import program_environment
@@ -27,11 +28,8 @@ from rclpy.time import Time
 from tests.tf2.conftest import stamped
 
 
-def spin_until(node: Node, condition: Callable[[], object], seconds: float = 5.0) -> None:
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it did not happen"
-        rclpy.spin_once(node, timeout_sec=0.05)
+def spin_until(node: Node, condition: Callable[[], object]) -> None:
+    until(condition, meanwhile=lambda: rclpy.spin_once(node, timeout_sec=0.05))
 
 
 def test_what_is_broadcast_can_be_looked_up(node: Node) -> None:
@@ -128,9 +126,7 @@ def test_a_lookup_in_a_callback_succeeds_with_several_threads(node: Node) -> Non
     timer = node.create_timer(0.001, look, callback_group=MutuallyExclusiveCallbackGroup())
     executor = MultiThreadedExecutor(num_threads=2)
     executor.add_node(node)
-    end = time.monotonic() + 5
-    while not outcome and time.monotonic() < end:
-        executor.spin_once(timeout_sec=0.05)
+    until(lambda: outcome, meanwhile=lambda: executor.spin_once(timeout_sec=0.05))
     executor.shutdown()
     assert outcome[0].child_frame_id == "car"
 

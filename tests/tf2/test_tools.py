@@ -13,7 +13,7 @@ from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 
 from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs import executables
+from day6_tui.core.ros.program_index import executables
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler

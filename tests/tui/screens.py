@@ -5,12 +5,12 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
-from types import SimpleNamespace
 from typing import Any
 
 from fakes import FakeDesk
 
 from day6_tui.tui.app import Day6App, make_look
+from day6_tui.tui.options import Options
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
@@ -30,7 +30,7 @@ async def opened(
     desk: FakeDesk, width: int = 80, height: int = 24, *, environ: dict[str, str] | None = None, **options: Any
 ) -> AsyncIterator[tuple[Day6App, Any]]:
     """The desktop on a fake machine, with no frame but those that `step` draws."""
-    given = SimpleNamespace(fps=0, **options)
+    given = Options(fps=0, **options)
     app = Day6App(given, desk=desk, look=make_look(given, environ or UTF8))
     async with app.run_test(size=(width, height)) as pilot:
         await step(app, pilot)

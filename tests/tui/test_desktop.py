@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+from pathlib import Path
 
 import pytest
 from fakes import FakeSimulation, turtle
 from screens import opened, screen_lines, screen_text, step
 from textual import events
 
+from day6_tui.tui.options import Options
 from day6_tui.tui.scenes import SCENES, Player
 
 
@@ -94,13 +96,13 @@ async def test_choosing_the_turtle_types_into_two_terminals_and_leaves_the_keybo
             await step(app, pilot)
         assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node\r"
         assert desk.terminals[1].sent == "ros2 run turtlesim turtle_teleop_key\r"
-        assert app.screen.focused is app.terminals
-        assert app.terminals.view.terminal is desk.terminals[1]
+        assert app.screen.focused is app.terminal_pane
+        assert app.terminal_pane.view.terminal is desk.terminals[1]
 
 
 async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
     async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
-        assert app.player is not None
+        assert app.scenes.player is not None
         await pilot.press("up", "a")
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         terminal = None
@@ -109,7 +111,7 @@ async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
             terminal = desk.terminals[-1]
             terminal.busy = len(desk.terminals) == 2 and terminal.sent.endswith("\r")
             await asyncio.sleep(0.03)
-        assert app.player is None
+        assert app.scenes.player is None
         assert terminal.sent == "ros2 run turtlesim turtle_teleop_key\r\x1b[Aa"
 
 
@@ -117,7 +119,9 @@ async def test_escape_stops_a_scene(desk) -> None:
     async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
         await pilot.press("escape")
         await step(app, pilot)
-        assert app.player is None and "turtle_teleop_key" not in "".join(terminal.sent for terminal in desk.terminals)
+        assert app.scenes.player is None and "turtle_teleop_key" not in "".join(
+            terminal.sent for terminal in desk.terminals
+        )
 
 
 async def test_the_guide_types_a_command_but_leaves_running_it_to_the_user(desk) -> None:
@@ -125,7 +129,7 @@ async def test_the_guide_types_a_command_but_leaves_running_it_to_the_user(desk)
         app.desktop.focus_pane(app.welcome)
         await pilot.press("enter")
         assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node"
-        assert app.screen.focused is app.terminals
+        assert app.screen.focused is app.terminal_pane
 
 
 async def test_a_command_typed_at_the_welcome_choices_goes_to_the_terminal_whole(desk) -> None:
@@ -134,7 +138,7 @@ async def test_a_command_typed_at_the_welcome_choices_goes_to_the_terminal_whole
         await pilot.press(*"ros2 node list", "enter")
         await step(app, pilot)
         assert desk.terminals[0].sent == "ros2 node list\r"
-        assert app.screen.focused is app.terminals and app.player is None
+        assert app.screen.focused is app.terminal_pane and app.scenes.player is None
 
 
 async def test_quick_fingers_at_the_welcome_choices_lose_no_key(desk) -> None:
@@ -144,14 +148,14 @@ async def test_quick_fingers_at_the_welcome_choices_lose_no_key(desk) -> None:
             app.welcome.post_message(events.Key("space" if char == " " else char, char))
         app.welcome.post_message(events.Key("enter", "\r"))
         await step(app, pilot)
-        assert desk.terminals[0].sent == "ls 2 1\r" and app.player is None
+        assert desk.terminals[0].sent == "ls 2 1\r" and app.scenes.player is None
 
 
 async def test_what_is_pasted_at_the_welcome_choices_goes_to_the_terminal(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.welcome.post_message(events.Paste("ros2 topic list"))
         await step(app, pilot)
-        assert desk.terminals[0].sent == "<ros2 topic list>" and app.screen.focused is app.terminals
+        assert desk.terminals[0].sent == "<ros2 topic list>" and app.screen.focused is app.terminal_pane
 
 
 async def test_typing_at_the_guide_takes_a_terminal_in_which_nothing_runs(desk) -> None:
@@ -168,7 +172,7 @@ async def test_what_lay_over_a_pane_goes_when_the_keyboard_goes_to_another(desk)
         await pilot.press("f4", "f2")
         await step(app, pilot)
         assert app.desktop.overlay is None and "Windows and terminals" not in screen_text(app)
-        assert app.screen.focused is app.terminals
+        assert app.screen.focused is app.terminal_pane
 
 
 def test_the_world_scene_launches_the_world_and_ends_where_the_keyboard_drives() -> None:
@@ -191,7 +195,7 @@ async def test_f3_goes_through_terminals_and_windows(desk) -> None:
         for _ in range(4):
             await pilot.press("f3")
             pane = app.screen.focused
-            seen.append(f"terminal {app.terminals.active}" if pane is app.terminals else pane.window.title)
+            seen.append(f"terminal {app.terminal_pane.active}" if pane is app.terminal_pane else pane.window.title)
         assert seen == ["TurtleSim", "terminal 0", "terminal 1", "TurtleSim"]
         assert app.desktop.active == window.number
 
@@ -202,12 +206,12 @@ async def test_from_a_terminal_f3_leads_to_the_window_one_sees_and_then_to_all_o
         desk.display.open("turtlesim", title, FakeSimulation())
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         await step(app, pilot)
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         seen = []
         for _ in range(5):
             await pilot.press(key)
             pane = app.screen.focused
-            seen.append("terminal" if pane is app.terminals else pane.window.title)
+            seen.append("terminal" if pane is app.terminal_pane else pane.window.title)
         if key == "f3":
             assert seen == ["Third", "First", "Second", "terminal", "Second"]
         else:
@@ -217,19 +221,19 @@ async def test_from_a_terminal_f3_leads_to_the_window_one_sees_and_then_to_all_o
 async def test_on_a_small_screen_the_guide_gives_way_to_a_terminal_that_is_full(desk) -> None:
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await step(app, pilot)
-        assert app.terminals.size.height == 9
+        assert app.terminal_pane.size.height == 9
         desk.terminals[0].write("\r\n".join(map(str, range(30))))
         await step(app, pilot)
         await step(app, pilot)
-        assert app.terminals.size.height == 22 and "No window is open" not in screen_text(app)
+        assert app.terminal_pane.size.height == 22 and "No window is open" not in screen_text(app)
         await pilot.press("f3")
         await step(app, pilot)
-        assert app.terminals.size.height == 9 and "No window is open" in screen_text(app)
+        assert app.terminal_pane.size.height == 9 and "No window is open" in screen_text(app)
         await pilot.press("f3")
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         await step(app, pilot)
         await step(app, pilot)
-        assert app.terminals.size.height == 9 and "TurtleSim" in screen_text(app)
+        assert app.terminal_pane.size.height == 9 and "TurtleSim" in screen_text(app)
 
 
 async def test_on_a_wide_screen_the_guide_stays(desk) -> None:
@@ -281,10 +285,10 @@ async def test_f8_enlarges_and_puts_back(desk) -> None:
         assert app.desktop.panes[window.number].size.height == 22
         await pilot.press("f3")
         await step(app, pilot)
-        assert app.terminals.size.height == 22
+        assert app.terminal_pane.size.height == 22
         await pilot.press("f8")
         await step(app, pilot)
-        assert app.terminals.size.height == 9
+        assert app.terminal_pane.size.height == 9
 
 
 async def test_f4_lists_everything_and_del_closes(desk) -> None:
@@ -321,14 +325,14 @@ async def test_keys_find_a_pane_although_the_keyboard_is_with_a_menu_that_was_cl
             app.screen.focused = gone
             await pilot.press(*"echo")
             await step(app, pilot)
-            assert app.screen.focused is app.terminals
-        assert "".join(app.terminals.view.terminal.sent) == "echoecho"
+            assert app.screen.focused is app.terminal_pane
+        assert "".join(app.terminal_pane.view.terminal.sent) == "echoecho"
 
 
 async def test_the_language_changes_at_once(desk) -> None:
     async with opened(desk, 80, 24, lang="zh") as (app, pilot):
         assert "退出" in screen_text(app)
-        app.do_language()
+        app.actions["language"]()
         await step(app, pilot)
         assert "Quit" in screen_text(app) and "退出" not in screen_text(app)
 
@@ -338,7 +342,7 @@ async def test_every_glyph_set_can_be_chosen_while_a_window_is_open(desk) -> Non
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         seen = set()
         for _ in range(4):
-            app.do_glyphs()
+            app.actions["glyphs"]()
             await step(app, pilot)
             seen.add(screen_text(app))
         assert len(seen) == 4
@@ -349,7 +353,7 @@ async def test_f9_lets_the_world_stand_and_run(desk) -> None:
         await pilot.press("f9")
         await step(app, pilot)
         assert desk.clock.paused and "paused" in screen_lines(app)[0] and "Run" in screen_lines(app)[-1]
-        app.do_step()
+        app.actions["step"]()
         assert desk.steps == [0.016]
         await pilot.press("f9")
         await step(app, pilot)
@@ -358,7 +362,7 @@ async def test_f9_lets_the_world_stand_and_run(desk) -> None:
 
 async def test_another_speed_is_shown_with_what_it_does_not_reach(desk) -> None:
     async with opened(desk, 120, 24, lang="en") as (app, pilot):
-        app.do_slower()
+        app.actions["slower"]()
         await step(app, pilot)
         assert desk.clock.speed == 0.5
         assert "0.5×" in screen_lines(app)[0] and "student processes run at normal speed" in screen_lines(app)[-1]
@@ -368,8 +372,8 @@ async def test_a_click_on_a_tab_shows_its_terminal(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         await pilot.press("f2")
         await step(app, pilot)
-        await pilot.click(app.terminals, offset=(2, 0))
-        assert app.terminals.active == 0
+        await pilot.click(app.terminal_pane, offset=(2, 0))
+        assert app.terminal_pane.active == 0
 
 
 async def test_a_click_on_the_key_bar_does_what_the_key_does(desk) -> None:
@@ -404,13 +408,11 @@ async def test_an_unknown_kind_of_window_says_so(desk) -> None:
 
 
 async def test_a_home_that_cannot_be_used_is_told_in_plain_words(monkeypatch) -> None:
-    from types import SimpleNamespace
-
     from screens import UTF8, make_look
 
     from day6_tui.tui.app import Day6App
 
-    options = SimpleNamespace(fps=0, lang="en", home="/proc/nothing/here")
+    options = Options(fps=0, lang="en", home=Path("/proc/nothing/here"))
     app = Day6App(options, look=make_look(options, UTF8))
     async with app.run_test(size=(80, 24)) as pilot:
         await pilot.pause()
@@ -436,7 +438,7 @@ async def test_a_click_on_the_cross_closes_a_window_that_had_not_the_keyboard(de
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         await step(app, pilot)
         pane = app.desktop.panes[window.number]
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         await step(app, pilot)
         x, y = screen_lines(app)[1].index(" × ") + 1, 1
         assert pane.hit(x - pane.region.x, y - pane.region.y) is not None
@@ -462,10 +464,10 @@ async def test_a_window_that_covers_the_one_with_the_keyboard_takes_it(desk) -> 
         second = desk.display.open("turtlesim", "Second", FakeSimulation())
         await step(app, pilot)
         assert app.screen.focused is app.desktop.panes[second.number]
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         desk.display.open("turtlesim", "Third", FakeSimulation())
         await step(app, pilot)
-        assert app.screen.focused is app.terminals
+        assert app.screen.focused is app.terminal_pane
 
 
 async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) -> None:
@@ -473,7 +475,7 @@ async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) 
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await pilot.press("f2", "f2")
         for index, key in ((0, "F3"), (1, "F4"), (2, "Shift+F3")):
-            app.terminals.activate(index)
+            app.terminal_pane.activate(index)
             desk.terminals[index].busy = True
             app.desktop.focus_pane(app.desktop.panes[window.number])
             await step(app, pilot)
@@ -498,7 +500,7 @@ async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_te
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await pilot.press("f2", "f2")
-        told = "Arrow keys drive only in terminal 2: Shift+F3 leads there"
+        told = "Arrow keys only drive in terminal 2: Shift+F3 goes there"
         await pilot.press("up")
         await step(app, pilot)
         assert told not in screen_text(app)  # at a prompt they are the history's
@@ -508,14 +510,14 @@ async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_te
         await pilot.press("left")
         await step(app, pilot)
         assert told in screen_text(app) and desk.terminals[2].sent.endswith("\x1b[D")
-        app.say("")
+        app.notices.show("")
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await pilot.press("up")
         await step(app, pilot)
-        assert "Arrow keys drive only in terminal 2: F4 leads there" in screen_text(app)
-        app.say("")
-        app.terminals.activate(1)
-        app.desktop.focus_pane(app.terminals)
+        assert "Arrow keys only drive in terminal 2: F4 goes there" in screen_text(app)
+        app.notices.show("")
+        app.terminal_pane.activate(1)
+        app.desktop.focus_pane(app.terminal_pane)
         await pilot.press("up")
         await step(app, pilot)
         assert "Arrow keys drive only" not in screen_text(app)

@@ -12,6 +12,7 @@ from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.app import make_look
 from day6_tui.tui.bars import Bar
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.options import Options
 from day6_tui.tui.pane import Pane, Piece
 
 HOSTILE = [
@@ -32,9 +33,7 @@ class Evil(Pane):
     """Hands the text on as it is, everywhere a window can."""
 
     def __init__(self, text: str, glyphs: str) -> None:
-        from types import SimpleNamespace
-
-        super().__init__(make_look(SimpleNamespace(glyphs=glyphs), UTF8))
+        super().__init__(make_look(Options(glyphs=glyphs), UTF8))
         self.text = text
         self.extent = Size(30, 5)
 
@@ -63,7 +62,7 @@ def test_every_line_of_a_pane_has_its_width_and_holds_text_only(text: str, glyph
 @pytest.mark.parametrize("text", HOSTILE)
 def test_every_bar_has_its_width_and_holds_text_only(text: str) -> None:
     pane = Evil(text, "half")
-    bar = Bar(pane.look, lambda: (pane.title(), pane.title()), name="bar")
+    bar = Bar(pane.look, lambda width: (pane.title(), pane.title()), name="bar")
     bar.extent = Size(30, 1)
     line = bar._make_strip(0).text
     assert one_line(line) == line

@@ -16,6 +16,7 @@ from day6_tui.tui import actions, glyphs, locale
 from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.cells import clip, fit, wrap
 from day6_tui.tui.colours import colours
+from day6_tui.tui.options import Options
 from day6_tui.tui.windows import KINDS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -107,7 +108,7 @@ def test_the_language_is_that_of_the_locale_unless_the_terminal_has_no_chinese()
     assert locale.detect({"LANG": "zh_CN.UTF-8", "LC_ALL": "en_US.UTF-8"}) == "en"
     assert locale.detect({"LANG": "de_DE.UTF-8"}) == "en"
     assert locale.detect({"LANG": "zh_CN.UTF-8"}, wide_glyphs=False) == "en"
-    assert make_look(None, {"LANG": "zh_CN.UTF-8", "TERM": "linux"}).texts.language == "en"
+    assert make_look(Options(), {"LANG": "zh_CN.UTF-8", "TERM": "linux"}).texts.language == "en"
 
 
 def test_both_catalogues_have_the_same_keys_and_fields() -> None:
@@ -127,10 +128,18 @@ def test_chinese_texts_use_chinese_punctuation() -> None:
     assert wrong == []
 
 
-def test_every_action_has_a_name_a_help_text_and_a_method() -> None:
+def test_every_action_has_a_name_a_help_text_and_somebody_who_does_it() -> None:
     for action in actions.ACTIONS:
         assert f"action.{action.id}" in EN and f"help.action.{action.id}" in EN, action.id
-        assert callable(getattr(Day6App, action.handler)), action.id
+    assert Day6App(Options(lang="en")).actions.missing() == set()
+
+
+def test_no_action_is_offered_twice_and_nothing_that_is_no_action() -> None:
+    registry = actions.Actions()
+    registry.offer({"help": print})
+    for wrong in ("help", "dance"):
+        with pytest.raises(ValueError, match=wrong):
+            registry.offer({wrong: print})
 
 
 def test_no_two_actions_share_a_key_and_every_key_of_the_bar_is_bound() -> None:
@@ -143,8 +152,8 @@ def test_every_kind_of_window_has_a_help_page() -> None:
     assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
 
 
-def test_the_words_about_the_car_are_those_of_its_program() -> None:
-    from day6_tui.core.ros.programs.day6_bot._status import TEXTS
+def test_the_windows_say_remarks_in_the_words_of_the_programs() -> None:
+    from day6_tui.core.ros.remark_texts import TEXTS
 
     assert {key: EN[key] for key in TEXTS} == TEXTS
 

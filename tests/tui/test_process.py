@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from waiting import until
 
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST = 20.0
@@ -40,22 +41,20 @@ class Pty:
         self.output = b""
 
     def until(self, text: bytes) -> None:
-        deadline = time.monotonic() + LONGEST
-        while text not in self.output:
-            assert time.monotonic() < deadline, self.output[-2000:]
-            if select.select([self._master], [], [], 0.05)[0]:
-                self.output += os.read(self._master, 65536)
+        until(
+            lambda: text in self.output, every=0, meanwhile=lambda: self._read(0.05), told=lambda: self.output[-2000:]
+        )
+
+    def _read(self, seconds: float) -> None:
+        if select.select([self._master], [], [], seconds)[0]:
+            self.output += os.read(self._master, 65536)
 
     def send(self, keys: bytes) -> None:
         os.write(self._master, keys)
 
     def wait(self) -> int:
         """Read on until the process has ended."""
-        deadline = time.monotonic() + LONGEST
-        while self.process.poll() is None:
-            assert time.monotonic() < deadline, "it does not end"
-            if select.select([self._master], [], [], 0.02)[0]:
-                self.output += os.read(self._master, 65536)
+        until(lambda: self.process.poll() is not None, every=0, meanwhile=lambda: self._read(0.02))
         while select.select([self._master], [], [], 0)[0]:
             self.output += os.read(self._master, 65536)
         return self.process.returncode
@@ -91,14 +90,12 @@ def _student_pid(terminal: Pty) -> int:
     terminal.send(b"python3 sleepy.py\r")
     terminal.until(b"I am ")
     terminal.until(b"I am " + terminal.output.split(b"I am ")[1][:1])
-    deadline = time.monotonic() + LONGEST
-    while time.monotonic() < deadline:
+
+    def mine() -> list[int]:
         found = subprocess.run(["pgrep", "-f", "sleepy.py"], capture_output=True, text=True).stdout.split()
-        mine = [int(pid) for pid in found if _home_of(int(pid)) == terminal_home(terminal)]
-        if mine:
-            return mine[0]
-        time.sleep(0.02)
-    raise AssertionError("the student's process did not start")
+        return [int(pid) for pid in found if _home_of(int(pid)) == terminal_home(terminal)]
+
+    return until(mine, every=0.02)[0]
 
 
 def terminal_home(terminal: Pty) -> str:
@@ -114,15 +111,10 @@ def _home_of(pid: int) -> str:
 
 
 def _gone(pid: int) -> bool:
-    deadline = time.monotonic() + LONGEST
-    while time.monotonic() < deadline:
-        try:
-            if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z":
-                return True
-        except OSError:
-            return True
-        time.sleep(0.02)
-    return False
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
 
 
 @pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks into /proc")
@@ -141,15 +133,15 @@ def test_no_student_process_outlives_the_desktop(home, end) -> None:
         terminal.process.wait(LONGEST)
     else:
         terminal.wait()
-    assert _gone(pid)
+    until(lambda: _gone(pid), every=0.02)
 
 
 def test_the_first_frame_needs_neither_numpy_nor_pygments_nor_the_link(home) -> None:
     code = (
         "import sys\n"
-        "from types import SimpleNamespace\n"
+        "from day6_tui.tui.options import Options\n"
         "from day6_tui.tui.app import Day6App\n"
-        "app = Day6App(SimpleNamespace(fps=0, lang='zh'))\n"
+        "app = Day6App(Options(fps=0, lang='zh'))\n"
         "async def main():\n"
         "    app._open_desk = lambda: None\n"
         "    async with app.run_test(size=(80, 24)) as pilot:\n"

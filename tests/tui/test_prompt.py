@@ -8,11 +8,12 @@ from fakes import FakeDesk
 from screens import UTF8, opened, screen_text, step
 
 from day6_tui.tui.app import make_look
+from day6_tui.tui.options import Options
 from day6_tui.tui.prompt import Prompt, before_replacing
 
 
 def test_a_prompt_without_any_room_shows_what_it_can() -> None:
-    prompt = Prompt(make_look(None, UTF8), "Save", "rosgraph.dot", lambda text: None)
+    prompt = Prompt(make_look(Options(), UTF8), "Save", "rosgraph.dot", lambda text: None)
     for width in range(-2, 20):
         before, at, after = prompt._window(width)
         assert len(before + at + after) <= max(1, width)
@@ -40,7 +41,7 @@ async def test_a_file_that_is_there_is_replaced_only_after_a_second_enter(desk: 
         app.desktop.open_overlay(Prompt(app.look, "Save", "there.svg", checked))
         await pilot.press("enter")
         await step(app, pilot)
-        assert "there.svg is there already" in screen_text(app)
+        assert "there.svg already exists" in screen_text(app)
         assert taken == []
         await pilot.press("enter")
         await step(app, pilot)

@@ -33,7 +33,7 @@ async def test_the_guide_follows_the_choice_of_an_empty_desk(desk, golden) -> No
     async with opened(desk, 120, 40, lang="en") as (app, pilot):
         await pilot.press("4")
         await step(app, pilot)
-        assert app.screen.focused is app.terminals
+        assert app.screen.focused is app.terminal_pane
         golden("guide-en-120x40", screen_text(app))
 
 
@@ -121,7 +121,7 @@ async def test_resizing_while_the_turtle_moves_keeps_the_picture_whole() -> None
 
 async def test_without_utf8_arrows_are_words_and_nothing_is_a_question_mark(desk) -> None:
     async with opened(desk, 80, 24, environ=ASCII) as (app, pilot):
-        assert "Up Down Enter or the number choose" in screen_text(app)
+        assert "Choose with Up Down Enter or a number" in screen_text(app)
         await pilot.press("f4")
         await step(app, pilot)
         assert "Up Down choose" in screen_text(app)

@@ -138,7 +138,7 @@ def test_the_colours_of_programs_are_kept() -> None:
 
 async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         await pilot.press("l", "s", "space", "tab", "up", "ctrl+c", "escape", "f5", "enter")
         assert desk.terminals[0].sent == "ls \t\x1b[A\x03\x1b\x1b[15~\r"
         await pilot.press("f2")
@@ -149,7 +149,7 @@ async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> No
 
 async def test_pasted_text_goes_in_as_a_paste(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         await pilot.pause()
         app.post_message(events.Paste("ros2 node list\nls"))
         await pilot.pause()
@@ -177,14 +177,14 @@ async def test_a_teleop_terminal_says_that_it_lacks_the_keyboard(desk) -> None:
         app.desktop.focus_pane(app.welcome)
         await step(app, pilot)
         assert "方向键只在这个终端里有用" in screen_text(app)
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         await step(app, pilot)
         assert "方向键只在这个终端里有用" not in screen_text(app)
 
 
 async def test_a_program_that_ignores_ctrl_c_makes_the_terminal_say_what_helps(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         desk.terminals[0].is_stubborn = True
         await step(app, pilot)
         assert "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%" in screen_text(app)
@@ -195,25 +195,25 @@ async def test_a_program_that_ignores_ctrl_c_makes_the_terminal_say_what_helps(d
 
 async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
         await step(app, pilot)
         assert "line 49" in screen_text(app)
         await pilot.press("shift+pageup")
         await step(app, pilot)
-        assert "line 49" not in screen_text(app) and "lines further down" in screen_text(app)
+        assert "line 49" not in screen_text(app) and "more lines below" in screen_text(app)
         await pilot.press("a")
         await step(app, pilot)
-        assert "line 49" in screen_text(app) and "lines further down" not in screen_text(app)
+        assert "line 49" in screen_text(app) and "more lines below" not in screen_text(app)
 
 
 async def test_dragging_with_the_mouse_copies(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         await step(app, pilot)
-        await pilot.mouse_down(app.terminals, offset=(1, 1))
-        await pilot.hover(app.terminals, offset=(8, 1))
-        await pilot.mouse_up(app.terminals, offset=(8, 1))
+        await pilot.mouse_down(app.terminal_pane, offset=(1, 1))
+        await pilot.hover(app.terminal_pane, offset=(8, 1))
+        await pilot.mouse_up(app.terminal_pane, offset=(8, 1))
         assert app.clipboard == "student"
 
 
@@ -222,10 +222,10 @@ async def test_a_shell_that_ended_leaves_and_the_last_one_is_replaced(desk) -> N
         await pilot.press("f2")
         desk.terminals[0].closed = True
         await step(app, pilot)
-        assert [view.terminal for view in app.terminals.views] == [desk.terminals[1]]
+        assert [view.terminal for view in app.terminal_pane.views] == [desk.terminals[1]]
         desk.terminals[1].closed = True
         await step(app, pilot)
-        assert [view.terminal for view in app.terminals.views] == [desk.terminals[2]]
+        assert [view.terminal for view in app.terminal_pane.views] == [desk.terminals[2]]
 
 
 async def test_terminals_are_as_large_as_their_pane(desk) -> None:
@@ -239,7 +239,7 @@ async def test_terminals_are_as_large_as_their_pane(desk) -> None:
 
 async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_reads_keys(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminals)
+        app.desktop.focus_pane(app.terminal_pane)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
         await step(app, pilot)
         await pilot.press("pageup")
@@ -263,11 +263,11 @@ async def test_with_many_terminals_the_tab_of_the_one_in_front_is_always_there(d
         for terminal in desk.terminals[:4]:
             terminal.has_news = True
         for index in range(16):
-            app.terminals.activate(index)
-            labels = app.terminals._labels()
-            first, end = app.terminals._tabs_that_fit(labels)
+            app.terminal_pane.activate(index)
+            labels = app.terminal_pane._labels()
+            first, end = app.terminal_pane._tabs_that_fit(labels)
             assert first <= index < end
-            assert sum(cell_len(label) + 2 for label in labels[first:end]) <= app.terminals.inner_width
+            assert sum(cell_len(label) + 2 for label in labels[first:end]) <= app.terminal_pane.inner_width
             assert not any("…" in label for label in labels)
             assert labels[index].split()[0] == str(index + 1)
         await step(app, pilot)

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step
 
 from day6_tui.core.graph import Graph
-from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.tui.actions import ACTIONS
 from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.overlay import KEY_WIDTH
@@ -120,7 +120,7 @@ async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await step(app, pilot)
         await step(app, pilot)
-        assert ("why does the car stay?" in screen_text(app)) is told
+        assert ("why does the car not move?" in screen_text(app)) is told
         line.level, line.id, line.parameters = "error", "car.no_transform", (("link", "left"), ("frame", "base"))
         app.desktop.panes[window.number].restyle()
         await step(app, pilot)

@@ -13,6 +13,7 @@ from textual.geometry import Size
 from day6_tui.core.session.display import Display
 from day6_tui.tui.canvas import Canvas, square
 from day6_tui.tui.colours import colours
+from day6_tui.tui.options import Options
 from day6_tui.tui.windows.turtle_shapes import COATS, HEADINGS, characters, heading_step, pixels
 from day6_tui.tui.windows.turtlesim import TurtleSimPane, _shrink
 
@@ -48,7 +49,7 @@ def test_an_undefined_heading_is_drawn_somehow() -> None:
 
 def _pane(simulation: FakeSimulation, width: int, height: int, **options: object) -> TurtleSimPane:
     window = Display().open("turtlesim", "TurtleSim", simulation)
-    pane = TurtleSimPane(window, make_look(SimpleNamespace(**options), UTF8))
+    pane = TurtleSimPane(window, make_look(Options(**options), UTF8))
     pane.extent = Size(width, height)
     return pane
 
@@ -193,10 +194,10 @@ async def test_the_window_closes_and_gives_the_keyboard_back(desk) -> None:
         await step(app, pilot)
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await pilot.pause()
-        app.do_close()
+        app.actions["close"]()
         await step(app, pilot)
         assert interrupted == [True]
-        assert app.desktop.panes == {} and app.screen.focused is app.terminals
+        assert app.desktop.panes == {} and app.screen.focused is app.terminal_pane
         assert "TurtleSim" not in screen_text(app)
 
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import pytest
 
-from day6_tui.urdf import _yourdfpy, parse_robot, shipped_model
+from day6_tui.urdf import parse_robot, shipped_model, yourdfpy_robot
 from day6_tui.urdf.kinematics import (
     about,
     canonical,
@@ -34,7 +34,7 @@ def test_every_link_of_random_robots_stands_where_yourdfpy_puts_it(
     simple = ("fixed", "continuous", "revolute", "prismatic")
     text = random_description(choice, kinds=simple) if seed % 2 else random_description(choice, mimics=False)
     robot = parse_robot(text)
-    urdf = _yourdfpy.module().URDF.load(io.BytesIO(text.encode()), load_meshes=False)
+    urdf = yourdfpy_robot.module().URDF.load(io.BytesIO(text.encode()), load_meshes=False)
     movers = [j.name for j in robot.joints if j.type in ("revolute", "continuous", "prismatic") and j.mimic is None]
     positions = {name: choice.uniform(-3, 3) for name in movers}
     urdf.update_cfg(positions)

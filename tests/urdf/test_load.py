@@ -95,6 +95,14 @@ def test_a_robot_with_a_part_yourdfpy_dies_of_is_still_loaded() -> None:
     assert load_robot(text).links[0].name == "a"
 
 
+def test_it_is_noted_when_yourdfpy_refuses_and_only_then(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level("INFO", "day6_tui.urdf.load"):
+        load_robot(shipped_model())
+        assert caplog.messages == []
+        load_robot('<robot name="r"><link name="a"><visual><geometry><cone/></geometry></visual></link></robot>')
+    assert len(caplog.messages) == 1 and caplog.messages[0].startswith("yourdfpy refused 'r': ")
+
+
 def test_entities_and_comments_do_not_reach_yourdfpy(tmp_path: Path) -> None:
     secret = tmp_path / "secret"
     secret.write_text("secret")
@@ -155,7 +163,7 @@ def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
 def test_when_the_light_import_fails_the_plain_one_is_used() -> None:
     code = (
         "import sys, importlib\n"
-        "from day6_tui.urdf import _yourdfpy, load_robot, shipped_model\n"
+        "from day6_tui.urdf import yourdfpy_robot, load_robot, shipped_model\n"
         "real = importlib.import_module\n"
         "def minding(name, *rest):\n"
         "    if name == 'yourdfpy' and sys.modules.get('scipy', 0) is None: raise RuntimeError('no scipy')\n"
@@ -173,3 +181,18 @@ def test_a_robot_is_data_that_compares_and_cannot_change() -> None:
         car.name = "other"  # type: ignore[misc]
     assert car.root == "base_link"
     assert math.isclose(sum(n * n for n in car.links[1].visuals[0].origin.rotation), 1.0)
+
+
+def test_what_is_hidden_while_yourdfpy_is_imported_can_be_imported_afterwards() -> None:
+    from day6_tui.urdf import yourdfpy_robot
+
+    sys.modules.pop("colorsys", None)
+    loaded = sys.modules["math"]
+    with yourdfpy_robot._hidden(("colorsys", "math")):
+        with pytest.raises(ModuleNotFoundError):
+            import colorsys
+        assert sys.modules["math"] is loaded
+    import colorsys
+
+    assert colorsys.rgb_to_hsv(0, 0, 0) == (0.0, 0.0, 0)
+    assert sys.modules["math"] is loaded

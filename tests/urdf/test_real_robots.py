@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.urdf import RobotError, _yourdfpy, parse_robot
+from day6_tui.urdf import RobotError, parse_robot, yourdfpy_robot
 from day6_tui.urdf.kinematics import link_transforms, matrix
 from day6_tui.urdf.load import load_robot
 from day6_tui.urdf.xmlreader import read_xml, write_xml
@@ -53,7 +53,7 @@ def test_a_real_robots_links_stand_where_yourdfpy_puts_them(path: Path) -> None:
         assert error.diagnostics[-1].text, "refused without a reason"
         return
     text = write_xml([e for e in read_xml(path.read_text(encoding="utf-8", errors="replace")) if e.tag == "robot"][:1])
-    urdf = _yourdfpy.module().URDF.load(
+    urdf = yourdfpy_robot.module().URDF.load(
         io.BytesIO(text.encode()), load_meshes=False, build_collision_scene_graph=False, load_collision_meshes=False
     )
     choice = random.Random(path.name)

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from day6_tui.urdf import parse_robot, shipped_model
-from day6_tui.urdf._canvas import Canvas, cell_width
+from day6_tui.urdf.canvas import Canvas, cell_width
 from day6_tui.urdf.kinematics import link_transforms
 from day6_tui.urdf.model import Robot
 from day6_tui.urdf.topplan import find_wheels, spin_of

@@ -58,7 +58,7 @@ def main() -> None:
                     print(f"{shape}: {what}: real {_without(real, own)}, ours {_without(own, real)}")
 
 
-def _build_all(words: list[str], folder: Path, env: dict[str, str], names: list[str], told: Path) -> dict[str, str]:
+def build_all(words: list[str], folder: Path, env: dict[str, str], names: list[str], told: Path) -> dict[str, str]:
     """Build until each package had its turn: an exception of one ends the real colcon, whatever --continue-on-error says."""
     told.write_text("", encoding="utf-8")
     results: dict[str, str] = {}
@@ -93,7 +93,7 @@ def played(command: list[str], folder: Path, names: list[str]) -> list[dict[str,
         words = [*command, "build", "--continue-on-error", *option.split()]
         env = {name: value for name, value in os.environ.items() if not name.startswith(("COLCON", "AMENT", "PYTHON"))}
         env["PATH"] = f"{Path(command[0]).parent}{os.pathsep}{env['PATH']}"
-        results = _build_all(words, folder, env, list(names), folder / f"step{len(steps)}.txt")
+        results = build_all(words, folder, env, list(names), folder / f"step{len(steps)}.txt")
         kept = ("src/", "src")
         lost = [line for line in changes(before, snapshot(folder)) if line.startswith(kept)]
         steps.append({name: {"status": results.get(name), **_state(folder, name, lost)} for name in names})
@@ -110,14 +110,15 @@ def _state(folder: Path, name: str, lost: list[str]) -> dict[str, object]:
     done = subprocess.run(words, env=env, cwd="/", capture_output=True, text=True, check=False)
     return {
         "sources": [line for line in lost if line.startswith(f"src/{name}/")],
-        "installed": _tree(prefix, folder),
+        "installed": install_tree(prefix, folder),
         "imported": done.stdout.replace(str(folder), "")
         if not done.returncode
         else done.stderr.strip().splitlines()[-1],
     }
 
 
-def _tree(prefix: Path, folder: Path) -> list[str]:
+def install_tree(prefix: Path, folder: Path) -> list[str]:
+    """Return the paths below an install prefix, links with what they lead to; without what colcon makes for shells."""
     found = []
     for current, folders, files in os.walk(prefix):
         folders[:] = sorted(each for each in folders if each != "__pycache__" and "egg-info" not in each)

@@ -172,23 +172,23 @@ def test_an_overlay_brings_its_underlay_along(workshop: Workshop) -> None:
     assert workshop.run("colcon build").status == 0
     over = workshop.home / "over_ws"
     made = workshop.run(
-        f"source install/setup.bash\nmkdir -p {over}/src\ncd {over}/src\nros2 pkg create --build-type ament_python two\n"
-        f"cd {over}\ncolcon build"
+        f"source install/setup.bash\nmkdir -p '{over}/src'\ncd '{over}/src'\nros2 pkg create --build-type ament_python two\n"
+        f"cd '{over}'\ncolcon build"
     )
     assert made.status == 0
-    ours = workshop.run(f"source {over}/install/setup.bash\nprintenv AMENT_PREFIX_PATH")
+    ours = workshop.run(f"source '{over}/install/setup.bash'\nprintenv AMENT_PREFIX_PATH")
     assert ours.out == f"{over}/install/two:{workshop.workspace}/install/one\n"
     assert BASH is not None
     env = {name: value for name, value in os.environ.items() if "PREFIX_PATH" not in name}
     theirs = subprocess.run(
-        [BASH, "-c", f"source {over}/install/setup.bash; printenv AMENT_PREFIX_PATH"],
+        [BASH, "-c", f"source '{over}/install/setup.bash'; printenv AMENT_PREFIX_PATH"],
         env=env,
         capture_output=True,
         text=True,
         check=True,
     )
     assert theirs.stdout == ours.out
-    local = workshop.run(f"source {over}/install/local_setup.bash\nprintenv AMENT_PREFIX_PATH")
+    local = workshop.run(f"source '{over}/install/local_setup.bash'\nprintenv AMENT_PREFIX_PATH")
     assert local.out == f"{over}/install/two\n"
 
 

@@ -105,7 +105,7 @@ def test_a_link_out_of_the_package_is_refused(
     assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 1
     told = capsys.readouterr()
     assert re.search(
-        r"/one/data' is a link to '.*', outside the package: put there what it leads to, or remove it", told.err
+        r"/one/data' is a link to '.*', outside the package: replace it with a copy, or remove it", told.err
     )
     assert (told.out, list(tmp_path.glob("*.zip"))) == ("", [])
 
@@ -129,8 +129,8 @@ def test_links_within_a_package_are_packed_as_what_they_lead_to_and_circles_end(
     assert len(packed(target)) < 40
     told = capsys.readouterr().err
     assert "one/real/again0' leads to a folder that is packed already\n" in told
-    assert "one/itself' leads nowhere\n" in told
-    assert "one/nothing' leads nowhere\n" in told
+    assert "one/itself' is a broken link\n" in told
+    assert "one/nothing' is a broken link\n" in told
 
 
 @posix_only
@@ -145,8 +145,8 @@ def test_what_is_no_file_is_left_out_and_told(
     target = tmp_path / "out.zip"
     assert main(["--workspace", str(workshop.workspace), "-o", str(target)]) == 0
     told = capsys.readouterr().err
-    assert "one/pipe' is no file\n" in told
-    assert "one/socket' is no file\n" in told
+    assert "one/pipe' is not a file\n" in told
+    assert "one/socket' is not a file\n" in told
     assert not packed(target) & {"one/pipe", "one/socket"}
 
 
@@ -194,7 +194,7 @@ def test_a_file_that_is_no_zip_is_not_overwritten(
     package = workshop.create("one")
     before = (package / "setup.py").read_bytes()
     assert main(["--workspace", str(workshop.workspace), "-o", str(package / "setup.py")]) == 1
-    assert "setup.py' is there and is no zip: it is left alone" in capsys.readouterr().err
+    assert "setup.py' exists and is not a zip: it is left alone" in capsys.readouterr().err
     assert (package / "setup.py").read_bytes() == before
     target = tmp_path / "out.zip"
     for _ in range(2):

@@ -216,7 +216,7 @@ def test_of_a_package_with_c_plus_plus_everything_else_is_built_and_the_rest_is_
     package(workshop, "day6_mixed", lists + REST, MIXED_FILES)
     done = workshop.run("colcon build")
     assert done.status == 0, done
-    said = "of 'day6_mixed' this was left out: executable talker; library filter.\n"
+    said = "left out of 'day6_mixed': executable talker; library filter.\n"
     assert f"--- stderr: day6_mixed\nday6-tui has no C++ compiler: {said}" in done.err
     assert ("Not found, and needed to compile it: OpenCV.\n" in done.err) == ("OpenCV" in lists)
     assert "only_a_test" not in done.err and "1 package had stderr output: day6_mixed" in done.out
@@ -267,8 +267,8 @@ def test_a_program_that_was_left_out_is_the_one_that_day6_has_in_a_package_of_th
     launch = '<launch><node pkg="demo_nodes_cpp" exec="talker"/></launch>\n'
     package(workshop, "demo_nodes_cpp", OFFICIAL, {"launch/up.launch.xml": launch})
     done = workshop.run("colcon build")
-    assert done.status == 0 and "left out: executables talker, of_mine.\n" in done.err, done
-    assert "Of these day6-tui has programs of its own, which are started instead: talker.\n" in done.err
+    assert done.status == 0 and "left out of 'demo_nodes_cpp': executables talker, of_mine.\n" in done.err, done
+    assert "day6-tui has its own versions of these programs and starts them instead: talker.\n" in done.err
     assert (
         workshop.run("source install/setup.bash; ros2 pkg executables demo_nodes_cpp").out == "demo_nodes_cpp talker\n"
     )
@@ -281,7 +281,7 @@ def test_a_program_that_was_left_out_is_the_one_that_day6_has_in_a_package_of_th
     assert said.startswith("No executable found\n('of_mine' is a C++ program")
     launch_file = workshop.workspace / "src/demo_nodes_cpp/launch/up.launch.xml"
     launch_file.write_text(launch.replace("talker", "of_mine"), encoding="utf-8")
-    said = workshop.run(f"source install/setup.bash; ros2 launch {launch_file}").out
+    said = workshop.run(f"source install/setup.bash; ros2 launch '{launch_file}'").out
     assert "but libexec directory" in said and "('of_mine' is a C++ program" in said
 
 

@@ -87,7 +87,7 @@ def test_a_build_folder_with_a_pupil_s_own_files_is_refused(workshop: Workshop, 
     for _ in range(2):
         status, output = build(workshop, option, folder)
         assert status == 1
-        assert "build/alone' is there already and was not made by colcon: move it away" in output
+        assert "build/alone' exists already and was not made by colcon: move it away" in output
         assert lost(before, folder) == []
 
 

@@ -54,7 +54,7 @@ def test_without_pytest_nothing_is_green(workshop: Workshop, package: Path, monk
     blocked.mkdir()
     (blocked / "pytest.py").write_text("import sys\nsys.exit('No module named pytest')\n", encoding="utf-8")
     monkeypatch.setattr("day6_tui.core.workspace.package_tests.find_spec", lambda name: None)
-    done = workshop.run(f"colcon build > /dev/null\nexport PYTHONPATH={blocked}:$PYTHONPATH\ncolcon test")
+    done = workshop.run(f"colcon build > /dev/null\nexport PYTHONPATH='{blocked}':\"$PYTHONPATH\"\ncolcon test")
     assert done.status == 1
     assert "No module named pytest" in done.err and "Failed   <<< hello" in done.err
     assert workshop.run("colcon test-result").status == 1
@@ -141,7 +141,7 @@ def test_the_pytest_tests_of_a_cmake_package_run(workshop: Workshop) -> None:
 def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:
     cmake_package(workshop, "ament_add_gtest(speed test/speed.cpp)\n  ament_lint_auto_find_test_dependencies()")
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
-    assert "of 'mixed' these did not run: speed, ament_lint_auto" in done.err
+    assert "these of 'mixed' did not run: speed, ament_lint_auto" in done.err
     assert "Summary: 3 tests, 0 errors, 0 failures, 2 skipped" in done.out
     cmake_package(workshop)
     assert "Summary: 1 test, 0 errors" in workshop.run("colcon test\ncolcon test-result --all").out

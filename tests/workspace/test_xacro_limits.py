@@ -86,8 +86,8 @@ def test_what_takes_all_memory_ends_by_the_limit_of_memory(workshop: Workshop, e
 def test_in_a_launch_file_and_in_a_real_terminal_too(tmp_path: Path) -> None:
     file = write(tmp_path, "<a v=\"${'a' * 10**10}\"/>")
     with pytest.raises(SubstitutionFailure) as failure:
-        Command(["xacro ", str(file)]).perform(LaunchContext())
-    assert str(failure.value).startswith(f"executed command failed. Command: xacro {file}\n")
+        Command(["xacro '", str(file), "'"]).perform(LaunchContext())
+    assert str(failure.value).startswith(f"executed command failed. Command: xacro '{file}'\n")
     assert str(failure.value).endswith(OUT_OF_MEMORY)
     words = [sys.executable, "-m", "day6_tui.tui.main", "xacro", str(file)]
     done = subprocess.run(words, capture_output=True, text=True, encoding="utf-8", timeout=60)

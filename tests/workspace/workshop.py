@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import NamedTuple
+
+from waiting import until
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
@@ -102,9 +103,7 @@ class Workshop:
 
     def wait(self, condition, patience: float = PATIENCE) -> None:
         """Let programs and processes work until the condition holds."""
-        end = time.monotonic() + patience
-        while not self.desk.scheduler.run(condition, 0.02):
-            assert time.monotonic() < end, "still waiting"
+        until(lambda: self.desk.scheduler.run(condition, 0.02), patience, every=0.0)
 
     def run(self, commands: str, shell: Shell | None = None) -> Result:
         running = self.start(commands, shell)

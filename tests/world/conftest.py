@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from stepped_machine import Running, SteppedMachine
 
 from day6_tui.urdf import shipped_model
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "stepped"))
-
-from stepped_machine import Running, SteppedMachine
-
 
 class Machine(SteppedMachine):
+    WHILE_WAITING = 0.02
+
     def open_world(self, *parameters: str, robot: str | Path | None = None, screen: bool = True) -> Running:
         """Start the world with parameters like 'world:=walls' and wait until the robot was read."""
         robot = shipped_model("day6_bot_gazebo") if robot is None else robot
@@ -37,16 +35,6 @@ class Machine(SteppedMachine):
     @property
     def said(self) -> list[str]:
         return [line.text for line in self.model.snapshot().status]
-
-    def until(self, condition: Any) -> None:
-        """Wait in real time for what a thread does; the world's time moves on a little meanwhile."""
-        import time
-
-        end = time.monotonic() + 20.0
-        while not condition():
-            assert time.monotonic() < end, "it did not happen"
-            time.sleep(0.002)
-            self.advance(0.02)
 
 
 @pytest.fixture

@@ -73,8 +73,8 @@ def test_wheel_spinner_moves_nothing_and_the_window_says_why(machine: Machine) -
     assert machine.model.snapshot().pose[0] == 0
     assert machine.said == [
         (
-            "wheel_spinner publishes /joint_states as well. That topic tells where wheels are, it is no order; so nothing "
-            "rolls. With -r joint_states:=joint_commands it becomes one"
+            "wheel_spinner publishes /joint_states as well. That topic reports where the wheels are; it is not a command, "
+            "so nothing rolls. With -r joint_states:=joint_commands it becomes one"
         )
     ]
 
@@ -136,8 +136,8 @@ def test_the_article_s_car_is_a_ghost_and_may_not_enter(machine: Machine) -> Non
     assert machine.said == [
         "day6_bot may not enter this world:",
         (
-            "base_link, left_wheel, right_wheel, caster: no <inertial>. What has no mass cannot be moved by forces; it would "
-            "be a ghost"
+            "base_link, left_wheel, right_wheel, caster: no <inertial>. Forces cannot move a link without mass; it "
+            "would be a ghost"
         ),
     ]
     assert "[ERROR] [world]: day6_bot may not enter this world:" in running.log
@@ -325,7 +325,7 @@ def test_another_type_on_cmd_vel_is_named_with_the_remedy(machine: Machine) -> N
     machine.node.create_publisher(TwistStamped, "/cmd_vel", 10)
     machine.advance(1.0)
     assert (
-        "/cmd_vel has type geometry_msgs/msg/TwistStamped, this world hears Twist: start it with stamped:=true"
+        "/cmd_vel has type geometry_msgs/msg/TwistStamped, but this world needs Twist: start it with stamped:=true"
         in machine.said
     )
 
@@ -352,19 +352,19 @@ def test_the_window_s_keys_reach_the_world(machine: Machine) -> None:
     machine.open_world()
     model: Any = machine.model
     drive(machine, 0.5, seconds=1.0)
-    model.wish("pause")
+    model.request("pause")
     machine.advance(0.1)
     stood = model.snapshot()
     machine.advance(1.0)
     assert model.snapshot() is stood and stood.paused
-    model.wish("step")
+    model.request("step")
     machine.advance(0.1)
     assert model.snapshot().seconds == pytest.approx(stood.seconds + 0.02)
-    model.wish("pause")
-    model.wish("faster")
+    model.request("pause")
+    model.request("faster")
     machine.advance(0.1)
     assert model.snapshot().speed == 2.0
-    model.wish("clear")
+    model.request("clear")
     machine.advance(0.1)
     assert len(model.trail.points) <= 10
 

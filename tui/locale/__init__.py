@@ -1,4 +1,4 @@
-"""What a user reads, in Chinese and English. Text that is real ROS output never comes from here.
+"""The texts of the user interface, in Chinese and English. Real ROS output never comes from here.
 
 `zh.py` and `en.py` hold one mapping each with the same keys (a test compares them). The language is a value that is passed
 along and may change while the desktop runs, so a text is looked up where it is drawn, never at import.
@@ -27,7 +27,7 @@ _ARROWS = str.maketrans({"↑": "Up", "↓": "Down", "←": "Left", "→": "Righ
 
 
 class Texts:
-    """The texts of the present language: `texts("key", name=…)`. `plain`: with words for arrows, which not every font has."""
+    """The texts of the current language: `texts("key", name=…)`. `plain`: words replace arrows, which not every font has."""
 
     def __init__(self, language: str, *, plain: bool = False) -> None:
         self.language = language

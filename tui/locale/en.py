@@ -1,6 +1,9 @@
-"""The English texts."""
+"""The English texts; those of the programs' remarks stand with the programs, which print them without a screen too."""
+
+from day6_tui.core.ros import remark_texts
 
 TEXTS = {
+    **remark_texts.TEXTS,
     # actions
     "action.terminal": "Terminal",
     "action.next": "Next",
@@ -24,18 +27,18 @@ TEXTS = {
     "action.glyphs": "Next set of characters (half, braille, cell, ascii)",
     "action.grow": "Larger windows",
     "action.shrink": "Smaller windows",
-    "action.step": "One step of time (while paused)",
-    "action.faster": "Time faster",
-    "action.slower": "Time slower",
-    "action.normal": "Time at normal speed",
+    "action.step": "One time step (while paused)",
+    "action.faster": "Faster time",
+    "action.slower": "Slower time",
+    "action.normal": "Normal time",
     "action.motion": "Less motion on or off",
     "help.action.terminal": "opens another terminal, with its own shell",
-    "help.action.next": "gives the keyboard to the next terminal or window",
-    "help.action.previous": "the same, backwards",
+    "help.action.next": "moves the keyboard focus to the next terminal or window",
+    "help.action.previous": "the same, in reverse order",
     "help.action.windows": "lists everything that is open",
-    "help.action.enlarge": "makes the focused pane as large as the screen, and back",
-    "help.action.pause": "lets the simulated world stand still, and run on",
-    "help.action.palette": "finds every command by its name",
+    "help.action.enlarge": "makes the focused pane fill the screen, or restores it",
+    "help.action.pause": "pauses or resumes the simulated world",
+    "help.action.palette": "finds any command by name",
     "help.action.quit": "ends every program and closes the desktop",
     "help.action.help": "explains the focused pane",
     "help.action.scene.turtle": "types the two commands of the turtle lesson",
@@ -44,17 +47,17 @@ TEXTS = {
     "help.action.close": "ends the shell, or the program that opened the window",
     "help.action.copy": "copies what is selected with the mouse",
     "help.action.paste": "types what was copied",
-    "help.action.clear": "forgets what has scrolled away",
+    "help.action.clear": "discards the lines that have scrolled out of view",
     "help.action.language": "changes the language of the desktop",
     "help.action.theme": "changes the colours",
     "help.action.glyphs": "changes how pictures are drawn",
     "help.action.grow": "gives the windows more room",
     "help.action.shrink": "gives the terminals more room",
-    "help.action.step": "moves the paused world on by one tick of turtlesim (16 ms)",
+    "help.action.step": "advances the paused world by one turtlesim tick (16 ms)",
     "help.action.faster": "up to ten times",
     "help.action.slower": "down to a tenth",
     "help.action.normal": "one second is one second",
-    "help.action.motion": "without typing effects and pulses",
+    "help.action.motion": "turns typing effects and pulses off or on",
     # bars
     "bar.desk": "Desk",
     "bar.turtle": "Turtle",
@@ -71,9 +74,9 @@ TEXTS = {
     "bar.door.nobody": "no answer: {host}",
     "bar.door.no_answer": "no answer: {host}",
     "bar.door.not_let_in": "refused by {host}",
-    "bar.door.failed": "{host}: no way",
+    "bar.door.failed": "{host}: failed",
     "bar.door.joined": "joined {host}",
-    "bar.door.calling": "calling {host}",
+    "bar.door.calling": "connecting {host}",
     "notice.open": "anyone who reaches port {port} can read and command; --secret keeps others out",
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
@@ -86,21 +89,21 @@ TEXTS = {
     "single.no_log": "The program has written nothing yet.",
     "help.single.end": "ends the program",
     "help.single.help": "explains this window",
-    "help.single.log": "shows what the program has written; it is on the terminal afterwards too",
+    "help.single.log": "shows what the program has written; it is also on the terminal afterwards",
     "help.single.next": "goes to the program's next window, if it has more than one",
     "help.single.glyphs": "changes how pictures are drawn",
     "help.single.language": "changes the language: 中文",
-    "help.single.suspend": "stops the program and goes back to the shell; fg goes on",
+    "help.single.suspend": "stops the program and returns to the shell; fg resumes it",
     # terminal
     "window.hidden": "{title} is open: {key} shows it",
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
     "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",
     "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
     "terminal.hint": "Arrow keys work only in here: click or {key}",
-    "terminal.arrows": "Arrow keys drive only in terminal {number}: {key} leads there",
-    "terminal.scrolled": "{count} lines further down · any key goes there",
+    "terminal.arrows": "Arrow keys only drive in terminal {number}: {key} goes there",
+    "terminal.scrolled": "{count} more lines below · any key goes there",
     "terminal.copied": "Copied",
-    "terminal.no_room": "No new terminal: too many programs run. End some of them (Ctrl-C, kill, close their terminals)",
+    "terminal.no_room": "No new terminal: too many programs are running. End some of them (Ctrl-C, kill, close their terminals)",
     # welcome
     "welcome.title": "Welcome",
     "welcome.heading": "ROS 2, right here in your terminal",
@@ -113,39 +116,22 @@ TEXTS = {
     "welcome.world.more": "day6_world and /cmd_vel",
     "welcome.empty": "An empty desk",
     "welcome.empty.more": "just a terminal",
-    "welcome.keys": "↑ ↓ Enter or the number choose, or type a command",
+    "welcome.keys": "Choose with ↑ ↓ Enter or a number, or type a command",
     "welcome.truth": "The commands are typed for you, where you can see them. They are the real ones.",
     # guide
     "guide.title": "Desk",
     "guide.heading": "No window is open. A command opens one:",
-    "guide.try": "Enter or a click types it into a terminal, you run it",
+    "guide.try": "Enter or a click types it into a terminal; you run it",
     "guide.ask": "Ask what is going on:",
-    "guide.scene": "or let it be shown:",
+    "guide.scene": "or watch it being done:",
     # turtlesim
     "turtlesim.pose": "x {x:.2f}  y {y:.2f}  θ {theta:.2f}  v {v:.1f}",
     "turtlesim.none": "no turtle",
     "turtlesim.more": "{count} more",
     "turtlesim.label": "names",
     # car
-    "car.stays": (
-        "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
-        "ros2 launch day6_world world.launch.py"
-    ),
     "car.zoom": "zoom",
     "car.lines": "lines",
-    "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
-    "car.loading": "reading the robot description",
-    "car.bad_description": "the robot description is broken: {text}",
-    "car.no_wheels": "this robot has no wheels: nothing that turns about a level axis",
-    "car.no_joint_states": "nobody publishes {topic}: the wheels do not turn",
-    "car.wrong_type": "{topic} has type {type}, sensor_msgs/msg/JointState is needed",
-    "car.unknown_joint": "joint {joint} is not in the URDF",
-    "car.unknown_joint_near": "joint {joint} is not in the URDF; did you mean {nearest}?",
-    "car.no_transform": "no transform from {link} to {frame}",
-    "car.no_transform_more": "no transform from {count} more links to {frame}",
-    "car.many_publishers": "{count} publishers on {topic}: {nodes}",
-    "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
-    "car.silent": "nothing on {topic} for {seconds} s",
     # world
     "world.pose": "x {x:.2f}  y {y:.2f}  {degrees}°  v {v:.2f} m/s",
     "world.line": "line",
@@ -154,37 +140,16 @@ TEXTS = {
     "world.lidar": "lidar",
     "world.step": "step",
     "world.reset": "back to the start",
-    "world.waiting_for_robot": "the world is empty: nobody has published /robot_description yet",
-    "world.refused": "{robot} may not enter this world:",
-    "world.bad_description": "the robot description is broken: {text}",
-    "world.left_away": "parts of the robot could not be read: {text}",
-    "world.no_inertial": "{links}: no <inertial>. What has no mass cannot be moved by forces; it would be a ghost",
-    "world.bad_mass": "{link}: a mass of {mass} kg is none",
-    "world.bad_inertia": "{link}: the inertia is not greater than 0 about every axis",
-    "world.bad_number": "{link}: a size or place is no number",
-    "world.no_drive": "no two wheels, left and right, that could drive it",
-    "world.stands_in_wall": "at ({x:.2f}, {y:.2f}) it would stand in a wall",
-    "world.no_collision": "{links}: no <collision>. They go through walls like ghosts",
-    "world.wheels_without_collision": "{links}: wheels without <collision> do not touch the floor. They turn and push nothing",
-    "world.nobody_drives": "nobody publishes {topic}: ros2 run teleop_twist_keyboard teleop_twist_keyboard drives",
-    "world.keeps_going": "nobody publishes {topic} any more: the last order goes on until another one comes",
-    "world.wrong_type": "{topic} has type {type}, this world hears {wanted}: start it with stamped:={stamped}",
-    "world.two_joint_states": (
-        "{nodes} publishes {topic} as well. That topic tells where wheels are, it is no order; so nothing rolls. "
-        "With -r joint_states:=joint_commands it becomes one"
-    ),
-    "world.bumped": "it touches a wall: the wheels slip, and /odom does not notice",
-    "world.sideways": "linear.y is ignored: two wheels cannot go sideways",
     # joint sliders
     "sliders.waiting": "Waiting for a robot on /robot_description: is robot_state_publisher running?",
     "sliders.none": "This robot has no joint that can be moved.",
-    "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two orders. One of the two has to stop.",
+    "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two commands. One of the two has to stop.",
     "sliders.degrees": "degrees",
     "sliders.move": "move",
     "sliders.value": "number",
     "sliders.zero": "zero",
-    "sliders.accept": "take it",
-    "sliders.cancel": "leave it",
+    "sliders.accept": "accept",
+    "sliders.cancel": "cancel",
     # rqt_graph
     "rqt.hidden": "{count} hidden: {reasons}",
     "rqt.hides": "{option} hides {names}",
@@ -194,42 +159,7 @@ TEXTS = {
     "rqt.type": "type",
     "rqt.hide": "Hide",
     "rqt.refresh": "refresh",
-    "inspector.unheard": "{topic}: {nodes} publishes, nobody listens",
-    "inspector.unsaid": "{topic}: {nodes} listens, nobody publishes",
-    "inspector.near": "{said} is published and {heard} is listened to: is one of the names a slip?",
-    "inspector.types": "{topic}: {publisher} sends {sent}, {subscriber} wants {wanted}; nothing arrives",
-    "inspector.qos": "{topic}: the QoS of {publisher} does not suit {subscriber} ({policy}); nothing arrives",
-    "inspector.fight": "{topic}: {count} nodes publish at the same time and fight over it: {nodes}",
-    "inspector.twins": "{count} nodes are called {name}: lists and parameters cannot tell them apart",
-    "inspector.unknown_joint": "{topic} names the joint {joint}, which the robot description does not have",
-    "inspector.unknown_joint_near": (
-        "{topic} names the joint {joint}, which the robot description does not have; did you mean {nearest}?"
-    ),
-    "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
-    "inspector.slow": "{topic} comes {rate} times a second; the eye needs about 20",
-    "inspector.open": (
-        "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and command"
-    ),
-    "inspector.open_secret": "{endpoint} is open to who knows the secret, {joined} joined",
-    "inspector.opening": "{endpoint} is about to be opened",
-    "inspector.in_use": "{endpoint}: another program has this port, so no other machine can join; tried again",
-    "inspector.no_name": "{endpoint}: nobody knows this name; tried again",
-    "inspector.shut": "{endpoint} cannot be opened ({reason}), so no other machine can join; tried again",
-    "inspector.calling": "{endpoint} is being called",
-    "inspector.joined": "joined to {endpoint}",
-    "inspector.nobody": "no answer from {endpoint}: the machine is there, but no program listens on this port; tried again",
-    "inspector.no_answer": "no answer from {endpoint}; tried again",
-    "inspector.wrong_secret": "refused by {endpoint}: wrong secret, or it asks for none",
-    "inspector.no_secret": "refused by {endpoint}: it asks for a secret, or it is no ROS",
-    "inspector.unreachable": "{endpoint} cannot be called ({reason}); tried again",
-    "inspector.alone": "programs of other processes cannot be seen: {reason}",
-    "inspector.elsewhere": "another folder than usual is used to meet other processes: {reason}",
-    "inspector.refused_many": "{count} announcements of other processes were refused: there are too many",
-    "inspector.refused_names": "{count} announcements of other processes were refused: ROS allows no such names",
-    "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
-    "inspector.refused_sessions": "{count} things from other machines were refused: they claim to come from this one",
     "inspector.title": "Inspector",
-    "inspector.well": "nothing is wrong",
     "inspector.count": "{errors} errors, {all} in all",
     "action.inspector": "Inspect",
     "help.action.inspector": "what is wrong with the graph right now",
@@ -242,10 +172,10 @@ TEXTS = {
     "editor.name": "a name is needed",
     "editor.exists": "{name} exists: Enter again overwrites it",
     "editor.modified": "Save modified buffer?",
-    "editor.modified.keys": "Y  save    N  throw the changes away    Esc  go on writing",
+    "editor.modified.keys": "Y  save    N  discard the changes    Esc  go on editing",
     "editor.cut": "cut lines, put them back",
-    "editor.indent": "a step in; several lines when they are chosen",
-    "editor.outdent": "a step back",
+    "editor.indent": "indent; all selected lines if there are any",
+    "editor.outdent": "unindent",
     "editor.new": "A new file …",
     "editor.no_folder": "there is no folder {name}",
     "editor.undo": "undo, redo",
@@ -254,9 +184,9 @@ TEXTS = {
     "editor.files": "Open a file",
     "editor.choose": "Enter chooses a file of this folder.",
     "editor.problem": "line {line}: {text}",
-    "editor.recovered": "not saved last time, here it is again; ^R takes the file as on disk",
-    "editor.outside": "the file was changed elsewhere; ^R takes that, ^S keeps this",
-    "editor.beyond": "outside your home folder: once more changes it all the same",
+    "editor.recovered": "not saved last time, restored here; ^R loads the file from disk",
+    "editor.outside": "the file was changed elsewhere; ^R loads that, ^S keeps this",
+    "editor.beyond": "outside your home folder: again changes it anyway",
     "editor.overwrite": "the file was changed elsewhere: ^S again overwrites it",
     "editor.not_saved": "not saved: {reason}",
     "editor.not_kept": "no copy of the unsaved text: {reason}",
@@ -264,12 +194,12 @@ TEXTS = {
     "editor.lose": "again loses the text, no copy: {reason}",
     "editor.gone": "file gone from disk; ^S writes it again",
     "quit.title": "A text would be lost",
-    "quit.lost": "Neither saved nor kept: {what}. Y  quit all the same    Esc  go back",
+    "quit.lost": "Neither saved nor kept: {what}. Y  quit anyway    Esc  go back",
     "quit.was_lost": "day6-tui: unsaved text was lost: {what}",
-    "editor.not_found": "{text} does not occur",
+    "editor.not_found": "{text} not found",
     "editor.lines": "1 to {count}",
-    "prompt.replaces": "{file} is there already; Enter once more replaces it",
-    "prompt.keys": "Enter take   Esc back",
+    "prompt.replaces": "{file} already exists; Enter again replaces it",
+    "prompt.keys": "Enter accept   Esc back",
     "rqt.choose": "choose",
     "rqt.filter": "filter nodes, topics",
     "rqt.namespaces": "namespaces",
@@ -277,26 +207,26 @@ TEXTS = {
     "rqt.view": "Highlight, Fit",
     "rqt.files": "save, open",
     "rqt.auto": "auto refresh",
-    "rqt.node_filter": "Filter of nodes",
-    "rqt.topic_filter": "Filter of topics",
-    "rqt.filter_note": "Names or regular expressions with commas between them; - in front leaves out, / is all. Example: -/rqt.*",
+    "rqt.node_filter": "Node filter",
+    "rqt.topic_filter": "Topic filter",
+    "rqt.filter_note": "Names or regular expressions separated by commas; a leading - leaves out, / is all. Example: -/rqt.*",
     "rqt.save": "Save the graph as",
     "rqt.save_note": ".dot for Graphviz, .svg or .png for a picture",
     "rqt.load": "Open a DOT file",
     "rqt.load_note": "It is shown instead of the live graph, until r refreshes.",
     "rqt.loaded": "from the file {name}; r shows the live graph",
     "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
-    "rqt.topic": "{name}: published by {arriving}, heard by {leaving}",
+    "rqt.topic": "{name}: published by {arriving}, subscribed to by {leaving}",
     # topics
     "topics.columns.topic": "topic",
     "topics.columns.publishers": "pub",
     "topics.columns.subscriptions": "sub",
-    "topics.none": "There is no topic yet. Start a node.",
+    "topics.none": "There are no topics yet. Start a node.",
     "topics.publishers": "publishers",
     "topics.subscriptions": "subscriptions",
     "topics.last": "last message",
     "topics.quiet": "not listening: Enter listens",
-    "topics.waiting": "listening, nothing came yet",
+    "topics.waiting": "listening, nothing received yet",
     "topics.listen": "listen",
     "topics.stop": "stop",
     # rviz2
@@ -304,7 +234,7 @@ TEXTS = {
     "rviz.key.panel": "panel",
     "rviz.key.edit": "change",
     "rviz.key.add": "add",
-    "rviz.key.focus": "look at it",
+    "rviz.key.focus": "focus",
     "rviz.key.turn": "turn",
     "rviz.key.zoom": "zoom",
     "rviz.key.above": "45° from above",
@@ -344,15 +274,16 @@ TEXTS = {
     "rviz.type.LaserScan": "points of a laser scanner",
     "rviz.type.Map": "an occupancy grid",
     "rviz.type.Marker": "a program's own shapes",
-    "rviz.type.MarkerArray": "many of them",
+    "rviz.type.MarkerArray": "many markers",
     "rviz.type.Odometry": "where a robot has been",
-    "rviz.type.Path": "a planned way",
+    "rviz.type.Path": "a planned path",
     "rviz.type.Image": "the picture of a camera",
     "rviz.type.PointCloud2": "points of a depth camera",
     "rviz.type.PointStamped": "single points",
-    "rviz.type.Pose": "a place and direction",
-    "rviz.type.PoseArray": "many of them",
-    "rviz.type.RobotModel": "a robot by its URDF",
+    "rviz.type.Pose": "a position and orientation",
+    "rviz.type.PoseArray": "many poses",
+    "rviz.type.Range": "the cone of a distance sensor",
+    "rviz.type.RobotModel": "a robot from its URDF",
     "rviz.type.TF": "all frames",
     "rviz.colour.black": "black",
     "rviz.colour.dark": "dark",
@@ -367,7 +298,7 @@ TEXTS = {
     "rviz.colour.purple": "purple",
     "rviz.kind.box": "box",
     "rviz.kind.cylinder": "cylinder",
-    "rviz.kind.sphere": "ball",
+    "rviz.kind.sphere": "sphere",
     "rviz.kind.mesh": "mesh",
     "rviz.seen.grid": "a grid of {cells}×{cells} cells of {size} m",
     "rviz.seen.frames": "the axes of {count} frames",
@@ -382,7 +313,7 @@ TEXTS = {
     "rviz.seen.no_robot": "no robot yet",
     "rviz.seen.robot": "robot {name}: {parts}",
     "rviz.seen.link": "{colour} {kind} {name} {size}",
-    "rviz.seen.lost": " (no transform: white, not in its place)",
+    "rviz.seen.lost": " (no transform: white, out of place)",
     "rviz.seen.all_lost": "robot {name}, all white: none of its links has a transform to {frame}",
     "rviz.seen.turned": ", turned {degrees}°",
     "rviz.seen.more": "and {count} more links",
@@ -405,7 +336,7 @@ TEXTS = {
     "console.containing": "Exclude messages containing",
     "console.containing.note": "Messages with this text are left out; an empty line shows them again.",
     "console.highlighted": "Highlight messages containing",
-    "console.highlighted.note": "Messages with this text stand out; an empty line ends it.",
+    "console.highlighted.note": "Messages with this text stand out; an empty line turns this off.",
     "console.nodes": "without",
     "console.count": "{count} messages",
     "console.shown": "{count} of {total} messages",
@@ -420,7 +351,7 @@ TEXTS = {
     # rqt_plot
     "plot.none": "Nothing is plotted yet: a chooses a field, e types one, like /turtle1/pose/x.",
     "plot.waiting": "waiting for the topic",
-    "plot.quiet": "nothing came yet",
+    "plot.quiet": "nothing received yet",
     "plot.paused": "paused",
     "plot.seconds": "{count} s",
     "plot.add": "add",
@@ -436,7 +367,7 @@ TEXTS = {
     "menu.palette": "Commands",
     "menu.windows": "Windows and terminals",
     "menu.filter": "type to search",
-    "menu.none": "nothing of that name",
+    "menu.none": "nothing by that name",
     "menu.keys": "↑ ↓ choose   Enter go   Esc back",
     "menu.keys.close": "↑ ↓ choose   Enter go   Del close   Esc back",
     "menu.terminal": "terminal",
@@ -453,35 +384,35 @@ TEXTS = {
     ),
     "help.terminal": (
         "A terminal: type a command and press Enter.\n\n"
-        "Tab completes what you began, Up brings back earlier commands, Ctrl-R searches them. Ctrl-C ends the program that runs, "
-        "Ctrl-D on an empty line ends the shell. Ctrl-Z and bg let a program go on in the background; so does & at the end of a "
-        "command.\n\n"
-        "Shift+PageUp, or the mouse wheel, looks back. Drag with the mouse to copy; Shift+Insert or the middle button pastes."
+        "Tab completes what you began to type, Up brings back earlier commands, Ctrl-R searches them. Ctrl-C ends the running "
+        "program, Ctrl-D on an empty line ends the shell. Ctrl-Z and bg let a program go on in the background; so does & at "
+        "the end of a command.\n\n"
+        "Shift+PageUp, or the mouse wheel, scrolls back. Drag with the mouse to copy; Shift+Insert or the middle button pastes."
     ),
     "help.turtlesim": (
-        "The world of turtlesim, 11.09 metres wide. The node /turtlesim hears velocities on /turtle1/cmd_vel and tells "
-        "where the turtle is on /turtle1/pose.\n\n"
+        "The world of turtlesim, 11.09 metres wide. The node /turtlesim subscribes to velocities on /turtle1/cmd_vel and "
+        "publishes where the turtle is on /turtle1/pose.\n\n"
         "To drive, start ros2 run turtlesim turtle_teleop_key in a terminal and keep the keyboard there: the arrow "
         "keys work only in the terminal that runs it.\n\n"
         "Ctrl-C in the terminal of turtlesim_node closes this window."
     ),
     "help.car": (
-        "Your robot from above, drawn from its URDF. The wheels turn as /joint_states and /tf say: nobody publishes, nothing "
+        "Your robot from above, drawn from its URDF. The wheels turn as /joint_states and /tf say: if nobody publishes, nothing "
         "turns. In this picture the car stays where it is; turning wheels move nothing, just as in RViz.\n\n"
         "+ and - enlarge and shrink the picture, the arrow keys move it, 0 shows everything, b changes the lines."
     ),
     "help.rviz2": (
-        "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the panel Displays, on the "
+        "RViz shows what ROS knows: robots, frames, sensor data. It moves nothing. On the left is the Displays panel, on the "
         "right the 3-D view.\n\n"
         "Three settings show your robot: Fixed Frame (a frame that exists, such as base_link), Add RobotModel, and in it "
         "Description Topic /robot_description. Red and yellow lines say what is missing; the line at the bottom says it in "
         "full.\n\n"
         "Tab\tpanel or view\nEnter\tchange a value, open a branch\nSpace\tcheck box\n^N or a\tadd a display\n"
-        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\tpanel away or back\n"
-        "arrows\tturn the view, with Shift push it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
+        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\thide or show the panel\n"
+        "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
         "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\np\tquality: less detail is faster\nr\treset\n"
         "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
-        "Mouse: drag turns, Shift or Ctrl and drag pushes, the wheel zooms."
+        "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (
         "Which node talks to which. Ellipses are nodes, arrows are topics. A pulse runs along an arrow when messages pass. "
@@ -500,32 +431,32 @@ TEXTS = {
         "rate and bandwidth; the last message is shown below. Listening is a subscription, so it counts as one."
     ),
     "help.world": (
-        "A small world with physics, where Gazebo stands in a real lesson. The wheels touch the floor, so when they turn the "
-        "robot rolls: /cmd_vel or /joint_commands turns them. It tells its place on /odom as the wheels count it, and sees "
-        "with /scan and /line_sensor.\n\n"
-        "To come in, every link needs <inertial>; what has no <collision> goes through walls.\n\n"
+        "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
+        "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
+        "and senses with /scan and /line_sensor.\n\n"
+        "To enter, every link needs <inertial>; a link without <collision> goes through walls.\n\n"
         "+ and - zoom, arrows move the view, f follows the robot, 0 shows everything. l shows the lidar, t wipes the trail. "
         "Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start."
     ),
     "help.joint_state_publisher": (
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
-        "robot_state_publisher turns it into the places of the links.\n\n"
+        "robot_state_publisher turns it into the poses of the links.\n\n"
         "Up and down choose a joint, left and right move it (with Shift: finely), PageUp and PageDown move it far, Home and "
-        "End go to its limits, z to its zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
+        "End go to its limits, z to zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
         "between radians and degrees. With the mouse: drag the knob.\n\n"
-        "If another node publishes the same joints, the robot jitters: both give orders, and the last one counts."
+        "If another node publishes the same joints, the robot jitters: both send commands, and the last one counts."
     ),
     "help.rqt": (
-        "rqt collects the windows that tools of ROS have. The arrow keys choose one, Enter opens it in place of this list."
+        "rqt collects the windows of the ROS tools. The arrow keys choose one, Enter opens it in place of this list."
     ),
     "help.rqt_console": (
-        "The log messages of all nodes, from the topic /rosout. The arrow keys choose one, below the table it stands "
-        "in full.\n\nThe letters leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. What a node does not "
+        "The log messages of all nodes, from the topic /rosout. The arrow keys choose one; it is shown in full "
+        "below the table.\n\nThe letters leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. What a node does not "
         "log at all is decided by its level: see --log-level, and the logger services."
     ),
     "help.rqt_plot": (
-        "Numbers out of messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
-        "The scale of the values fits itself to what is seen.\n\nA field is written like a path: /turtle1/pose/x, for an "
+        "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "
+        "The value axis adapts to what is visible.\n\nA field is written like a path: /turtle1/pose/x, for an "
         "element of a list /joint_states/position[0]. Listening is a subscription, so it counts as one."
     ),
     "help.guide": (

@@ -32,7 +32,7 @@ def pixel_aspect(mode: str) -> float:
 
 @dataclass(eq=False)
 class Cells:
-    """Characters with two colours (0xRRGGBB, -1 the terminal's own): rows x columns each."""
+    """Characters, each with two colours (0xRRGGBB, -1 for the terminal's own): rows x columns of each."""
 
     chars: Array
     front: Array
@@ -69,7 +69,7 @@ class Cells:
         return segments
 
     def changes(self, before: Cells | None) -> list[Span]:
-        """The spans in which this differs from what was shown before."""
+        """The spans in which this differs from the cells shown before."""
         columns, rows = self.size
         if before is None or before.size != self.size:
             return [(row, 0, columns) for row in range(rows)]
@@ -113,7 +113,7 @@ def _cut_after(segments: list[Segment], start: int) -> list[Segment]:
 
 
 def cells_of(picture: Picture, mode: str, step: int = 4, *, colourless: bool = False) -> Cells:
-    """A picture of `PIXELS_PER_CELL[mode]` pixels for every cell as cells."""
+    """Convert a picture with `PIXELS_PER_CELL[mode]` pixels per cell to cells."""
     across, down = PIXELS_PER_CELL[mode]
     columns, rows = picture.width // across, picture.height // down
     if colourless:
@@ -173,7 +173,7 @@ def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
     chars, drawn = _characters(picture)
     red, green, blue = picture.background
     back = np.full(rgb.shape, red << 16 | green << 8 | blue)
-    # Characters are thin: their colour is made brighter, so that dark wheels can be told from the ground.
+    # Characters are thin: their colour is made brighter, so that dark wheels stand out from the ground.
     bright = np.maximum(picture.colour.max(axis=2), 1e-3)
     lifted = np.clip(picture.colour * np.maximum(1.0, 0.55 / bright)[..., None] * 255, 0, 255).astype(np.int64) & 0xF0
     colours = lifted[..., 0] << 16 | lifted[..., 1] << 8 | lifted[..., 2]
@@ -181,7 +181,7 @@ def _ascii(picture: Picture, rgb: Array, columns: int, rows: int) -> Parts:
 
 
 def _characters(picture: Picture) -> tuple[Array, Array]:
-    """A character for every pixel, and whether there is anything."""
+    """A character for every pixel, and whether anything is there."""
     # A bright thing in the shade is as bright as a dark one in the light, as for the eye.
     tone = picture.shade * (0.45 + 0.55 * picture.colour.max(axis=2))
     ramp = np.array([ord(char) for char in RAMP])

@@ -12,7 +12,7 @@ from day6_tui.core.ros.programs.rviz2.model.turning import matrix
 from day6_tui.tui.render.picture import LINE, SURFACE, Array, Picture
 
 BIAS = 0.004
-"""Lines in a surface are drawn over it: their depth counts as so much (of itself) nearer."""
+"""Lines on a surface are drawn over it: their depth counts as nearer by this fraction of itself."""
 
 MOST_SAMPLES = 400_000
 WIDEST_POINT = 9

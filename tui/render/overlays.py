@@ -1,4 +1,4 @@
-"""Pictures that lie on the view: those of cameras, in its lower right corner, one above the other."""
+"""Pictures over the view: camera images, stacked in its lower right corner."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from day6_tui.tui.render.triangles import paint_triangles
 
 @dataclass(frozen=True)
 class Quality:
-    """How much detail: shades of one colour, steps of colours, pixels left out."""
+    """The amount of detail: shades of one colour, steps of colours, pixels left out."""
 
     levels: int
     step: int

@@ -33,7 +33,7 @@ class Picture:
         self.depth: Array = np.full((height, width), FAR, np.float32)
         self.kind: Array = np.zeros((height, width), np.uint8)
         self.shade: Array = np.zeros((height, width), np.float32)
-        """How much light a pixel's surface gets, 0..1: what characters without colour show."""
+        """The brightness of a pixel's surface, 0..1: what characters without colour show."""
         self.labels: list[tuple[float, float, str, tuple[int, int, int]]] = []
         """Texts at pixels: x, y, text, colour."""
         self.position: Array = np.array(camera.position, np.float64)

@@ -19,13 +19,13 @@ from day6_tui.tui.render.picture import SURFACE, Array, Picture
 AMBIENT, DIFFUSE = 0.45, 0.6
 
 THIN = 1.3
-"""Solids that are not thicker than so many pixels are drawn as lines: rays would miss them here and there."""
+"""Solids at most this many pixels thick are drawn as lines: rays would miss parts of them."""
 
 _CORNERS = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], np.float64)
 
 SECTORS = 8
 _MARKS = np.array([1.0, *((0.0, 0.55) * 4)[:7]], np.float32)
-"""How far each sector of a wheel is whitened; the first one tells where the wheel stands."""
+"""How much each sector of a wheel is whitened; the first one shows the wheel's angle."""
 
 
 def light_of(picture: Picture) -> Array:
@@ -50,7 +50,7 @@ def paint_solids(picture: Picture, shapes: Sequence[Shape], levels: int, thin: S
 
 
 class _Solid(NamedTuple):
-    """A shape that may be seen: its place, the pixels it covers at most, the map back to the unit shape."""
+    """A possibly visible shape: its pose, the pixels it covers at most, the map back to the unit shape."""
 
     shape: Shape
     centre: Array
@@ -64,7 +64,7 @@ class _Solid(NamedTuple):
 
 
 def _measure(picture: Picture, shapes: Sequence[Shape]) -> list[_Solid]:
-    """Find out about all shapes at once where and how large they are on the screen."""
+    """Compute for all shapes at once where they are on the screen and how large."""
     shapes = [
         shape
         for shape in shapes

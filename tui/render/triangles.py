@@ -18,7 +18,7 @@ CHUNK = 1_500_000
 
 _MOST_KEPT = 64
 _normals: OrderedDict[int, tuple[Array, Array]] = OrderedDict()
-"""Face normals of meshes by the identity of their faces, which is kept beside them so that it stays theirs."""
+"""Face normals of meshes by the id of their face array; the array is kept too, so that the id is not reused."""
 
 
 def paint_triangles(picture: Picture, meshes: Sequence[Triangles], levels: int) -> None:
@@ -77,7 +77,7 @@ def _paint(picture: Picture, mesh: Triangles, light: Array, levels: int) -> None
         scaled = _face_normals(mesh)[which] / np.maximum(np.abs(np.array(mesh.scale, np.float32)), 1e-12)
         normal = scaled @ turn.T.astype(np.float32)
         length = np.sqrt((normal * normal).sum(axis=1))
-        # Both sides are lit: which way round a file's triangles go is anybody's guess.
+        # Both sides are lit: the winding order of a file's triangles is not reliable.
         shade = AMBIENT + DIFFUSE * np.abs(normal @ light.astype(np.float32)) / np.maximum(length, 1e-30)
         shade = np.minimum(np.round(shade * levels) / levels, 1.0).astype(np.float32)
     else:

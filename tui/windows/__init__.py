@@ -1,22 +1,21 @@
-"""One module per kind of window. A window's pane is made for a kind by name, and its module imported only then."""
+"""One module per kind of window. A pane is made by the name of its kind, and its module is imported only then."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import Generic
 
 from rich.segment import Segment
 from textual.geometry import Region
+from textual.message import Message
 from textual.strip import Strip
 
-from day6_tui.core.session.display import Window
+from day6_tui.core.session.display import Model, Window
 from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
+from day6_tui.tui.overlay import Overlay, PaneHost
 from day6_tui.tui.pane import Pane, Piece
-
-if TYPE_CHECKING:
-    from day6_tui.tui.overlay import Overlay
 
 KINDS: dict[str, tuple[str, str]] = {
     "turtlesim": ("turtlesim", "TurtleSimPane"),
@@ -35,16 +34,28 @@ KINDS: dict[str, tuple[str, str]] = {
 """Kind of window -> module in this package and class in it."""
 
 
-class WindowPane(Pane):
-    """Base of the panes that draw a program's window: its number, its title with the others' names, its model."""
+class WindowPane(Pane, Generic[Model]):
+    """Base of the panes that draw a program's window: its number, its title with the other windows' names, its model."""
+
+    class Failed(Message):
+        """The window could not be drawn."""
+
+        def __init__(self, pane: WindowPane[object], error: Exception) -> None:
+            super().__init__()
+            self.pane = pane
+            self.error = error
+
+        @property
+        def control(self) -> WindowPane[object]:
+            return self.pane
 
     takes_focus = False
-    """Whether the keyboard goes to it when it opens, as to an editor; else it stays in the terminal."""
+    """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Model], look: Look) -> None:
         super().__init__(look)
         self.window = window
-        self.model = window.model
+        self.model: Model = window.model
         self.help_key = window.kind
         self._failed = False
 
@@ -59,12 +70,12 @@ class WindowPane(Pane):
             # A window that cannot be drawn must not take the desktop with it.
             if not self._failed:
                 self._failed = True
-                self.app.call_later(self.app.window_failed, self, error)  # type: ignore[attr-defined]
+                self.post_message(self.Failed(self, error))
             return [Strip.blank(crop.width, self.background)] * crop.height
 
     @property
     def label(self) -> str:
-        """The window's name on frames and in lists: that of the program, as on a real desktop."""
+        """The window's name on frames and in lists: the program's, as on a real desktop."""
         return self.window.title
 
     def title(self) -> list[Piece]:
@@ -73,19 +84,16 @@ class WindowPane(Pane):
         return [Piece(f" {self.label} ", style)]
 
     def title_right(self) -> list[Piece]:
-        from day6_tui.tui.desktop import Desktop
-
-        desktop = self.parent
-        others = desktop.other_tabs(self) if isinstance(desktop, Desktop) and desktop.active == self.number else []
+        others = self.parent.tabs_beside(self) if isinstance(self.parent, PaneHost) else []
         close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)
         return [*others, close]
 
     def close(self) -> None:
-        """Close the window for the user; one that would lose something asks first."""
+        """Close the window at the user's request; one that would lose something asks first."""
         self.window.close_by_user()
 
     def loses_at_the_end(self) -> str:
-        """What is lost if the desktop ends now, and why; '' for nothing. Keeps what can be kept."""
+        """Keep what can be kept; return what is lost if the desktop ends now, and why, or ''."""
         return ""
 
     def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
@@ -96,15 +104,14 @@ class WindowPane(Pane):
 
     def lay_over(self, overlay: Overlay) -> None:
         """Lay a prompt or menu over the desktop."""
-        open_overlay = getattr(self.parent, "open_overlay", None)
-        if open_overlay is not None:
-            open_overlay(overlay)
+        if isinstance(self.parent, PaneHost):
+            self.parent.open_overlay(overlay)
 
 
-class BrokenPane(WindowPane):
-    """What is shown for a window that cannot be drawn: the reason, in the place of the picture."""
+class BrokenPane(WindowPane[object]):
+    """Shows, in place of a window that cannot be drawn, the reason."""
 
-    def __init__(self, window: Window, look: Look, error: Exception) -> None:
+    def __init__(self, window: Window[object], look: Look, error: Exception) -> None:
         super().__init__(window, look)
         self._error = error
 
@@ -114,11 +121,11 @@ class BrokenPane(WindowPane):
         return [Segment(lines[y], self.look.colours.warning)] if y < len(lines) else []
 
 
-def make_window(window: Window, look: Look) -> WindowPane:
-    """The pane for a window. A window whose pane cannot be made gets one that says why; the program runs on."""
+def make_window(window: Window[object], look: Look) -> WindowPane[object]:
+    """Return the pane for a window; if it cannot be made, one that shows the reason, and the program runs on."""
     try:
         module, name = KINDS[window.kind]
-        pane: WindowPane = getattr(import_module(f"{__name__}.{module}"), name)(window, look)
+        pane: WindowPane[object] = getattr(import_module(f"{__name__}.{module}"), name)(window, look)
     except Exception as error:
         return BrokenPane(window, look, error)
     return pane

@@ -1,9 +1,9 @@
-"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`; below it stands what is wrong."""
+"""The car from above: `urdf.topview` draws it from the transforms of a `CarSnapshot`; problems are listed below it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from rich.style import Style
@@ -17,6 +17,11 @@ from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.remarks import remark_lines
 from day6_tui.urdf.topview import render_top
 
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.day6_bot.model import CarModel, CarSnapshot
+    from day6_tui.core.ros.programs.remark import Remark
+
+
 MOST_STATUS_LINES = 4
 
 FRAME_SECONDS = 0.05
@@ -25,7 +30,7 @@ FRAME_SECONDS = 0.05
 ZOOM = 1.25
 _ZOOMS = {"+": ZOOM, "=": ZOOM, "-": 1 / ZOOM, "_": 1 / ZOOM}
 _PANS = {"left": (1, 0), "right": (-1, 0), "up": (0, 1), "down": (0, -1)}
-"""Keys that look to a side: the picture moves to the other one."""
+"""Keys that move the view to a side: the picture moves the other way."""
 
 _ROLES = {
     "": "text",
@@ -40,21 +45,21 @@ _ROLES = {
     "missing": "warning",
     "scale": "muted",
 }
-"""Look of `topview.STYLES` -> role in `Colours`."""
+"""Style in `topview.STYLES` -> role in `Colours`."""
 
 _LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
 
 Row = Sequence[tuple[str, str]]
 
 
-class CarPane(WindowPane):
+class CarPane(WindowPane["CarModel"]):
     """Draws the newest snapshot; a new one costs the cells in which its picture differs."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[CarModel], look: Look) -> None:
         super().__init__(window, look)
-        self._snapshot: Any = None
+        self._snapshot: CarSnapshot | None = None
         self._rows: list[Row] = []
-        self._said: list[tuple[str, str]] = []
+        self._remarks: list[tuple[str, str]] = []
         self._drawn_at = 0.0
         self._zoom = 1.0
         self._shift = (0, 0)
@@ -70,10 +75,10 @@ class CarPane(WindowPane):
         if self._rows and now - self._drawn_at < FRAME_SECONDS:
             return True
         self._drawn_at = now
-        before, spoken = self._rows, self._said
+        before, remarks_before = self._rows, self._remarks
         rate_before = self._rate()
         self._take_over(snapshot)
-        if spoken != self._said or len(before) != len(self._rows):
+        if remarks_before != self._remarks or len(before) != len(self._rows):
             self.touch()
             return False
         self.touch_lines(line for line, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new)
@@ -81,10 +86,10 @@ class CarPane(WindowPane):
             self.touch_frame()
         return False
 
-    def _take_over(self, snapshot: Any) -> None:
+    def _take_over(self, snapshot: CarSnapshot) -> None:
         self._snapshot = snapshot
-        self._said = self._say(snapshot.status)
-        rows = max(0, self.inner_height - len(self._said))
+        self._remarks = self._remark_lines(snapshot.status)
+        rows = max(0, self.inner_height - len(self._remarks))
         if snapshot.robot is None:
             self._rows = [()] * rows
             return
@@ -97,10 +102,10 @@ class CarPane(WindowPane):
             )
         )
 
-    def _say(self, status: Any) -> list[tuple[str, str]]:
-        """Levels and lines of what is wrong.
+    def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
+        """Levels and lines of the remarks.
 
-        In a low window the picture comes first: what is only worth knowing is left away there.
+        In a low window the picture comes first: remarks of level "info" are left out.
         """
         most = max(1, self.inner_height // 5, min(MOST_STATUS_LINES, self.inner_height // 3))
         return remark_lines(status, self.look, self.inner_width, most, info_needs_room=True)[:most]
@@ -116,12 +121,12 @@ class CarPane(WindowPane):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def title(self) -> list[Piece]:
-        robot = getattr(self._snapshot, "robot", None)
+        robot = self._snapshot.robot if self._snapshot is not None else None
         name = [Piece(f" {robot.name} ", self.look.colours.node)] if robot is not None else []
         return [*super().title(), *name]
 
     def _rate(self) -> str:
-        rate = getattr(self._snapshot, "rate", None)
+        rate = self._snapshot.rate if self._snapshot is not None else None
         return f"/joint_states {rate:.0f} Hz" if rate is not None else ""
 
     def status(self) -> list[Piece]:
@@ -135,8 +140,8 @@ class CarPane(WindowPane):
         if y < len(self._rows):
             return [Segment(text, self._style(style)) for text, style in self._rows[y]]
         index = y - len(self._rows)
-        if index < len(self._said):
-            level, text = self._said[index]
+        if index < len(self._remarks):
+            level, text = self._remarks[index]
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
         return []
 

@@ -1,4 +1,4 @@
-"""The editor's window: Textual's TextArea in a pane's frame, with save, find, go to line, and what is wrong as one types."""
+"""The editor's window: Textual's TextArea in a pane's frame, with save, find, go to line, and checks while typing."""
 
 from __future__ import annotations
 
@@ -28,20 +28,20 @@ from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.editor_area import EditorArea, has_grammar
 
 KEEP_SECONDS = 1.0
-"""So long after the last key the unsaved text is kept and checked."""
+"""Seconds after the last key at which the unsaved text is kept and checked."""
 
 LOOK_SECONDS = 1.0
 """How often the file on the disk is looked at."""
 
 
-class EditorPane(WindowPane):
-    """Draws the frame and the lines of status; the text, its cursor and its history are the TextArea's."""
+class EditorPane(WindowPane[Editor]):
+    """Draws the frame and the status lines; the text, its cursor and its history belong to the TextArea."""
 
     takes_focus = True
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Editor], look: Look) -> None:
         super().__init__(window, look)
-        self.editor: Editor = window.model
+        self.editor = window.model
         self.area = EditorArea(self, look)
         self.problem: Problem | None = None
         self._version = -1
@@ -49,18 +49,18 @@ class EditorPane(WindowPane):
         self._looked = 0.0
         self._kept = ""
         self._outside = False
-        self._said = ""
+        self._message = ""
         self._sought = ""
         self._unkept = ""
         """Why there is no copy of the unsaved text; '' if there is one, or nothing to keep."""
         self._again = ""
-        """What was asked for and will be done when it is asked for again: 'save', 'close', 'lose', or ''."""
+        """The request that is carried out if it is repeated: 'save', 'close', 'lose', or ''."""
         self._gone = False
-        """Whether the file was there and is no more."""
+        """Whether the file existed and is gone."""
         self._discarded = False
         """Whether the user wants the changes thrown away."""
         self._agreed: Path | None = None
-        """The file outside the home folder that may be written."""
+        """The file outside the home folder that the user allowed to be written."""
 
     def compose(self) -> ComposeResult:
         yield self.area
@@ -80,8 +80,8 @@ class EditorPane(WindowPane):
 
     def status(self) -> list[Piece]:
         colours, texts = self.look.colours, self.look.texts
-        if self._said:
-            return [Piece(f" {self._said} ", colours.warning)]
+        if self._message:
+            return [Piece(f" {self._message} ", colours.warning)]
         if self._unkept:
             return [Piece(f" {texts('editor.not_kept', reason=self._unkept)} ", colours.warning)]
         if self._outside:
@@ -165,13 +165,13 @@ class EditorPane(WindowPane):
         return True
 
     def _look_at_the_disk(self) -> None:
-        """Take over what somebody else wrote, unless that would lose what only this window still has."""
+        """Load what another program wrote, unless that would lose text that only this window has."""
         if self._unkept:
             self._keep_and_check()
         outside = self.editor.changed_outside()
         gone = outside and not self.editor.exists()
         if gone and not self._gone:
-            self.editor.saved = ""  # what is here is nowhere else now
+            self.editor.saved = ""  # this text now exists nowhere else
             self._edited = time.monotonic()
         before, self._gone = (self._outside, self._gone), gone
         if outside and not gone and not self.changed:
@@ -187,7 +187,7 @@ class EditorPane(WindowPane):
     def edited(self) -> None:
         """The text was changed."""
         self._edited = time.monotonic()
-        self._said = ""
+        self._message = ""
         self._again = ""
         self.touch_frame()
         self.look.wake()
@@ -214,7 +214,7 @@ class EditorPane(WindowPane):
         self.touch_frame()
 
     def _keep(self, text: str) -> bool:
-        """Keep a copy of an unsaved text; False (and the window says why) if that cannot be."""
+        """Keep a copy of the unsaved text; return False, and show why, if that is impossible."""
         if text != self._kept or self._unkept:
             try:
                 self.editor.keep(text)
@@ -230,7 +230,7 @@ class EditorPane(WindowPane):
         return f"{self.editor.title()} ({self._unkept})"
 
     def on_unmount(self) -> None:
-        """The program was ended from outside: what was typed last is kept too."""
+        """The program was ended from outside: keep what was typed last too."""
         if self.changed and not self._discarded:
             with contextlib.suppress(OSError):  # the window that would say so is gone
                 self.editor.keep(self.area.text)
@@ -238,7 +238,7 @@ class EditorPane(WindowPane):
     # -- doing ---------------------------------------------------------------------------------------------------------
 
     def save(self) -> bool:
-        """Write the file; False (and a line that says why) if it could not be."""
+        """Write the file; return False, and show why, if that failed."""
         if self.editor.file is None:
             return False
         path = self.editor.file.path
@@ -246,37 +246,37 @@ class EditorPane(WindowPane):
         beyond = self._agreed != path and self.editor.is_outside(path)
         if (self._outside or beyond) and self._again != "save":
             self._again = "save"
-            self._said = self.look.texts("editor.overwrite" if self._outside else "editor.beyond")
+            self._message = self.look.texts("editor.overwrite" if self._outside else "editor.beyond")
             self.touch_frame()
             return False
         try:
             self.editor.save(self.area.text)
         except OSError as error:
-            self._said = self.look.texts("editor.not_saved", reason=error.strerror or error)
+            self._message = self.look.texts("editor.not_saved", reason=error.strerror or error)
             self.touch_frame()
             return False
-        self._kept, self._outside, self._said, self._again = self.area.text, False, "", ""
+        self._kept, self._outside, self._message, self._again = self.area.text, False, "", ""
         self._unkept, self._gone = "", False
         self._agreed = path
         self.touch_frame()
         return True
 
     def close(self) -> None:
-        """Close the window. Unsaved text: nano asks, the others want the key twice and keep a copy even then.
+        """Close the window. With unsaved text nano asks; the others need the key twice, and keep a copy even then.
 
-        If there is no room for a copy, they want it a third time.
+        If there is no room for a copy, they need it a third time.
         """
         if self.changed and self._is_nano:
             self._ask_before_leaving()
             return
         if self.changed and self._again not in ("close", "lose"):
             self._again = "close"
-            self._said = self.look.texts("editor.unsaved")
+            self._message = self.look.texts("editor.unsaved")
             self.touch_frame()
             return
         if self.changed and not self._keep(self.area.text) and self._again != "lose":
             self._again = "lose"
-            self._said = self.look.texts("editor.lose", reason=self._unkept)
+            self._message = self.look.texts("editor.lose", reason=self._unkept)
             self.touch_frame()
             return
         self.window.close_by_user()
@@ -305,7 +305,7 @@ class EditorPane(WindowPane):
             path = self.editor.folder / name
             if name == own:
                 if not self.save():
-                    return self._said
+                    return self._message
             elif not name.strip():
                 return self.look.texts("editor.name")
             elif name != asked and (path.exists() or self.editor.is_outside(path)):
@@ -329,13 +329,13 @@ class EditorPane(WindowPane):
         try:
             self.area.load_text(self.editor.reload())
         except CannotEdit as error:
-            self._said = str(error)
+            self._message = str(error)
         self.area.move_cursor(place)
         self._outside, self._kept = False, self.area.text
         self._keep_and_check()
 
     def find(self) -> None:
-        """Ask what to look for and go there; the same again goes to the next place."""
+        """Ask for a text and go to its next occurrence; the same text again goes to the one after that."""
 
         def taken(text: str) -> str | None:
             self._sought = text
@@ -349,7 +349,7 @@ class EditorPane(WindowPane):
         self.ask(self.look.texts("editor.find"), self._sought, taken)
 
     def _next_place(self, text: str) -> tuple[int, int] | None:
-        """Where `text` comes next after the cursor, beginning again at the top."""
+        """The next occurrence of `text` after the cursor, wrapping around at the end."""
         if not text:
             return None
         lines = self.area.text.split("\n")
@@ -384,7 +384,7 @@ class EditorPane(WindowPane):
             try:
                 self.editor.open(path)
             except CannotEdit as error:
-                self._said = str(error)
+                self._message = str(error)
                 self.touch_frame()
             self.look.wake()
 
@@ -394,7 +394,7 @@ class EditorPane(WindowPane):
         self.lay_over(Menu(self.look, "editor.files", entries))
 
     def _ask_new_file(self, chosen: Callable[[Path], object]) -> None:
-        """Ask for the name of a file that is not there yet; it comes into being when it is saved."""
+        """Ask for the name of a new file; it is created when it is saved."""
 
         def taken(name: str) -> str | None:
             path = self.editor.folder / name.strip()
@@ -427,7 +427,7 @@ class EditorPane(WindowPane):
             event.stop()
 
     def used(self, key: str) -> bool:
-        """Do what a key of the editor means; False if it is none."""
+        """Handle a key of the editor; return False if it isn't one."""
         actions: dict[str, Callable[[], object]] = {
             "ctrl+s": self.save,
             "ctrl+f": self.find,

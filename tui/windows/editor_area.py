@@ -1,4 +1,4 @@
-"""The text of an editor's window: Textual's TextArea with what one expects of a program's text."""
+"""The text of an editor's window: Textual's TextArea with the keys of a code editor."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ STEP = "    "
 """What Tab puts before a line."""
 
 _CLOSING = {"right_parenthesis": ")", "right_square_bracket": "]", "right_curly_bracket": "}"}
-"""Keys that close what a deeper line belongs to."""
+"""Keys that close the block a deeper line belongs to."""
 
 FASTEST_FINGERS = 0.01
-"""Seconds between two keys below which nobody types: a terminal without bracketed paste sends pasted text as keys."""
+"""Keys closer together than this (seconds) are a paste: a terminal without bracketed paste sends pasted text as keys."""
 
 
 class EditorArea(TextArea):
-    """Keys go to the pane first; Enter keeps the indentation, Tab moves chosen lines, the wrong line is underlined."""
+    """Keys go to the pane first; Enter keeps the indentation, Tab indents selected lines, the wrong line is underlined."""
 
     DEFAULT_CSS = """
     EditorArea {
@@ -75,7 +75,7 @@ class EditorArea(TextArea):
             )
 
     def _set_document(self, text: str, language: str | None) -> None:
-        """As TextArea does it, with documents that change no character."""
+        """Like TextArea's, with documents that change no character."""
         document = document_of(text, get_language(language) if language else None)
         self._highlight_query = None
         if language:
@@ -106,7 +106,7 @@ class EditorArea(TextArea):
         event.prevent_default()
 
     async def take_keys(self, keys: list[events.Key]) -> None:
-        """Do what these keys do, which were typed elsewhere, also those that are bindings."""
+        """Handle keys that were typed elsewhere, bindings included."""
         for event in keys:
             if self._pane.used(event.key) or self._typed(event.key, pasted=True):
                 continue
@@ -117,11 +117,11 @@ class EditorArea(TextArea):
                 await super()._on_key(event)
 
     async def _on_paste(self, event: events.Paste) -> None:
-        event.stop()  # the text area, which Textual asks next, inserts it; nobody else shall
+        event.stop()  # the text area, which gets the event next, inserts it; nothing else may
         event.text = event.text.replace("\r\n", "\n").replace("\r", "\n")  # terminals send what Enter sends
 
     def _typed(self, key: str, pasted: bool) -> bool:
-        """Do what a program's text wants of a key; False if it is an ordinary one."""
+        """Handle a key that is special in code; return False for an ordinary one."""
         first, last = sorted((self.selection.start[0], self.selection.end[0]))
         if key == "enter" and not pasted:
             self._new_line()
@@ -140,13 +140,13 @@ class EditorArea(TextArea):
         return True
 
     def _at_a_step(self) -> bool:
-        """Whether nothing is chosen and only whole steps of blanks stand before the cursor."""
+        """Whether nothing is selected and only whole indentation steps precede the cursor."""
         row, column = self.cursor_location
         before = self.document.get_line(row)[:column]
         return self.selection.is_empty and column > 0 and column % len(STEP) == 0 and not before.strip(" ")
 
     def _new_line(self) -> None:
-        """Begin a line as deep as this one, a step deeper after a colon or an opened bracket in Python."""
+        """Begin a line indented like this one, one step deeper after a colon or an open bracket in Python."""
         (row, column), end = sorted(self.selection)
         before = self.document.get_line(row)[:column]
         indentation = before[: len(before) - len(before.lstrip())]
@@ -155,7 +155,7 @@ class EditorArea(TextArea):
         self.replace("\n" + indentation, (row, column), end, maintain_selection_offset=False)
 
     def _shift(self, first: int, last: int, steps: int) -> None:
-        """Put these lines a step deeper or a step back, and leave them chosen."""
+        """Indent or unindent these lines by one step, and leave them selected."""
         start, end = self.selection
         lines = [self.document.get_line(row) for row in range(first, last + 1)]
         moved = [_shifted(line, steps) for line in lines]
@@ -167,7 +167,7 @@ class EditorArea(TextArea):
         self.selection = type(self.selection)(*chosen)
 
     def cut_line(self) -> None:
-        """nano's ^K: take the line away; several in a row are kept together."""
+        """nano's ^K: cut the line; consecutive cuts are kept together."""
         row = self.cursor_location[0]
         end = (row + 1, 0) if row + 1 < self.document.line_count else (row, len(self.document.get_line(row)))
         text = self.document.get_line(row) + "\n"
@@ -177,7 +177,7 @@ class EditorArea(TextArea):
         self._cut_row = row
 
     def put_line(self) -> None:
-        """nano's ^U: put back here what ^K took."""
+        """nano's ^U: paste what ^K cut."""
         row = self.cursor_location[0]
         self.insert(self._cut, (row, 0), maintain_selection_offset=False)
         self._cut_row = -1
@@ -205,12 +205,12 @@ def _shifted(line: str, steps: int) -> str:
 
 
 def theme_for(look: Look) -> str:
-    """The colours of the text: those of a well-known editor, or the terminal's own where there are few."""
+    """The colours of the text: a well-known editor's, or the terminal's own if it has few."""
     return {"dark": "vscode_dark", "light": "github_light"}.get(look.colours.name, "css")
 
 
 def has_grammar(language: str) -> bool:
-    """Say whether highlighting can be had: it comes from packages that a system may lack."""
+    """Whether highlighting is available: it comes from packages that a system may lack."""
     from importlib.util import find_spec
 
     return find_spec("tree_sitter") is not None and find_spec(f"tree_sitter_{language}") is not None

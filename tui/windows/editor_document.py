@@ -1,7 +1,7 @@
 """The lines of an editor's text: Textual's documents, but only a newline ends a line.
 
-Textual asks `str.splitlines`, for which form feeds, U+2028 and nine more end a line too; it then writes all of them as
-newlines. Here every other character is one of a line, so that the text stays what it was.
+Textual uses `str.splitlines`, for which form feeds, U+2028 and nine more end a line too, and then writes all of them as
+newlines. Here every other character belongs to a line, so that the text stays as it was.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class Lines(Document):
-    """A text without colours. `text` is exactly what it was made of."""
+    """A text without highlighting. `text` is exactly what it was made from."""
 
     def __init__(self, text: str) -> None:
         self._newline = "\n"
         self._lines = text.split("\n")
 
     def replace_range(self, start: Location, end: Location, text: str) -> EditResult:
-        """Put `text` in the place of what lies between two places."""
+        """Replace what lies between two places with `text`."""
         (top, left), (bottom, right) = sorted((start, end))
         replaced = self.get_text_range(start, end)
         before = self._lines[top][:left] if top < len(self._lines) else ""
@@ -37,7 +37,7 @@ class Lines(Document):
 
 
 class ColouredLines(SyntaxAwareDocument, Lines):
-    """A text in a language; its base classes ask each other in this order, so the lines are those of `Lines`."""
+    """A text in a language; the order of its base classes makes `Lines` define the lines."""
 
 
 def document_of(text: str, language: Language | None) -> Lines:

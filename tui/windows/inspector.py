@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
+from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
@@ -17,12 +17,12 @@ from day6_tui.tui.windows import WindowPane
 _SCROLL = {"down": 1, "up": -1, "pagedown": 8, "pageup": -8, "home": -9999, "end": 9999}
 
 
-class InspectorPane(WindowPane):
+class InspectorPane(WindowPane[Inspector]):
     """Draws `Inspector.findings`, wrapped."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Inspector], look: Look) -> None:
         super().__init__(window, look)
-        self.inspector: Inspector = window.model
+        self.inspector = window.model
         self._drawn: tuple[object, ...] = ()
         self._lines: list[list[Segment]] = []
         self._first = 0

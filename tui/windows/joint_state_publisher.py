@@ -1,6 +1,6 @@
 """The slider window of joint_state_publisher_gui: a slider per joint, for keys and the mouse, and exact numbers.
 
-The sliders and what a wish does are the program's (`SliderModel`); this only draws them and keeps what is chosen.
+The sliders and what a request does are the program's (`SliderModel`); this only draws them and keeps what is chosen.
 """
 
 from __future__ import annotations
@@ -8,23 +8,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
 
+from day6_tui.core.ros.programs.joint_state_publisher_gui.model import RANGE
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 
-RANGE = 10_000
-"""Steps of a slider, as in the original."""
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel
+
 
 VALUE_WIDTH = 9
 BUTTONS = (("randomize", "Randomize", "r"), ("center", "Center", "c"))
-"""What they wish for, their names in the original, their keys."""
+"""The requests they make, their names in the original, their keys."""
 
 STEPS = {
     "right": 100,
@@ -41,15 +43,15 @@ STEPS = {
 Line = list[Segment]
 
 
-class SlidersPane(WindowPane):
+class SlidersPane(WindowPane["SliderModel"]):
     """Draws `SliderModel.sliders`; keeps the chosen one, the unit, and a number that is being typed."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[SliderModel], look: Look) -> None:
         super().__init__(window, look)
         self._chosen = ""
         self._degrees = False
         self._typed: str | None = None
-        """What was typed so far of a number for the chosen joint; None while none is."""
+        """The part of a number typed so far for the chosen joint; None while none is being typed."""
         self._dragged = ""
         self._tracks: dict[str, tuple[int, int]] = {}
         """Column and width of every track that is shown."""
@@ -91,17 +93,17 @@ class SlidersPane(WindowPane):
     def _index(self) -> int:
         return next((i for i, slider in enumerate(self.model.sliders) if slider.name == self._chosen), 0)
 
-    def _slider(self) -> Any | None:
+    def _slider(self) -> Slider | None:
         sliders = self.model.sliders
         return sliders[self._index()] if sliders else None
 
-    def _in_degrees(self, slider: Any) -> bool:
+    def _in_degrees(self, slider: Slider) -> bool:
         return self._degrees and slider.turns
 
-    def _text(self, slider: Any, value: float, digits: int) -> str:
+    def _text(self, slider: Slider, value: float, digits: int) -> str:
         return f"{math.degrees(value) if self._in_degrees(slider) else value:.{digits}f}"
 
-    def _unit(self, slider: Any) -> str:
+    def _unit(self, slider: Slider) -> str:
         if not slider.turns:
             return "m"
         if not self._degrees:
@@ -112,7 +114,7 @@ class SlidersPane(WindowPane):
 
     def _build(self, width: int, height: int) -> list[Line]:
         lines = [self._buttons(width)]
-        below = self._said(width)
+        below = self._problem_lines(width)
         room = max(1, height - 1 - len(below))
         lines += self._list(width, room)
         lines += [[]] * (height - len(lines) - len(below))
@@ -123,14 +125,14 @@ class SlidersPane(WindowPane):
         self._hits.pop(1, None)
         segments: Line = [Segment(" ", self.background)]
         column = 1
-        for wish, name, key in BUTTONS:
+        for request, name, key in BUTTONS:
             text = f" {name} "
             segments += [Segment(text, colours.key), Segment(f" {key}   ", colours.muted)]
             self.add_hit(
                 1,
                 column + self.inner_offset,
                 column + self.inner_offset + len(text),
-                partial(self._wish, wish),
+                partial(self._request, request),
             )
             column += len(text) + 5
         return segments
@@ -156,19 +158,19 @@ class SlidersPane(WindowPane):
             return 2
         return 3 if room >= 3 * len(self.model.sliders) else 1
 
-    def _one_line(self, slider: Any, width: int) -> Line:
+    def _one_line(self, slider: Slider, width: int) -> Line:
         names = max(cell_len(other.name) for other in self.model.sliders)
         name_width = max(8, min(names, width // 3))
         head = self._head(slider, name_width)
         track_width = width - name_width - VALUE_WIDTH - 8
         return [*head, *self._track(slider, name_width + 3, track_width), *self._value(slider)]
 
-    def _two_lines(self, slider: Any, width: int) -> list[Line]:
+    def _two_lines(self, slider: Slider, width: int) -> list[Line]:
         name_width = max(4, width - VALUE_WIDTH - 9)
         head = [*self._head(slider, name_width), *self._value(slider)]
         return [head, [Segment("   ", self.background), *self._track(slider, 3, width - 5)]]
 
-    def _head(self, slider: Any, width: int) -> Line:
+    def _head(self, slider: Slider, width: int) -> Line:
         colours, chosen = self.look.colours, slider is self._slider()
         mark = self.look.glyphs.marker if chosen else " "
         style = colours.choice if chosen and self.has_focus else colours.strong if chosen else colours.node
@@ -178,7 +180,7 @@ class SlidersPane(WindowPane):
             Segment(" ", self.background),
         ]
 
-    def _value(self, slider: Any) -> Line:
+    def _value(self, slider: Slider) -> Line:
         colours = self.look.colours
         if self._typed is not None and slider is self._slider():
             text, style = f"{self._typed}_", colours.choice
@@ -189,7 +191,7 @@ class SlidersPane(WindowPane):
             Segment(f" {self._unit(slider):<4}", colours.muted),
         ]
 
-    def _track(self, slider: Any, column: int, width: int) -> Line:
+    def _track(self, slider: Slider, column: int, width: int) -> Line:
         """The two limits and between them the track with its knob; remembers where it is for the mouse."""
         colours = self.look.colours
         low, high = (self._text(slider, limit, 0 if self._degrees else 2) for limit in (slider.minimum, slider.maximum))
@@ -214,8 +216,8 @@ class SlidersPane(WindowPane):
             *([Segment(high, colours.muted)] if limits else ()),
         ]
 
-    def _said(self, width: int) -> list[Line]:
-        """Who else publishes, if anybody does: the reason why a robot jitters."""
+    def _problem_lines(self, width: int) -> list[Line]:
+        """Other publishers, if there are any: the reason a robot jitters."""
         others = self.model.others
         if not others:
             return []
@@ -264,24 +266,24 @@ class SlidersPane(WindowPane):
         if self._typed is not None:
             return self._type(key, character, slider)
         if key in STEPS:
-            self._wish("step", slider.name, slider.step + STEPS[key])
+            self._request("step", slider.name, slider.step + STEPS[key])
         elif key in ("home", "end"):
-            self._wish("value", slider.name, slider.minimum if key == "home" else slider.maximum)
+            self._request("value", slider.name, slider.minimum if key == "home" else slider.maximum)
         elif key in ("up", "down"):
             self._choose(self._index() + (1 if key == "down" else -1))
         elif character == "z":
-            self._wish("zero", slider.name)
+            self._request("zero", slider.name)
         elif character == "d":
             self._toggle_degrees()
         elif character in ("r", "c"):
-            self._wish("randomize" if character == "r" else "center")
+            self._request("randomize" if character == "r" else "center")
         elif key == "enter" or (character and character in "0123456789."):
             self._typed = "" if key == "enter" else character
         else:
             return False
         return True
 
-    def _type(self, key: str, character: str, slider: Any) -> bool:
+    def _type(self, key: str, character: str, slider: Slider) -> bool:
         typed = self._typed or ""
         if key == "escape":
             self._typed = None
@@ -289,7 +291,7 @@ class SlidersPane(WindowPane):
             self._typed = None
             number = _number(typed)
             if number is not None:
-                self._wish("value", slider.name, math.radians(number) if self._in_degrees(slider) else number)
+                self._request("value", slider.name, math.radians(number) if self._in_degrees(slider) else number)
         elif key == "backspace":
             self._typed = typed[:-1]
         elif character and character in "0123456789.-+eE" and len(typed) < VALUE_WIDTH - 2:
@@ -309,12 +311,12 @@ class SlidersPane(WindowPane):
         self.touch()
         self.look.wake()
 
-    def _wish(self, kind: str, joint: str = "", number: float = 0.0) -> None:
-        self.model.wish(kind, joint, number)
+    def _request(self, kind: str, joint: str = "", number: float = 0.0) -> None:
+        self.model.request(kind, joint, number)
 
     # -- the mouse -----------------------------------------------------------------------------------------------------
 
-    def _at(self, y: int) -> Any | None:
+    def _at(self, y: int) -> Slider | None:
         """The slider in this line of the pane."""
         line = y - self.inner_offset - 1
         index = self._first + line // self._lines_each
@@ -323,7 +325,7 @@ class SlidersPane(WindowPane):
     def _drag_to(self, x: int) -> None:
         column, width = self._tracks.get(self._dragged, (0, 2))
         share = (x - self.inner_offset - column) / max(width - 1, 1)
-        self._wish("step", self._dragged, round(min(max(share, 0.0), 1.0) * RANGE))
+        self._request("step", self._dragged, round(min(max(share, 0.0), 1.0) * RANGE))
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         slider = self._at(event.y)
@@ -365,7 +367,7 @@ def _knob(step: int, width: int) -> int:
     return min(max(round(step * (width - 1) / RANGE), 0), width - 1)
 
 
-def _step_of(slider: Any, value: float) -> int:
+def _step_of(slider: Slider, value: float) -> int:
     return int((value - slider.minimum) * RANGE / (slider.maximum - slider.minimum))
 
 

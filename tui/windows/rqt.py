@@ -7,19 +7,19 @@ from collections.abc import Iterable
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_gui._model import Menu
+from day6_tui.core.ros.programs.rqt_gui.model import Menu
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.windows import WindowPane
 
 
-class RqtPane(WindowPane):
+class RqtPane(WindowPane[Menu]):
     """Draws `Menu.plugins`; keeps which one the cursor is on."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Menu], look: Look) -> None:
         super().__init__(window, look)
-        self.menu: Menu = window.model
+        self.menu = window.model
         self._at = 0
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:

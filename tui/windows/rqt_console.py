@@ -1,4 +1,4 @@
-"""The console's window: a table of log messages, below it all of the chosen one, and which severities are left out."""
+"""The console's window: a table of log messages, the chosen one in full, and which severities are excluded."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_console._model import SEVERITIES, Console, Record
+from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Console, Record
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.look import Look
@@ -21,7 +21,7 @@ LOCATION_FROM = 100
 """Columns of the window from which there is room for the location."""
 
 DETAIL_LINES = 4
-"""Lines for all of the chosen message, in a window that is high enough; in a lower one it has one line."""
+"""Lines for the chosen message in a window that is high enough; in a lower one it has one line."""
 
 _LEVEL_OF_KEY = {"d": 10, "i": 20, "w": 30, "e": 40, "f": 50}
 _STEPS = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -(10**9), "end": 10**9}
@@ -29,12 +29,12 @@ _STEPS = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -(10**9), 
 Line = list[Segment]
 
 
-class RqtConsolePane(WindowPane):
-    """Draws `Console.shown()`; keeps which message is chosen, or that the newest is followed."""
+class RqtConsolePane(WindowPane[Console]):
+    """Draws `Console.shown()`; keeps which message is chosen, or whether the newest is followed."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Console], look: Look) -> None:
         super().__init__(window, look)
-        self.console: Console = window.model
+        self.console = window.model
         self._chosen: Record | None = None
         """None follows the newest message."""
         self._first = 0
@@ -60,7 +60,7 @@ class RqtConsolePane(WindowPane):
             self.touch_frame()
 
     def touch(self) -> None:
-        self._lines = []  # built when it is drawn: the news of the focus comes before the focus
+        self._lines = []  # built when it is drawn: the focus event comes before the focus itself
         super().touch()
 
     def on_resize(self, event: events.Resize) -> None:
@@ -97,7 +97,7 @@ class RqtConsolePane(WindowPane):
         return lines[:height]
 
     def _index(self, records: Sequence[Record]) -> int:
-        """The index of the chosen message; of the next newer one if it is left out now."""
+        """The index of the chosen message; of the next newer one if it is excluded now."""
         if self._chosen is None:
             return len(records) - 1
         low, high = 0, len(records)
@@ -307,7 +307,7 @@ class RqtConsolePane(WindowPane):
 
 
 def _end_of(text: str, width: int, ellipsis: str) -> str:
-    """The end of a path in at most `width` cells: its last parts tell most."""
+    """The end of a path in at most `width` cells: its last parts say the most."""
     while text and cell_len(text) > max(0, width):
         text = ellipsis + text[2 if text.startswith(ellipsis) else 1 :]
         if text == ellipsis:

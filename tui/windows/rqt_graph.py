@@ -9,8 +9,8 @@ from functools import partial
 from rich.segment import Segment
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_graph._content import Options
-from day6_tui.core.ros.programs.rqt_graph._drawing import (
+from day6_tui.core.ros.programs.rqt_graph.model.content import Options
+from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
     ASCII,
     CONSOLE,
     UNICODE,
@@ -21,9 +21,9 @@ from day6_tui.core.ros.programs.rqt_graph._drawing import (
     draw,
     draw_pulse,
 )
-from day6_tui.core.ros.programs.rqt_graph._fit import fitted, unfitted
-from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
-from day6_tui.core.ros.programs.rqt_graph._shapes import Picture, Route
+from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted, unfitted
+from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Picture, Route
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
@@ -45,7 +45,7 @@ PULSE_SECONDS = 1.2
 """How long a pulse takes along an edge."""
 
 PULSE_REST = 0.6
-"""At least this long between two pulses on one edge: at 62 Hz one could not follow them."""
+"""Minimum time between two pulses on one edge: at 62 Hz the eye could not follow them."""
 
 LOOK_SECONDS = 0.25
 """How often the message counters are read."""
@@ -62,12 +62,12 @@ _SCROLL: dict[str, tuple[int, int]] = {
 }
 
 
-class RqtGraphPane(WindowPane):
-    """Draws `RqtGraph.content`; keeps only what belongs to looking: scroll position and running pulses."""
+class RqtGraphPane(WindowPane[RqtGraph]):
+    """Draws `RqtGraph.content`; keeps only view state: scroll position and running pulses."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[RqtGraph], look: Look) -> None:
         super().__init__(window, look)
-        self.graph: RqtGraph = window.model
+        self.graph = window.model
         self._drawn: tuple[object, ...] = ()
         self._picture = Picture(0, 0, {}, ())
         self._canvas = Canvas(0, 0)
@@ -234,7 +234,7 @@ class RqtGraphPane(WindowPane):
         return table.get(name, self.background)
 
     def _switch_rows(self) -> int:
-        """Lines for the check boxes: what hides, and where there is room what groups."""
+        """Lines for the check boxes: those that hide and, if there is room, those that group."""
         return len(self._switch_lines(self.inner_width))
 
     def _switch_lines(self, width: int) -> list[list[Control]]:
@@ -269,7 +269,7 @@ class RqtGraphPane(WindowPane):
         return segments
 
     def _about_chosen(self) -> str:
-        """Say in one line what is around the chosen box."""
+        """Describe in one line the edges of the chosen box."""
         box, _ = self._picture.boxes[self._chosen]
         edges = self.graph.content.edges
         arriving = [edge for edge in edges if edge.end == self._chosen]
@@ -305,7 +305,7 @@ class RqtGraphPane(WindowPane):
         event.prevent_default()
 
     def on_click(self, event: events.Click) -> None:
-        """A click on a box chooses it, beside the boxes none."""
+        """A click on a box chooses it; a click elsewhere chooses none."""
         if self.hit(event.x, event.y) is not None:
             super().on_click(event)
             return

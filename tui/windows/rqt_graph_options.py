@@ -1,4 +1,4 @@
-"""The controls of rqt_graph as keys, with the labels of the real window."""
+"""rqt_graph's controls as keys, with the labels of the real window."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from day6_tui.core.ros.programs.rqt_graph._content import GraphType, Options
+from day6_tui.core.ros.programs.rqt_graph.model.content import GraphType, Options
 from day6_tui.tui.cells import cell_len
 
 DEEPEST = 4

@@ -10,9 +10,9 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 
-from day6_tui.core.ros.programs.rqt_plot._axis import label, limits, seen, ticks
-from day6_tui.core.ros.programs.rqt_plot._lines import polyline
-from day6_tui.core.ros.programs.rqt_plot._model import Curve, Plot
+from day6_tui.core.ros.programs.rqt_plot.model.axis import label, limits, seen, ticks
+from day6_tui.core.ros.programs.rqt_plot.model.lines import polyline
+from day6_tui.core.ros.programs.rqt_plot.model.plot import Curve, Plot
 from day6_tui.core.session.display import Window
 from day6_tui.tui.canvas import Canvas, Mark, new_canvas
 from day6_tui.tui.cells import cell_len, clip, fit
@@ -30,13 +30,13 @@ ON_LIGHT = (0x0072B2, 0xA65E00, 0x00704F, 0xA8447B, 0x7A6C00, 0xB34700, 0x4A50B8
 """The palette of Okabe and Ito, brightened and darkened for the two backgrounds."""
 
 SHAPES = "*+ox#@%&"
-"""What the curves are made of where there are no pixels."""
+"""Characters for the curves where there are no pixels."""
 
 MOST_LEGEND = 6
 
 
 class _View(NamedTuple):
-    """What is seen: seconds of world time from left to right, values from below to above, places of the ticks."""
+    """The visible range: seconds of world time from left to right, values from bottom to top, positions of the ticks."""
 
     start: float
     end: float
@@ -45,12 +45,12 @@ class _View(NamedTuple):
     step: float
 
 
-class RqtPlotPane(WindowPane):
+class RqtPlotPane(WindowPane[Plot]):
     """Draws `Plot.curves`; keeps which curve is chosen, and how finely it draws."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Plot], look: Look) -> None:
         super().__init__(window, look)
-        self.plot: Plot = window.model
+        self.plot = window.model
         self._chosen = 0
         self._canvas: Canvas | None = None
         self._view = _View(0, 1, 0, 1, 1)
@@ -128,7 +128,7 @@ class RqtPlotPane(WindowPane):
         canvas.set_marks(marks)
 
     def _fitted(self, start: float, end: float, rows: int) -> _View:
-        """The edges for the values that are seen, at round numbers, so that they stand still most of the time."""
+        """The limits for the visible values, at round numbers, so that they rarely change."""
         lowest = min((low for low, _ in self._spans.values()), default=0.0)
         highest = max((high for _, high in self._spans.values()), default=1.0)
         low, high, step = limits(lowest, highest, max(3, rows // 3))
@@ -251,7 +251,7 @@ class RqtPlotPane(WindowPane):
         ]
 
     def _value_of(self, curve: Curve) -> tuple[str, Style]:
-        """What stands behind a curve's name: its newest value and what is seen of it, or why there is none."""
+        """The text after a curve's name: its newest value and visible range, or why there is none."""
         colours, texts = self.look.colours, self.look.texts
         if curve.problem:
             return curve.problem, colours.warning

@@ -1,9 +1,9 @@
-"""The topic monitor's window: the list of topics, and below it everything about the chosen one."""
+"""The topic monitor's window: the list of topics, and below it the details of the chosen one."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
@@ -14,6 +14,10 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rqt_topic.model import Topic, TopicMonitor
+
+
 RATE_WIDTH, BANDWIDTH_WIDTH, BARS_WIDTH = 9, 10, 12
 MOST_MESSAGE_LINES = 400
 MESSAGE_SECONDS = 0.2
@@ -22,10 +26,10 @@ MESSAGE_SECONDS = 0.2
 Line = list[Segment]
 
 
-class TopicsPane(WindowPane):
+class TopicsPane(WindowPane["TopicMonitor"]):
     """Draws `TopicMonitor.topics`; keeps which topic is chosen."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[TopicMonitor], look: Look) -> None:
         super().__init__(window, look)
         self.chosen = ""
         """The name of the chosen topic: it stays chosen when others come and go."""
@@ -62,7 +66,7 @@ class TopicsPane(WindowPane):
                 line for line, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new
             )
 
-    def _topic(self) -> Any | None:
+    def _topic(self) -> Topic | None:
         topics = self.model.topics
         return next((topic for topic in topics if topic.name == self.chosen), topics[0] if topics else None)
 
@@ -81,9 +85,10 @@ class TopicsPane(WindowPane):
         lines = [self._head(width)] * head
         lines += [self._topic_line(topic, width) for topic in topics[first : first + room]]
         self._first = first - head
-        if height > head + room + 1:
+        topic = self._topic()
+        if height > head + room + 1 and topic is not None:
             lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
-            lines += self._details(self._topic(), width)
+            lines += self._details(topic, width)
         return lines[:height] + [[]] * (height - len(lines))
 
     _first = 0
@@ -101,7 +106,7 @@ class TopicsPane(WindowPane):
         name = fit("     " + texts("topics.columns.topic"), max(0, width - cell_len(tail)))
         return [Segment(name, self.look.colours.muted), Segment(tail, self.look.colours.muted)]
 
-    def _topic_line(self, topic: Any, width: int) -> Line:
+    def _topic_line(self, topic: Topic, width: int) -> Line:
         colours = self.look.colours
         on = topic is self._topic()
         box = "[x]" if topic.monitored else "[ ]"
@@ -121,7 +126,7 @@ class TopicsPane(WindowPane):
             Segment(bars, style or colours.publisher),
         ]
 
-    def _details(self, topic: Any, width: int) -> list[Line]:
+    def _details(self, topic: Topic, width: int) -> list[Line]:
         texts, colours = self.look.texts, self.look.colours
         lines: list[Line] = [
             [
@@ -156,7 +161,7 @@ class TopicsPane(WindowPane):
         self._shown = []
 
     def touch(self) -> None:
-        self._shown = []  # built when it is drawn: the news of the focus comes before the focus
+        self._shown = []  # built when it is drawn: the focus event comes before the focus itself
         super().touch()
 
     def status(self) -> list[Piece]:
@@ -212,7 +217,7 @@ class TopicsPane(WindowPane):
         self._choose(self._index() - 1)
 
 
-def _message_lines(message: Any) -> list[str]:
+def _message_lines(message: object) -> list[str]:
     """The message as `ros2 topic echo` prints it."""
     if message is None:
         return []

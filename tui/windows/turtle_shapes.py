@@ -1,4 +1,4 @@
-"""How a turtle looks from above, at any size and heading: pixels where there are pixels, characters where there are not."""
+"""The picture of a turtle from above, at any size and heading: as pixels, or as characters where there are no pixels."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 HEADINGS = 32
-"""Directions in which a turtle is drawn: finer steps cannot be told apart at these sizes, and would redraw it needlessly."""
+"""Directions in which a turtle is drawn: finer steps are indistinguishable at these sizes, and would redraw it needlessly."""
 
 REAL_SIZE = 45.0 / 500.0
 """A turtle's picture is 45 pixels of the world's 500 (turtlesim/turtle_frame.cpp)."""

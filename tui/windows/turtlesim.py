@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
 
+from day6_tui.core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH
 from day6_tui.core.session.display import Window
 from day6_tui.tui.canvas import Canvas, Mark, new_canvas, square
 from day6_tui.tui.cells import cell_len, clip, fit
@@ -22,11 +23,10 @@ from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.turtle_shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels
 
-IMAGE = 500
-"""Pixels of turtlesim's path image along one side."""
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.turtlesim.model import Scene, Simulation, Trail
+    from day6_tui.core.ros.programs.turtlesim.model import Segment as Stroke
 
-METRES = 499 / 45
-"""Side of the world (turtlesim/turtle_frame.cpp: 499 pixels of 45 to the metre)."""
 
 SIDE_WIDTH = 26
 """Columns the list of turtles takes beside the world."""
@@ -34,18 +34,18 @@ SIDE_WIDTH = 26
 _RGB = 0xFFFFFF
 
 
-class TurtleSimPane(WindowPane):
-    """Draws a simulation. It keeps the pixels shown, and what of the trail they already contain."""
+class TurtleSimPane(WindowPane["Simulation"]):
+    """Draws a simulation. It keeps the pixels shown, and which part of the trail they already contain."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[Simulation], look: Look) -> None:
         super().__init__(window, look)
         self._canvas: Canvas | None = None
-        self._scene: Any = None
+        self._scene: Scene | None = None
         self._generation = -1
         self._drawn = -1
         self._coats: dict[str, Coat] = {}
         self._followed = ""
-        """The turtle the status line tells about: the one that moved last."""
+        """The turtle described in the status line: the one that moved last."""
         self._names = False
         self._shown_status: list[str] = []
 
@@ -115,7 +115,7 @@ class TurtleSimPane(WindowPane):
             canvas.take_changes()
         return canvas
 
-    def _up_to_date(self, scene: Any, trail: Any) -> Canvas:
+    def _up_to_date(self, scene: Scene, trail: Trail) -> Canvas:
         """The canvas with the trail as it is now."""
         red, green, blue = scene.background
         background = red << 16 | green << 8 | blue
@@ -137,7 +137,7 @@ class TurtleSimPane(WindowPane):
         self._generation, self._drawn = generation, drawn
         return canvas
 
-    def _follow(self, scene: Any) -> None:
+    def _follow(self, scene: Scene) -> None:
         before = {turtle.name: turtle for turtle in self._scene.turtles} if self._scene is not None else {}
         names = [turtle.name for turtle in scene.turtles]
         moved = [turtle.name for turtle in scene.turtles if before and before.get(turtle.name) != turtle]
@@ -151,14 +151,14 @@ class TurtleSimPane(WindowPane):
                 free = [coat for coat in COATS if coat not in worn]
                 self._coats[name] = free[0] if free else COATS[len(self._coats) % len(COATS)]
 
-    def _put_turtles(self, canvas: Canvas, scene: Any) -> None:
+    def _put_turtles(self, canvas: Canvas, scene: Scene) -> None:
         sprites: dict[int, int] = {}
         marks: dict[tuple[int, int], Mark] = {}
         labelled = self._names or len(scene.turtles) > 1
         for number, turtle in enumerate(scene.turtles, 1):
             coat = self._coats[turtle.name]
-            x = _clamp(turtle.x / METRES, canvas.width)
-            y = _clamp(1 - turtle.y / METRES, canvas.height)
+            x = _clamp(turtle.x / WIDTH, canvas.width)
+            y = _clamp(1 - turtle.y / HEIGHT, canvas.height)
             step = heading_step(turtle.theta)
             if canvas.mode in ("half", "braille"):
                 size = _size(canvas.width)
@@ -187,7 +187,8 @@ class TurtleSimPane(WindowPane):
         place = self._list_place()
         if place is None:
             return range(0)
-        lines = range(place[1], min(place[1] + place[3], place[1] + 1 + len(self._scene.turtles)))
+        turtles = len(self._scene.turtles) if self._scene is not None else 0
+        lines = range(place[1], min(place[1] + place[3], place[1] + 1 + turtles))
         self.touch_lines(lines)
         return lines
 
@@ -296,19 +297,19 @@ def _arrow(theta: float, unicode: bool) -> str:
     return "→↗↑↖←↙↓↘"[round(theta / (math.pi / 4)) % 8]
 
 
-def _blocks(segment: Any, canvas: Canvas) -> tuple[range, range]:
-    """The pixels of the canvas that a segment of the trail can have touched."""
-    margin = segment.width * 0.75 + 1  # half the diagonal of the square at a line's end
+def _blocks(stroke: Stroke, canvas: Canvas) -> tuple[range, range]:
+    """The pixels of the canvas that a piece of the trail can have touched."""
+    margin = stroke.width * 0.75 + 1  # half the diagonal of the square at a line's end
 
     def span(a: float, b: float, size: int) -> range:
         low, high = min(a, b) - margin, max(a, b) + margin
         # One more on either side: blocks begin at whole pixels of the image.
-        return range(max(0, int(low * size / IMAGE) - 1), min(size, int(high * size / IMAGE) + 2))
+        return range(max(0, int(low * size / SIZE) - 1), min(size, int(high * size / SIZE) + 2))
 
-    return span(segment.x0, segment.x1, canvas.width), span(segment.y0, segment.y1, canvas.height)
+    return span(stroke.x0, stroke.x1, canvas.width), span(stroke.y0, stroke.y1, canvas.height)
 
 
-def _shrink(image: Any, canvas: Canvas, columns: range, rows: range) -> None:
+def _shrink(image: memoryview, canvas: Canvas, columns: range, rows: range) -> None:
     """Set pixels of the canvas from their blocks of the path image (one number 0xAARRGGBB per pixel, 0 undrawn).
 
     A block has the colour of the ink in the diamond between the middles of its sides: a line that passes through a block
@@ -316,8 +317,8 @@ def _shrink(image: Any, canvas: Canvas, columns: range, rows: range) -> None:
     """
     if not columns or not rows:
         return
-    xs = [x * IMAGE // canvas.width for x in range(canvas.width + 1)]
-    ys = [y * IMAGE // canvas.height for y in range(canvas.height + 1)]
+    xs = [x * SIZE // canvas.width for x in range(canvas.width + 1)]
+    ys = [y * SIZE // canvas.height for y in range(canvas.height + 1)]
     left, right = xs[columns.start], xs[columns.stop]
     owner = [x for x in columns for _ in range(xs[x], xs[x + 1])]
     for y in rows:
@@ -325,11 +326,11 @@ def _shrink(image: Any, canvas: Canvas, columns: range, rows: range) -> None:
         lines = []
         inked: set[int] = set()
         for offset in range(height):
-            line = image[(top + offset) * IMAGE + left : (top + offset) * IMAGE + right].tolist()
+            line = image[(top + offset) * SIZE + left : (top + offset) * SIZE + right].tolist()
             if any(line):
                 lines.append((1 - abs(2 * offset + 1 - height) / (height + 1), line))
                 inked.update([x for x, value in zip(owner, line, strict=True) if value])
-        # Blocks without ink need no look: within one generation of the trail ink is only added.
+        # Blocks without ink need no check: within one generation of the trail, ink is only added.
         for x in inked:
             half = (xs[x + 1] - xs[x]) / 2
             middle = xs[x] - left + half

@@ -1,11 +1,11 @@
-"""The world's window: `WorldModel`'s snapshots from above, below them what is wrong. The world itself is the program's."""
+"""The world's window: `WorldModel`'s snapshots from above, and problems below. The world itself belongs to the program."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
@@ -18,6 +18,12 @@ from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.remarks import remark_lines
 from day6_tui.tui.windows.world_picture import Rows, View, WorldPicture, fitting, look_of, segments
 
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.day6_world.model import WorldModel, WorldSnapshot
+    from day6_tui.core.ros.programs.day6_world.scenery import Scenery
+    from day6_tui.core.ros.programs.remark import Remark
+
+
 FRAME_SECONDS = 0.05
 """Twenty pictures a second."""
 
@@ -28,20 +34,20 @@ CLOSEST, FARTHEST = 0.002, 0.5
 MOST_STATUS_LINES = 5
 
 _LEVELS = {"error": "warning", "warning": "topic", "info": "muted"}
-_WISHES = {"space": "pause", "n": "step", "right_square_bracket": "faster", "left_square_bracket": "slower"}
+_REQUESTS = {"space": "pause", "n": "step", "right_square_bracket": "faster", "left_square_bracket": "slower"}
 _PANS = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}
 
 
-class WorldPane(WindowPane):
+class WorldPane(WindowPane["WorldModel"]):
     """Draws the newest snapshot in its view; keeps the view and what is switched on."""
 
-    def __init__(self, window: Window, look: Look) -> None:
+    def __init__(self, window: Window[WorldModel], look: Look) -> None:
         super().__init__(window, look)
-        self._snapshot: Any = None
+        self._snapshot: WorldSnapshot | None = None
         self._view: View | None = None
         self._picture: WorldPicture | None = None
         self._rows: Rows = []
-        self._said: list[tuple[str, str]] = []
+        self._remarks: list[tuple[str, str]] = []
         self._drawn_at = 0.0
         self._follow = False
         self._head: tuple[str, ...] = ()
@@ -58,9 +64,9 @@ class WorldPane(WindowPane):
         if self._rows and now - self._drawn_at < FRAME_SECONDS:
             return True
         self._drawn_at = now
-        before, spoken, heading = self._rows, self._said, self._heading
-        self._take_over(snapshot)
-        if spoken != self._said or len(before) != len(self._rows):
+        before, remarks_before, heading = self._rows, self._remarks, self._heading
+        self._take_over(snapshot, snapshot.scenery)
+        if remarks_before != self._remarks or len(before) != len(self._rows):
             self.touch()
             return False
         per_line = 2 if self._mode() == "half" else 1
@@ -83,25 +89,25 @@ class WorldPane(WindowPane):
             return "ascii"
         return "cell" if mode == "cell" else "half"
 
-    def _take_over(self, snapshot: Any) -> None:
+    def _take_over(self, snapshot: WorldSnapshot, scenery: Scenery) -> None:
         self._snapshot = snapshot
-        self._said = self._say(snapshot.status)
-        rows = max(1, self.inner_height - len(self._said))
-        view = self._next_view(snapshot, self.inner_width, rows)
+        self._remarks = self._remark_lines(snapshot.status)
+        rows = max(1, self.inner_height - len(self._remarks))
+        view = self._next_view(snapshot, scenery, self.inner_width, rows)
         if self._picture is None or self._picture.view != view:
-            self._picture = WorldPicture(view, snapshot.scenery)
+            self._picture = WorldPicture(view, scenery)
             self._view = view
         self._table = self._table or look_of(self.look.colours)
         self._heading = round(snapshot.pose[2] / (math.pi / 4)) % 8
         self._rows = self._picture.frame(snapshot, self.model.trail)
 
-    def _next_view(self, snapshot: Any, columns: int, rows: int) -> View:
+    def _next_view(self, snapshot: WorldSnapshot, scenery: Scenery, columns: int, rows: int) -> View:
         """The view as it was, in the size of the window; it moves along when the robot would leave it."""
         view = self._view
         if view is None:
-            return fitting(snapshot.scenery, columns, rows, self._mode())
+            return fitting(scenery, columns, rows, self._mode())
         if (view.columns, view.rows, view.mode) != (columns, rows, self._mode()):
-            whole = fitting(snapshot.scenery, columns, rows, self._mode())
+            whole = fitting(scenery, columns, rows, self._mode())
             view = replace(view, columns=columns, rows=rows, mode=self._mode()) if self._zoomed else whole
         x, y, _ = snapshot.pose
         if snapshot.robot is not None and (self._follow or not view.holds(x, y, 0.0)):
@@ -114,8 +120,8 @@ class WorldPane(WindowPane):
 
     _zoomed = False
 
-    def _say(self, status: Any) -> list[tuple[str, str]]:
-        """Levels and lines of what is wrong, the first ones whole."""
+    def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
+        """Levels and lines of the remarks, uncut."""
         most = max(MOST_STATUS_LINES, self.inner_height // 3)
         return remark_lines(status, self.look, self.inner_width, most)[: max(0, self.inner_height - 1)]
 
@@ -134,16 +140,16 @@ class WorldPane(WindowPane):
             snapshot = self.model.snapshot()
             if snapshot.scenery is None:
                 return []  # the window is open before its program has read the world
-            self._take_over(snapshot)
+            self._take_over(snapshot, snapshot.scenery)
         view, colours = self._view, self.look.colours
         if view is None:
             return []
         if y < view.rows:
-            yaw = self._snapshot.pose[2]
+            yaw = self._snapshot.pose[2] if self._snapshot is not None else 0.0
             return segments(self._rows, y, view, self._table, colours, yaw)
         index = y - view.rows
-        if index < len(self._said):
-            level, text = self._said[index]
+        if index < len(self._remarks):
+            level, text = self._remarks[index]
             return [Segment(clip(text, width, self.look.glyphs.ellipsis), getattr(colours, _LEVELS[level]))]
         return []
 
@@ -152,7 +158,7 @@ class WorldPane(WindowPane):
         if snapshot is None or snapshot.robot is None:
             return []
         x, y, yaw = snapshot.pose
-        # "-0.00" is no place.
+        # Never show "-0.00".
         x, y, speed = (round(value, 2) + 0.0 for value in (x, y, snapshot.velocity[0]))
         texts, colours = self.look.texts, self.look.colours
         degrees = round(math.degrees(yaw)) + 0
@@ -193,9 +199,9 @@ class WorldPane(WindowPane):
             self.look.wake()
 
     def _press(self, key: str, character: str) -> bool:
-        wish = _WISHES.get(key) or {"[": "slower", "]": "faster", "r": "reset", "t": "clear"}.get(character)
-        if wish is not None:
-            self.model.wish(wish)
+        request = _REQUESTS.get(key) or {"[": "slower", "]": "faster", "r": "reset", "t": "clear"}.get(character)
+        if request is not None:
+            self.model.request(request)
         elif key in _PANS:
             self._pan(*(8 * step for step in _PANS[key]))
         elif character in ("+", "="):
@@ -218,7 +224,7 @@ class WorldPane(WindowPane):
         if view is None:
             return
         scale = min(max(view.scale * factor, CLOSEST), FARTHEST)
-        x, y = snapshot.pose[:2] if snapshot.robot is not None else (view.x, view.y)
+        x, y = snapshot.pose[:2] if snapshot is not None and snapshot.robot is not None else (view.x, view.y)
         share = scale / view.scale
         self._view = replace(view, x=x + (view.x - x) * share, y=y + (view.y - y) * share, scale=scale)
         self._zoomed = True

@@ -1,29 +1,36 @@
 """The world from above as pixels: floor, line, trail, walls, rays and the robot to scale, for every set of characters.
 
-Pixels are kinds (WALL, BODY …), one byte each; what a kind looks like is decided when lines are made of them. The parts
-that stand still are painted once for a view, the moving ones over a copy of it.
+Pixels are kinds (WALL, BODY …), one byte each; the style of a kind is chosen when lines are made of them. The parts
+that do not move are painted once per view, the moving ones over a copy of it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
+from rich.style import Style
 
 from day6_tui.tui.colours import Colours, background_of, pixel_style
 from day6_tui.urdf.topplan import Plan, Wheel, flat, hull, plan_top, spin_of, stand
 from day6_tui.urdf.topview import tread_marks
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.day6_world.model import Scan, Trail, WorldSnapshot
+    from day6_tui.core.ros.programs.day6_world.scenery import Scenery
+    from day6_tui.urdf.kinematics import Transform
+    from day6_tui.urdf.model import Robot
 
 FLOOR, OUTSIDE, GRID, LINE, TRAIL, BEAM, HIT, WALL, CHASSIS, BODY, WHEEL, TREAD, FIRST_TREAD, CASTER, NOSE, FIRM = (
     range(16)
 )
 
 _CHARACTERS = "  +=.-*#%%H|!o"
-"""Of the kinds without pixels, up to CASTER; the nose shows where the robot looks."""
+"""Characters of the kinds up to CASTER, where there are no pixels; the nose shows the robot's heading."""
 
 _COLOURS = {  # dark theme, light theme
     FLOOR: (0x1B222C, 0xF1F3F5),
@@ -46,11 +53,13 @@ _COLOURS = {  # dark theme, light theme
 
 Rows = list[bytearray]
 Points = Sequence[tuple[float, float]]
+Placing = Callable[[Iterable[tuple[float, float]]], list[tuple[float, float]]]
+"""Moves points of the robot to where it stands."""
 
 
 @dataclass(frozen=True)
 class View:
-    """What is seen: the middle in metres, metres for one pixel across, and how many cells."""
+    """The visible part: its middle in metres, metres per pixel across, and the number of cells."""
 
     x: float
     y: float
@@ -82,8 +91,8 @@ class View:
         return mx <= px <= self.width - mx and my <= py <= self.height - my
 
 
-def fitting(scenery: Any, columns: int, rows: int, mode: str) -> View:
-    """The view in which the whole floor is seen, walls around it included."""
+def fitting(scenery: Scenery, columns: int, rows: int, mode: str) -> View:
+    """The view that shows the whole floor, with the walls around it."""
     length, width = (side + 0.3 for side in scenery.size)
     high = rows * 2  # a cell is twice as high as wide, so in columns
     return View(0.0, 0.0, max(length / max(columns, 1), width / max(high, 1)), columns, rows, mode)
@@ -92,16 +101,16 @@ def fitting(scenery: Any, columns: int, rows: int, mode: str) -> View:
 class WorldPicture:
     """The pixels of one view. `frame` gives the rows of a snapshot, `segments` the line of a cell row."""
 
-    def __init__(self, view: View, scenery: Any) -> None:
+    def __init__(self, view: View, scenery: Scenery) -> None:
         self.view = view
         self._base = self._paint_scenery(scenery)
-        self._trail: Any = None
+        self._trail: Rows | None = None
         self._trail_key = (-1, 0)
         self._plan: Plan | None = None
 
     # -- what stands still ---------------------------------------------------------------------------------------------
 
-    def _paint_scenery(self, scenery: Any) -> Rows:
+    def _paint_scenery(self, scenery: Scenery) -> Rows:
         view = self.view
         rows = [bytearray([OUTSIDE]) * view.width for _ in range(view.height)]
         x, y = scenery.size[0] / 2, scenery.size[1] / 2
@@ -121,7 +130,7 @@ class WorldPicture:
             self._fill(rows, _corners(solid.points, solid.radius), WALL)
         return rows
 
-    def _with_trail(self, trail: Any) -> Rows:
+    def _with_trail(self, trail: Trail) -> Rows:
         """The base with the trail on it; new points are added to what is there."""
         points = trail.points
         generation, count = self._trail_key
@@ -130,20 +139,20 @@ class WorldPicture:
         for x, y in points[count:]:
             self._dot(self._trail, x, y, TRAIL, over=(FLOOR, OUTSIDE, GRID))
         self._trail_key = (trail.generation, len(points))
-        return self._trail  # type: ignore[no-any-return]
+        return self._trail
 
     # -- a moment ------------------------------------------------------------------------------------------------------
 
-    def frame(self, snapshot: Any, trail: Any) -> Rows:
+    def frame(self, snapshot: WorldSnapshot, trail: Trail) -> Rows:
         """The pixel rows of a moment."""
         rows = [bytearray(row) for row in self._with_trail(trail)]
         if snapshot.scan is not None:
             self._draw_scan(rows, snapshot.scan)
         if snapshot.robot is not None:
-            self._draw_robot(rows, snapshot)
+            self._draw_robot(rows, snapshot, snapshot.robot)
         return rows
 
-    def _draw_scan(self, rows: Rows, scan: Any) -> None:
+    def _draw_scan(self, rows: Rows, scan: Scan) -> None:
         for number, length in enumerate(scan.ranges):
             angle = scan.first + number * scan.step
             cosine, sine = math.cos(angle), math.sin(angle)
@@ -155,10 +164,10 @@ class WorldPicture:
             if math.isfinite(length):
                 self._dot(rows, scan.x + length * cosine, scan.y + length * sine, HIT)
 
-    def _draw_robot(self, rows: Rows, snapshot: Any) -> None:
+    def _draw_robot(self, rows: Rows, snapshot: WorldSnapshot, robot: Robot) -> None:
         plan = self._plan
-        if plan is None or plan.robot is not snapshot.robot:
-            plan = self._plan = plan_top(snapshot.robot)
+        if plan is None or plan.robot is not robot:
+            plan = self._plan = plan_top(robot)
         x, y, yaw = snapshot.pose
         cosine, sine = math.cos(yaw), math.sin(yaw)
 
@@ -184,7 +193,7 @@ class WorldPicture:
         tip = place([(right, middle)])[0]
         self._dot(rows, *tip, FIRM if snapshot.bumped else NOSE)
 
-    def _draw_wheel(self, rows: Rows, wheel: Wheel, at: Any, place: Any) -> None:
+    def _draw_wheel(self, rows: Rows, wheel: Wheel, at: Mapping[str, Transform], place: Placing) -> None:
         (cx, cy), (hx, hy) = stand(wheel, at)
         half = wheel.width / 2
 
@@ -309,5 +318,6 @@ _ROLES = {
 }  # fmt: skip
 
 
-def _role(kind: int, colours: Colours) -> Any:
-    return getattr(colours, _ROLES.get(kind, "muted"))
+def _role(kind: int, colours: Colours) -> Style:
+    style: Style = getattr(colours, _ROLES.get(kind, "muted"))
+    return style

@@ -1,10 +1,10 @@
-"""Nodes as rclcpp's components: a class that gets its node, run by an executable of its own or loaded into a container."""
+"""Nodes as rclcpp's components: a class that is given its node, run by its own executable or loaded into a container."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Component(Protocol):
-    """What a node has and does. `NAME` is its name unless it is remapped, `OPTIONS` more keywords of `Node`."""
+    """Base of components. `NAME` is the node's name unless it is remapped, `OPTIONS` holds more keywords of `Node`."""
 
     NAME: str
     OPTIONS: dict[str, Any]
@@ -21,7 +21,7 @@ class Component(Protocol):
 
 
 async def run(session: Session, kind: type[Component]) -> int:
-    """Be the executable of one component: spin until Ctrl-C, or until the component shuts its context down."""
+    """Run as the executable of one component: spin until Ctrl-C, or until the component shuts its context down."""
     node = create_node(session, kind.NAME, **kind.OPTIONS)
     component = kind(node)
     status = await spin_cpp(session, node)
@@ -30,7 +30,7 @@ async def run(session: Session, kind: type[Component]) -> int:
 
 
 async def spin_cpp(session: Session, *nodes: Node) -> int:
-    """Spin as a C++ program does, which says on Ctrl-C that it was interrupted."""
+    """Spin as a C++ program does, which logs at Ctrl-C that it was interrupted."""
     try:
         await session.spin(*nodes)
     except KeyboardInterrupt:
@@ -39,7 +39,7 @@ async def spin_cpp(session: Session, *nodes: Node) -> int:
 
 
 async def ready(session: Session, look: Any, seconds: float) -> bool:
-    """Wait until `look()` is true, for at most so many seconds of world time; say whether it is."""
+    """Wait until `look()` is true, for at most this many seconds of world time; return whether it is."""
     deadline = session.clock.steady_ns() + int(seconds * 1e9)
     while not look():
         if session.clock.steady_ns() >= deadline:

@@ -1,4 +1,4 @@
-"""What programs that are written as rclpy's demos share: spin until Ctrl-C, wait for a service, pause in a callback."""
+"""Shared by programs written like rclpy's demos: spin until Ctrl-C, wait for a service, pause in a callback."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ POLL_SECONDS = 0.02
 
 
 async def spin(session: Session, *nodes: Node) -> int:
-    """Spin until Ctrl-C or shutdown, which is the good end of a node: status 0."""
+    """Spin until Ctrl-C or shutdown, which is a node's normal end: status 0."""
     try:
         await session.spin(*nodes)
     except KeyboardInterrupt:
@@ -26,7 +26,7 @@ async def spin(session: Session, *nodes: Node) -> int:
 async def wait_until(
     session: Session, look: Callable[[], bool], complain: Callable[[], object], seconds: float = 1.0
 ) -> None:
-    """Wait until `look()` is true; `complain()` every so many seconds that it is not."""
+    """Wait until `look()` is true; call `complain()` at every interval while it is not."""
     deadline = session.clock.steady_ns() + int(seconds * 1e9)
     while not look():
         if session.clock.steady_ns() >= deadline:
@@ -36,7 +36,7 @@ async def wait_until(
 
 
 async def pause(node: Node, seconds: float) -> None:
-    """Wait inside of a callback of a node; where a demo sleeps and holds its executor up, others go on here."""
+    """Wait inside a node's callback; where a real demo's sleep blocks its executor, other programs go on here."""
     over: Future[bool] = Future()
 
     def ring() -> None:

@@ -1,8 +1,8 @@
-"""What programs with a window do where there is no screen (`day6-tui exec`, a real process without a terminal).
+"""How programs with a window behave without a screen (`day6-tui exec`, a real process without a terminal).
 
-One rule for all of them. What has a picture of a moment (rqt_graph, rqt_topic, rviz2, car_view) prints it once and ends when
-somebody waits for its answer, that is in the foreground of `exec`; launched, with `&` or without a terminal it stays and logs as
-a node until it is interrupted. What goes on anyway does the same everywhere: rqt_console and rqt_plot print what comes,
+One rule for all of them. A program that shows a snapshot (rqt_graph, rqt_topic, rviz2, car_view) prints it once and ends if
+something waits for it, that is in the foreground of `exec`; launched, with `&` or without a terminal it keeps running as a
+node and logs until it is interrupted. Continuous programs always keep running: rqt_console and rqt_plot print what arrives;
 turtlesim, the world and joint_state_publisher_gui run without their window.
 """
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def stays(session: Session, node: Node) -> bool:
-    """Whether the program, which has no screen, goes on as a node instead of printing once; then this is logged."""
+    """Whether the program, which has no screen, keeps running as a node instead of printing once; if so, log that."""
     if session.background:
         node.get_logger().info("There is no screen for the window: the node runs without it")
     return session.background

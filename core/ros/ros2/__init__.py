@@ -1,7 +1,8 @@
 """The `ros2` command. A folder or module here is a command (`topic`, `run`), a module in such a folder a verb (`topic/list.py`).
 
-`cli` holds what they share. A verb has `SUMMARY`, `add_arguments(parser)` and `async def main(session, args)`; names with
-an underscore in front are not verbs. The texts are those of ros2cli 0.36.
+`cli` holds what they share. May import programs, `core.workspace` and all of `core/ros/python`; a shell that starts a
+launch is seen through a Protocol (`session/host`). A verb has `SUMMARY`, `add_arguments(parser)` and `async def
+main(session, args)`; modules whose names begin with an underscore are not verbs. The texts are those of ros2cli 0.36.
 """
 
 from __future__ import annotations
@@ -20,16 +21,16 @@ async def main(session: Session) -> int:
 
 
 async def settle(session: Session, timeout: float = 1.0) -> None:
-    """Wait until the link, if there is one, has told this process's graph what the others have."""
+    """Wait until the link, if there is one, has brought the other processes' entities into this process's graph."""
     from day6_tui.core.ros.ros2.cli.node import settle as wait
 
     await wait(session, timeout)
 
 
 async def complete(words: list[str], session: Session) -> list[str]:
-    """Return the possible last words of a command line that begins `ros2 …`; `words[-1]` is what has been typed of it.
+    """Return the possible last words of a command line that begins with `ros2`; `words[-1]` is the part typed so far.
 
-    Verbs, options, nodes, topics, services, actions, types, parameters, packages, executables, default values.
+    They are verbs, options, nodes, topics, services, actions, types, parameters, packages, executables, default values.
     """
     from day6_tui.core.ros.ros2.cli.completion import complete_words
 

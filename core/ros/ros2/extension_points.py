@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 SUMMARY = "List extension points"
 VERSION = "0.1"
 _WORDS = {"component": "node", "multicast": "msg"}
-"""What the real packages call their verbs where it is not the name of the command."""
+"""The real packages' words for their verbs where they differ from the command's name."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -1,4 +1,4 @@
-"""`ros2 extensions`: the commands and verbs by the groups in which real ones are registered."""
+"""`ros2 extensions`: the commands and verbs by the groups in which the real ones are registered."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def groups() -> dict[str, list[tuple[str, str, str]]]:
-    """Return the groups, sorted, with `(name, summary, module)` of what is in them."""
+    """Return the groups, sorted, each with `(name, summary, module)` of its commands or verbs."""
     from day6_tui.core.ros.ros2.cli.tree import ROOT, command_names, summary, verb_names
 
     found = {"ros2cli.command": [(name, summary(name), f"{ROOT}.{name}") for name in command_names()]}
@@ -34,7 +34,7 @@ def groups() -> dict[str, list[tuple[str, str, str]]]:
 
 
 def group_name(command: str) -> str:
-    """Return the group of a command's verbs; the packages are called after their commands, with two exceptions."""
+    """Return the group of a command's verbs; the packages are named after their commands, with two exceptions."""
     return {"daemon": "ros2cli.daemon.verb", "security": "sros2.verb"}.get(command, f"ros2{command}.verb")
 
 

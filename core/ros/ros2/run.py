@@ -28,7 +28,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     completed(parser.add_argument("package_name", help="Name of the ROS package"), package_names)
     completed(parser.add_argument("executable_name", help="Name of the executable"), executable_names)
     rest = parser.add_argument("argv", nargs=REMAINDER, help="Pass arbitrary arguments to the executable")
-    rest.required = True  # Pythons before 3.13 name it among the missing ones
+    rest.required = True  # Python before 3.13 lists it among the missing arguments
 
 
 async def main(session: Session, args: Namespace) -> int | str:
@@ -41,7 +41,7 @@ async def main(session: Session, args: Namespace) -> int | str:
     if not fitting:
         from ament_index_python.packages import get_package_prefix
 
-        from day6_tui.core.workspace.left_out import why_not
+        from day6_tui.core.ros.left_out import why_not
 
         prefix = get_package_prefix(args.package_name, session.env)
         return "No executable found" + why_not(prefix, args.package_name, args.executable_name)
@@ -55,18 +55,18 @@ async def main(session: Session, args: Namespace) -> int | str:
 
 
 async def _run_process(session: Session, argv: list[str]) -> int:
-    """Run a file of a workspace. A signal that ended it is told, and makes the status minus its number, as of `sys.exit(-2)`."""
+    """Run a file of a workspace. If a signal kills it, the signal is printed and the status is minus its number."""
     from day6_tui.core.ros.environment import as_program
     from day6_tui.core.session.session import KilledBySignal
 
     session.env = as_program(session.env)
     try:
-        return _told(session, await session.run_python(argv))
+        return _report_failure(session, await session.run_python(argv))
     except KeyboardInterrupt:
         number = 2
     except KilledBySignal as end:
         number = end.number
-    return _told(session, -number)
+    return _report_failure(session, -number)
 
 
 async def _run_built_in(session: Session, package: str, executable: Executable, argv: list[str]) -> int:
@@ -76,7 +76,7 @@ async def _run_built_in(session: Session, package: str, executable: Executable, 
     try:
         status = await session.execute(load(package, executable.name), [str(executable.path), *argv])
     except KeyboardInterrupt:
-        return 0  # a node that is well written ends cleanly on Ctrl-C, and so says nothing here
+        return 0  # a well-written node exits cleanly on Ctrl-C, so nothing is printed here
     except (BrokenPipeError, WriteError):
         raise
     except Exception as error:
@@ -85,21 +85,20 @@ async def _run_built_in(session: Session, package: str, executable: Executable, 
         _log.debug("%s ended by an exception", executable.path, exc_info=True)
         session.stderr.write(failure_text(error))
         status = 1
-    return _told(session, status)
+    return _report_failure(session, status)
 
 
 async def _run_prefixed(session: Session, prefix: list[str], executable: Executable, argv: list[str]) -> int | str:
     """Run `PREFIX PATH ARGV` as a line of the shell that started this command."""
     line = shlex.join([*prefix, str(executable.path), *argv])
-    run_line = getattr(session.shell, "run_line", None)
-    if run_line is None:
+    if session.host is None:
         return f"--prefix needs the shell of day6-tui, which did not start this command: {line}"
-    status = int(await run_line(line, session))
-    return _told(session, 128 - status if status > 128 else status)
+    status = await session.host.run_line(line, session)
+    return _report_failure(session, 128 - status if status > 128 else status)
 
 
-def _told(session: Session, status: int) -> int:
-    """Say how a program failed that did; `status` is as in subprocess, the result what a shell sees."""
+def _report_failure(session: Session, status: int) -> int:
+    """Print how a program failed, if it did; `status` is subprocess's, the returned one is the shell's."""
     if status:
         from day6_tui.core.session.signals import TEXTS
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain, complain_as_shell
 from day6_tui.core.shell.language import file_tests
+from day6_tui.core.shell.language.interpreter import shell_of
 
 _HELP = """\
 Commands of this terminal (they work as on Ubuntu):
@@ -62,18 +63,18 @@ async def type_(session: Session) -> int:
 
     status = 0
     for name in session.argv[1:]:
-        if name in session.shell.aliases:
-            session.print(f"{name} is aliased to `{session.shell.aliases[name]}'")
+        if name in shell_of(session).aliases:
+            session.print(f"{name} is aliased to `{shell_of(session).aliases[name]}'")
         elif name in _KEYWORDS:
             session.print(f"{name} is a shell keyword")
-        elif name in session.shell.functions:
-            session.print(f"{name} is a function\n{session.shell.functions[name].source}")
+        elif name in shell_of(session).functions:
+            session.print(f"{name} is a function\n{shell_of(session).functions[name].source}")
         elif name in SHELL_BUILTINS:
             session.print(f"{name} is a shell builtin")
         elif place := place_of(name):
             session.print(f"{name} is {place}")
         else:
-            session.print_error(f"{session.shell.name}: type: {name}: not found")
+            session.print_error(f"{shell_of(session).name}: type: {name}: not found")
             status = 1
     return status
 
@@ -86,13 +87,13 @@ async def command(session: Session) -> int:
     if not words:
         return 0
     if words[0] in ("-v", "-V"):
-        own = SHELL_BUILTINS | session.shell.functions.keys()
+        own = SHELL_BUILTINS | shell_of(session).functions.keys()
         found = [place_of(name) or (name if name in own else "") for name in words[1:]]
         for place in found:
             if place:
                 session.print(place)
-        return 0 if all(found) else 1
-    return await session.execute(find_command(words[0], session.shell), words)
+        return 0 if any(found) else 1
+    return await session.execute(find_command(words[0], shell_of(session)), words)
 
 
 async def whoami(session: Session) -> int:
@@ -152,7 +153,7 @@ async def env(session: Session) -> int:
         for name, value in session.env.items():
             session.print(f"{name}={value}")
         return 0
-    return await session.execute(find_command(words[0], session.shell), words)
+    return await session.execute(find_command(words[0], shell_of(session)), words)
 
 
 async def true(session: Session) -> int:
@@ -166,7 +167,7 @@ async def false(session: Session) -> int:
 async def test(session: Session) -> int:
     words = session.argv[1:]
     if session.name == "[" and (not words or words.pop() != "]"):
-        session.print_error(f"{session.shell.name}: [: missing `]'")
+        session.print_error(f"{shell_of(session).name}: [: missing `]'")
         return 2
     try:
         return 0 if _test(session, words) else 1
@@ -202,7 +203,7 @@ def _test(session: Session, words: list[str]) -> bool:
 
 async def basename(session: Session) -> int:
     if len(session.argv) < 2:
-        complain(session, "missing operand")
+        complain(session, f"missing operand\nTry '{session.name} --help' for more information.")
         return 1
     name = session.argv[1].rstrip("/").rpartition("/")[2] or "/"
     suffix = session.argv[2] if len(session.argv) > 2 else ""
@@ -212,31 +213,35 @@ async def basename(session: Session) -> int:
 
 async def dirname(session: Session) -> int:
     if len(session.argv) < 2:
-        complain(session, "missing operand")
+        complain(session, f"missing operand\nTry '{session.name} --help' for more information.")
         return 1
     for word in session.argv[1:]:
-        head, slash, _ = word.rstrip("/").rpartition("/")
-        session.print(head or (slash or "."))
+        head, slash, _ = (word.rstrip("/") or word[:1] * 2).rpartition("/")
+        session.print(head.rstrip("/") or (slash or "."))
     return 0
 
 
 async def seq(session: Session) -> int:
+    try_help = "Try 'seq --help' for more information."
     try:
         numbers = [float(word) if "." in word else int(word) for word in session.argv[1:]]
     except ValueError:
-        complain(session, f"invalid floating point argument: '{session.argv[-1]}'")
+        complain(session, f"invalid floating point argument: ‘{session.argv[-1]}’\n{try_help}")
         return 1
     if not 1 <= len(numbers) <= 3:
-        complain(session, "missing operand" if not numbers else f"extra operand '{session.argv[4]}'")
+        complain(
+            session, ("missing operand" if not numbers else f"extra operand ‘{session.argv[4]}’") + f"\n{try_help}"
+        )
         return 1
     first = numbers[0] if len(numbers) > 1 else 1
     step = numbers[1] if len(numbers) == 3 else 1
     if step == 0:
-        complain(session, f"invalid Zero increment value: '{session.argv[2]}'")
+        complain(session, f"invalid Zero increment value: ‘{session.argv[2]}’\n{try_help}")
         return 1
+    digits = max(len(word.partition(".")[2]) for word in (session.argv[1], session.argv[-2]))
     value, count = first, 0
     while (value <= numbers[-1]) if step > 0 else (value >= numbers[-1]):
-        session.print(value if isinstance(value, int) else f"{value:g}")
+        session.print(f"{value:.{digits}f}")
         count += 1
         value = first + count * step
         await session.stdout.drain()

@@ -1,4 +1,4 @@
-"""cut, tr, sed, diff: what changes and compares lines."""
+"""cut, tr, rev, sed, diff: commands that change and compare lines."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from day6_tui.core.session.task import in_turns
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.builtins.text import lines_of, text_named, unescape
 from day6_tui.core.shell.outside import agreed, keys_of
-from day6_tui.core.user_pattern import Found, TooComplex, UserPattern
+from day6_tui.core.user_pattern import Match, TooComplex, UserPattern
 
 # -- cut ---------------------------------------------------------------------------------------------------------------
 
@@ -25,9 +25,11 @@ async def cut(session: Session) -> int:
             {"--delimiter": "d", "--fields": "f", "--characters": "c", "--only-delimited": "s"},
         )
         if ("f" in options) == ("c" in options):
-            raise UsageError(
-                "you must specify a list of bytes, characters, or fields\nTry 'cut --help' for more information."
+            wrong = (
+                "only one list may be" if "f" in options else "you must specify a list of bytes, characters, or fields"
             )
+            wrong = f"{wrong} specified" if "f" in options else wrong
+            raise UsageError(f"{wrong}\nTry 'cut --help' for more information.")
         wanted = _ranges(options.get("f") or options["c"])
     except UsageError as error:
         complain(session, error)
@@ -71,7 +73,8 @@ async def tr(session: Session) -> int:
     try:
         options, sets = parse(session.argv, "dsc", "", {"--delete": "d", "--squeeze-repeats": "s", "--complement": "c"})
         if len(sets) < (1 if {"d", "s"} & set(options) else 2):
-            raise UsageError("missing operand\nTry 'tr --help' for more information.")
+            given = f" after ‘{sets[0]}’\nTwo strings must be given when translating." if sets else ""
+            raise UsageError(f"missing operand{given}\nTry 'tr --help' for more information.")
     except UsageError as error:
         complain(session, error)
         return 1
@@ -112,6 +115,45 @@ def _set(text: str) -> str:
     )
 
 
+# -- rev ---------------------------------------------------------------------------------------------------------------
+
+_NOT_UTF_8 = re.compile("[\udc80-\udcff]")
+
+
+async def rev(session: Session) -> int:
+    """util-linux's: unlike coreutils' tools it takes `-` for a file, and it stops at what is no text."""
+    try:
+        _, names = parse(session.argv)
+    except UsageError as error:
+        complain(session, error)
+        return 1
+    problems: list[str] = []
+    inputs: list[str | None] = [*names] or [None]
+    for name in inputs:
+        if name is not None and (session.cwd / name).is_dir():
+            complain(session, f"{name}: 0: Is a directory")
+            problems.append(name)
+        else:
+            await _reverse(session, name, problems)
+    return 1 if problems else 0
+
+
+async def _reverse(session: Session, name: str | None, problems: list[str]) -> None:
+    """Print the lines of a file, of standard input for None, from their ends to their beginnings."""
+    shown = "stdin" if name is None else name
+    places = [] if name is None else ["./-" if name == "-" else name]
+    refusal = f"cannot open {shown.replace('{', '{{').replace('}', '}}')}: {{reason}}"
+    number = 0
+    async for _, line in lines_of(session, places, problems, refusal):
+        text = line.removesuffix("\n")
+        if _NOT_UTF_8.search(text):
+            complain(session, f"{shown}: {number}: Invalid or incomplete multibyte or wide character")
+            problems.append(shown)
+            return
+        session.stdout.write(text[::-1] + line[len(text) :])
+        number += 1
+
+
 # -- sed ---------------------------------------------------------------------------------------------------------------
 
 
@@ -145,7 +187,7 @@ async def sed(session: Session) -> int:
             return 1
         return await _in_place(session, names, steps, "n" in options)
     problems: list[str] = []
-    lines = [line async for _, line in lines_of(session, names, problems)]
+    lines = [line async for _, line in lines_of(session, names, problems, "can't read {name}: {reason}")]
     try:
         session.stdout.write("".join(await _edited(lines, steps, "n" in options)))
     except TooComplex as error:
@@ -155,7 +197,7 @@ async def sed(session: Session) -> int:
 
 
 async def _in_place(session: Session, names: list[str], steps: list[_Step], silent: bool) -> int:
-    """Edit the files themselves, each whole or not at all. Returns sed's status: 4 where it could not write."""
+    """Edit the files in place, each completely or not at all. Returns sed's status: 4 if a file could not be written."""
     from day6_tui.core.whole_file import replace_file
 
     status = 0
@@ -222,7 +264,7 @@ class _Step:
                 raise ValueError("extra characters after command")
             return
         mark = match["rest"][1:2]
-        parts = re.split(rf"(?<!\\){re.escape(mark)}", match["rest"][2:]) if mark else []
+        parts = _split_at(mark, match["rest"][2:]) if mark else []
         if len(parts) != 3:
             raise ValueError("unterminated `s' command")
         self._count = 0 if "g" in parts[2] else 1
@@ -231,7 +273,7 @@ class _Step:
         _check_replacement(self._by, self._what.groups)
 
     async def applies(self, number: int, text: str, last: bool) -> bool:
-        """Say whether the command's address names this line."""
+        """Whether the command's address matches this line."""
         if self._lines is not None:
             return await in_turns(self._lines.searching(text)) is not None
         if self._from is None:
@@ -242,8 +284,18 @@ class _Step:
         return first and (self._to == "$" or number <= int(self._to))
 
     def substitute(self, text: str) -> Generator[None, None, str]:
-        """The line with what was found replaced."""
+        """Return the line with its matches replaced."""
         return self._what.replacing(text, lambda found: _replacement(self._by, found), self._count)
+
+
+def _split_at(mark: str, text: str) -> list[str]:
+    """Split at a delimiter that no backslash escapes."""
+    parts, start = [], 0
+    for found in re.finditer(rf"\\.|{re.escape(mark)}", text, re.DOTALL):
+        if found[0] == mark:
+            parts.append(text[start : found.start()])
+            start = found.end()
+    return [*parts, text[start:]]
 
 
 _IN_REPLACEMENT = re.compile(r"\\(?P<group>\d)|\\(?P<letter>.)|&", re.DOTALL)
@@ -257,8 +309,8 @@ def _check_replacement(by: str, groups: int) -> None:
             raise ValueError(f"invalid reference {match[0]} on `s' command's RHS")
 
 
-def _replacement(by: str, found: Found) -> str:
-    r"""What stands for a match: `&` and `\0` are all of it, `\1` its first group."""
+def _replacement(by: str, found: Match) -> str:
+    r"""Return what replaces a match: `&` and `\0` are the whole match, `\1` its first group."""
 
     def meaning(match: re.Match[str]) -> str:
         if match["letter"]:
@@ -327,4 +379,4 @@ def _span(first: int, end: int) -> str:
     return str(end) if end - first == 1 else f"{first + 1},{end}"
 
 
-COMMANDS: dict[str, Main] = {"cut": cut, "tr": tr, "sed": sed, "diff": diff}
+COMMANDS: dict[str, Main] = {"cut": cut, "tr": tr, "rev": rev, "sed": sed, "diff": diff}

@@ -1,4 +1,4 @@
-"""tput, dircolors, lesspipe: what a .bashrc asks about the terminal and its colours."""
+"""tput, dircolors, lesspipe: the commands with which a .bashrc queries the terminal and its colours."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ async def dircolors(session: Session) -> int:
 
 
 async def lesspipe(session: Session) -> int:
-    """What makes less show archives; ours shows texts."""
+    """Do nothing: the real one prints variables with which less shows archives; ours shows text files only."""
     return 0
 
 

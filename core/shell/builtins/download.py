@@ -1,4 +1,4 @@
-"""wget and curl: a file of the web, as tutorials fetch their examples. Only what the user names is asked for."""
+"""wget and curl: download a file from the web, as tutorials do. Only what the user names is requested."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from day6_tui.core.shell.outside import asking
 
 MOST_BYTES = 200_000_000
 PATIENCE = 20.0
-"""Wall seconds without an answer after which a server is given up."""
+"""Timeout of a request, in wall clock seconds."""
 
 
-class Answer(NamedTuple):
-    """What came: `status` of HTTP (0 for none), the bytes, and in words what went wrong before there was an answer."""
+class Response(NamedTuple):
+    """A response: HTTP `status` (0 for none), the bytes, and a description of what went wrong before there was a response."""
 
     status: int
     reason: str
@@ -31,14 +31,14 @@ class Answer(NamedTuple):
     unknown_host: bool = False
 
 
-async def _fetch(session: Session, url: str) -> Answer:
-    """Ask a server on a thread of its own; Ctrl-C gives up waiting."""
+async def _fetch(session: Session, url: str) -> Response:
+    """Send a request on a thread of its own; Ctrl-C gives up waiting."""
     given_up = threading.Event()
     session.defer(given_up.set)
     return await in_thread(lambda: _ask(url, given_up))
 
 
-def _ask(url: str, given_up: threading.Event) -> Answer:
+def _ask(url: str, given_up: threading.Event) -> Response:
     from http.client import HTTPException
     from urllib.error import HTTPError, URLError
     from urllib.request import Request, urlopen
@@ -49,20 +49,20 @@ def _ask(url: str, given_up: threading.Event) -> Answer:
             while not given_up.is_set() and (piece := source.read(65536)):
                 body += piece
                 if len(body) > MOST_BYTES:
-                    return Answer(0, "", b"", f"more than {MOST_BYTES} bytes")
-            return Answer(source.status, source.reason, bytes(body))
+                    return Response(0, "", b"", f"more than {MOST_BYTES} bytes")
+            return Response(source.status, source.reason, bytes(body))
     except HTTPError as error:
         with error:
-            return Answer(error.code, str(error.reason), error.read())
+            return Response(error.code, str(error.reason), error.read())
     except URLError as error:
         unknown = isinstance(error.reason, socket.gaierror)
-        return Answer(0, "", b"", getattr(error.reason, "strerror", None) or str(error.reason), unknown)
+        return Response(0, "", b"", getattr(error.reason, "strerror", None) or str(error.reason), unknown)
     except (OSError, HTTPException, ValueError) as error:
-        return Answer(0, "", b"", str(error) or type(error).__name__)
+        return Response(0, "", b"", str(error) or type(error).__name__)
 
 
 def _address(text: str) -> str | None:
-    """The address with its scheme, as these tools complete it; None for what they do not fetch here."""
+    """The URL with its scheme, as these tools complete it; None for one they do not fetch here."""
     url = text if "://" in text else f"http://{text}"
     parts = urlsplit(url)
     return url if parts.scheme in ("http", "https") and parts.hostname else None
@@ -80,48 +80,48 @@ async def wget(session: Session) -> int:
     if not urls:
         session.print_error("wget: missing URL\nUsage: wget [OPTION]... [URL]...")
         return 1
-    say = _silence if "q" in options else session.print_error
+    report = _discard if "q" in options else session.print_error
     status = 0
     for text in urls:
         url = _address(text)
         if url is None:
-            say(f"{text}: Unsupported scheme.")
+            report(f"{text}: Unsupported scheme.")
             status = 1
             continue
-        say(time.strftime(f"--%Y-%m-%d %H:%M:%S--  {url.replace('%', '%%')}"))
-        answer = await _fetch(session, url)
+        report(time.strftime(f"--%Y-%m-%d %H:%M:%S--  {url.replace('%', '%%')}"))
+        response = await _fetch(session, url)
         name = options.get("O") or os.path.join(
             options.get("P", ""), os.path.basename(urlsplit(url).path) or "index.html"
         )
-        status = await _wget_end(session, url, name, answer, say) or status
+        status = await _wget_end(session, url, name, response, report) or status
     return status
 
 
-def _silence(text: object) -> None:
-    """What `wget -q` says."""
+def _discard(text: object) -> None:
+    """Report nothing, as `wget -q`."""
 
 
-async def _wget_end(session: Session, url: str, name: str, answer: Answer, tell: Callable[[object], None]) -> int:
-    if answer.unknown_host:
+async def _wget_end(session: Session, url: str, name: str, response: Response, report: Callable[[object], None]) -> int:
+    if response.unknown_host:
         session.print_error(f"wget: unable to resolve host address ‘{urlsplit(url).hostname}’")
         return 4
-    if answer.problem:
-        tell(f"failed: {answer.problem}.")
+    if response.problem:
+        report(f"failed: {response.problem}.")
         return 4
-    tell(f"HTTP request sent, awaiting response... {answer.status} {answer.reason}")
-    if answer.status >= 400:
-        tell(time.strftime(f"%Y-%m-%d %H:%M:%S ERROR {answer.status}: {answer.reason}.\n"))
+    report(f"HTTP request sent, awaiting response... {response.status} {response.reason}")
+    if response.status >= 400:
+        report(time.strftime(f"%Y-%m-%d %H:%M:%S ERROR {response.status}: {response.reason}.\n"))
         return 8
     if name == "-":
-        session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
+        session.stdout.write(response.body.decode("utf-8", "surrogateescape"))
         return 0
     try:
-        await write_named(session, name, answer.body)
+        await write_named(session, name, response.body)
     except OSError as error:
         session.print_error(f"{name}: {error.strerror}")
         return 3
-    tell(f"Saving to: ‘{name}’\n")
-    tell(time.strftime(f"%Y-%m-%d %H:%M:%S - ‘{name}’ saved [{len(answer.body)}]\n"))
+    report(f"Saving to: ‘{name}’\n")
+    report(time.strftime(f"%Y-%m-%d %H:%M:%S - ‘{name}’ saved [{len(response.body)}]\n"))
     return 0
 
 
@@ -142,20 +142,20 @@ async def curl(session: Session) -> int:
         url = _address(text)
         if url is None:
             return _curl_fails(session, 1, f'Protocol "{text.partition("://")[0]}" not supported', quiet)
-        answer = await _fetch(session, url)
+        response = await _fetch(session, url)
         host = urlsplit(url).hostname
-        if answer.unknown_host:
+        if response.unknown_host:
             return _curl_fails(session, 6, f"Could not resolve host: {host}", quiet)
-        if answer.problem:
-            return _curl_fails(session, 7, f"Failed to connect to {host}: {answer.problem}", quiet)
-        if answer.status >= 400 and "f" in options:
-            return _curl_fails(session, 22, f"The requested URL returned error: {answer.status}", quiet)
+        if response.problem:
+            return _curl_fails(session, 7, f"Failed to connect to {host}: {response.problem}", quiet)
+        if response.status >= 400 and "f" in options:
+            return _curl_fails(session, 22, f"The requested URL returned error: {response.status}", quiet)
         name = options.get("o") or (os.path.basename(urlsplit(url).path) if "O" in options else "")
         if not name:
-            session.stdout.write(answer.body.decode("utf-8", "surrogateescape"))
+            session.stdout.write(response.body.decode("utf-8", "surrogateescape"))
             continue
         try:
-            await write_named(session, name, answer.body)
+            await write_named(session, name, response.body)
         except OSError as error:
             return _curl_fails(session, 23, f"Failure writing output to destination: {name}: {error.strerror}", quiet)
     return 0
@@ -168,7 +168,7 @@ def _curl_fails(session: Session, number: int, text: str, quiet: bool) -> int:
 
 
 def _saved(names: list[str]) -> list[str]:
-    """Where files may come: the folder one is in, and what is named that is no address."""
+    """Where files may be written: the working directory, and the operands that are not URLs."""
     return [".", *(name for name in names if "://" not in name)]
 
 

@@ -1,17 +1,17 @@
-"""nano, gedit, vim, code …: all open the same editor window on the files they are given."""
+"""nano, gedit, vim, code …: all open the same editor window on the given files."""
 
 from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
 
-from day6_tui.core.session.places import data_folder
+from day6_tui.core.places import data_folder
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.shell.editing.model import CannotEdit, Editor
 
 IN_THE_TERMINAL = ("nano", "vim", "vi")
-"""Editors that really run in the terminal: what is typed there is meant for them."""
+"""Editors that really run in the terminal, so that what is typed there goes to them."""
 
 
 async def edit(session: Session) -> int:
@@ -41,7 +41,7 @@ async def edit(session: Session) -> int:
 def _give_keys_back(session: Session, model: Editor) -> None:
     session.stdin.pass_keys_to(None)
     if unread := model.take_typed():
-        session.stdin.give_back(unread)
+        session.stdin.push_back(unread)
 
 
 def _state_folder() -> Path:

@@ -24,9 +24,13 @@ async def cat(session: Session) -> int:
     problems: list[str] = []
     number = 0
     async for _, line in lines_of(session, names, problems):
-        if "n" in options or ("b" in options and line != "\n"):
+        numbered = ("n" in options and "b" not in options) or ("b" in options and line != "\n")
+        if numbered:
             number += 1
             line = f"{number:>6}\t{line}"
+        if "T" in options or "A" in options:
+            number_mark, tab, rest = line.partition("\t") if numbered else ("", "", line)
+            line = number_mark + tab + rest.replace("\t", "^I")
         if "E" in options or "A" in options:
             line = line.replace("\n", "$\n")
         session.stdout.write(line)
@@ -85,9 +89,10 @@ async def mkdir(session: Session) -> int:
     status = 0
     for name in names:
         try:
+            mode = _new_mode(options["m"], 0o777) if "m" in options else None
             _make_folder(session.cwd, name, parents="p" in options)
-            if "m" in options:
-                (session.cwd / name).chmod(_new_mode(options["m"], 0o777))
+            if mode is not None:
+                (session.cwd / name).chmod(mode)
         except ValueError:
             complain(session, f"invalid mode ‘{options['m']}’")
             return 1
@@ -118,8 +123,15 @@ def _make_folder(cwd: Path, name: str, *, parents: bool) -> None:
 
 
 async def rmdir(session: Session) -> int:
+    try:
+        _, names = parse(session.argv, "")
+        if not names:
+            raise UsageError("missing operand\nTry 'rmdir --help' for more information.")
+    except UsageError as error:
+        complain(session, error)
+        return 1
     status = 0
-    for name in session.argv[1:]:
+    for name in names:
         try:
             (session.cwd / name).rmdir()
         except OSError as error:
@@ -164,7 +176,7 @@ async def rm(session: Session) -> int:
 
 
 async def _removed(session: Session, name: str, options: dict[str, str]) -> bool:
-    """Remove one operand of rm; False (and a message) if anything of it is left that should not be."""
+    """Remove one operand of rm; return False, with a message, if any part of it could not be removed."""
     recursive = "r" in options or "R" in options
     refusal = _refusal(session, name) if recursive else ""
     if refusal:
@@ -203,7 +215,7 @@ async def _removed(session: Session, name: str, options: dict[str, str]) -> bool
 
 
 def _refusal(session: Session, name: str) -> str:
-    """Why a folder is never removed with all that is in it, '' for others: the root, the home folder and those above it, `.`."""
+    """Why a folder is never removed recursively, '' if it may be: the root, the home folder and its parents, `.`."""
     if os.path.basename(name.rstrip("/")) in (".", ".."):
         return f"refusing to remove '.' or '..' directory: skipping '{name}'"
     path = session.cwd / name

@@ -30,7 +30,7 @@ async def find(session: Session) -> int:
     status = 0
     for start in starts or ["."]:
         if not os.path.lexists(session.cwd / start):
-            complain(session, f"'{start}': No such file or directory")
+            complain(session, f"‘{start}’: No such file or directory")
             status = 1
             continue
         status = await _walk(session, start, wanted, 0) or status
@@ -40,25 +40,25 @@ async def find(session: Session) -> int:
 async def _walk(session: Session, name: str, wanted: _Expression, depth: int) -> int:
     path = session.cwd / name
     status = 0
-    if depth >= wanted.shallowest and wanted.matches(name, path):
-        if wanted.delete:
-            try:
-                path.rmdir() if path.is_dir() and not path.is_symlink() else path.unlink()
-            except OSError as error:
-                complain(session, f"cannot delete '{name}': {reason(error)}")
-                status = 1
-        else:
-            session.print(name)
-            await session.stdout.drain()
-    # os.path says no where pathlib raises: in /proc even a look at another user's link is forbidden.
+    chosen = depth >= wanted.shallowest and wanted.matches(name, path)
+    if chosen and not wanted.delete:
+        session.print(name)
+        await session.stdout.drain()
+    # os.path returns False where pathlib raises: in /proc even reading another user's link is forbidden.
     if depth < wanted.deepest and os.path.isdir(path) and not os.path.islink(path):
         try:
             children = sorted(entry.name for entry in os.scandir(path))
         except OSError as error:
-            complain(session, f"'{name}': {reason(error)}")
+            complain(session, f"‘{name}’: {reason(error)}")
             return 1
         for child in children:
             status = await _walk(session, f"{name.rstrip('/')}/{child}", wanted, depth + 1) or status
+    if chosen and wanted.delete and name != ".":  # a folder after what is in it
+        try:
+            path.rmdir() if path.is_dir() and not path.is_symlink() else path.unlink()
+        except OSError as error:
+            complain(session, f"cannot delete ‘{name}’: {reason(error)}")
+            status = 1
     return status
 
 
@@ -100,7 +100,7 @@ class _Expression:
         value = words.pop(0)
         if word in ("-maxdepth", "-mindepth"):
             if not value.isdigit():
-                raise _Wrong(f"Expected a positive decimal integer argument to {word}, but got '{value}'")
+                raise _Wrong(f"Expected a positive decimal integer argument to {word}, but got ‘{value}’")
             if word == "-maxdepth":
                 self.deepest = int(value)
             else:
@@ -143,7 +143,7 @@ def _is_empty(path: Path) -> bool:
 def _size(text: str) -> Test:
     sign, digits, unit = text[:1] if text[:1] in "+-" else "", text.lstrip("+-").rstrip("ckMG"), text[-1:]
     if not digits.isdigit():
-        raise _Wrong(f"Invalid argument `{text}' to -size")
+        raise _Wrong(f"invalid -size type `{text[-1:]}'")
     block = {"c": 1, "k": 1024, "M": 1024**2, "G": 1024**3}.get(unit, 512)
 
     def test(name: str, path: Path) -> bool:

@@ -7,13 +7,13 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.shell.builtins.options import complain_as_shell
 from day6_tui.core.shell.language.control_flow import Interrupted
-from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.interpreter import Shell, shell_of
 from day6_tui.core.shell.language.jobs import Job
 from day6_tui.core.shell.language.redirection import Streams
 
 
 async def jobs(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     options = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
     table = shell.jobs if shell.jobs.jobs or shell.outer_jobs is None else shell.outer_jobs
     for job in table.ordered():
@@ -30,7 +30,7 @@ async def jobs(session: Session) -> int:
 
 
 def _job(session: Session, spec: str) -> Job | None:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     job = shell.jobs.find(spec if spec.startswith("%") else f"%{spec}")
     if job is None:
         complain_as_shell(session, f"{'current' if spec == '%+' else spec}: no such job")
@@ -38,7 +38,7 @@ def _job(session: Session, spec: str) -> Job | None:
 
 
 async def fg(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     job = _job(session, session.argv[1] if len(session.argv) > 1 else "%+")
     if job is None:
         return 1
@@ -51,12 +51,12 @@ async def fg(session: Session) -> int:
     try:
         return await shell.resume_in_front(job, Streams(session.stdin, session.stdout, session.stderr))
     except Interrupted as end:
-        session.shell_end = end
+        shell_of(session).wanted[session] = end
         return shell.status
 
 
 async def bg(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     job = _job(session, session.argv[1] if len(session.argv) > 1 else "%+")
     if job is None:
         return 1
@@ -69,7 +69,7 @@ async def bg(session: Session) -> int:
 
 
 async def wait(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if len(session.argv) == 1:
         for job in shell.jobs.ordered():
             await job.wait()
@@ -124,7 +124,7 @@ async def kill(session: Session) -> int:
 
 
 def _kill_one(session: Session, word: str, number: int) -> bool:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if word.startswith("%"):
         job = shell.jobs.find(word)
         if job is None:
@@ -146,7 +146,7 @@ def _kill_one(session: Session, word: str, number: int) -> bool:
 
 
 def find_program(shell: Shell, pid: int) -> Program | None:
-    """The running program with this number: ours, or that of the process behind a `python3`."""
+    """The running program with this process id: ours, or that of the process behind a `python3`."""
     from day6_tui.core.shell.process import running_processes
 
     for process in running_processes():
@@ -163,7 +163,7 @@ def send(program: Program, number: int) -> None:
 
 
 async def disown(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     job = _job(session, session.argv[1] if len(session.argv) > 1 else "%+")
     if job is None:
         return 1
@@ -172,7 +172,7 @@ async def disown(session: Session) -> int:
 
 
 async def ps(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     session.print("    PID TTY          TIME CMD")
     rows = [
         (shell.pid, "bash"),
@@ -196,7 +196,7 @@ async def pkill(session: Session) -> int:
         session.print_error(f"{session.name}: no matching criteria specified")
         return 2
     found = 0
-    for program in list(session.shell.desk.programs.values()):
+    for program in list(shell_of(session).desk.programs.values()):
         command = " ".join(program.session.argv)
         names = [word.rpartition("/")[2] for word in program.session.argv[:4]]
         matches = words[0] in names if session.name == "killall" else words[0] in (command if full else " ".join(names))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
-from day6_tui.core.shell.width import text_width
+from day6_tui.core.width import text_width
 
 
 async def ls(session: Session) -> int:
@@ -34,8 +34,8 @@ async def ls(session: Session) -> int:
             continue
         is_folder = stat.S_ISDIR(kind.st_mode) and "d" not in options
         (folders if is_folder else files).append(name)
-    _list(session, session.cwd, sorted(files), options)
-    pending = sorted(folders)
+    _list(session, session.cwd, _ordered(session.cwd, files, options), options)
+    pending = _ordered(session.cwd, folders, options)
     several = len(names) > 1 or "R" in options
     first = not files
     while pending:
@@ -70,7 +70,11 @@ def _entries(path: Path, options: dict[str, str]) -> list[str]:
         names += [".", ".."]
     elif "A" not in options:
         names = [name for name in names if not name.startswith(".")]
-    names.sort(key=lambda name: (name.lstrip(".").lower(), name))
+    return _ordered(path, names, options)
+
+
+def _ordered(path: Path, names: list[str], options: dict[str, str]) -> list[str]:
+    names = sorted(names, key=lambda name: (name.lstrip(".").lower(), name))
     if "t" in options:
         names.sort(key=lambda name: -(path / name).lstat().st_mtime_ns)
     if "S" in options:
@@ -119,10 +123,13 @@ _ESCAPES = {"\a": "\\a", "\b": "\\b", "\f": "\\f", "\n": "\\n", "\r": "\\r", "\t
 
 
 def _quoted(name: str) -> str:
-    """A name as GNU ls writes it on a terminal (quoting style shell-escape), so that none is taken for two or for more."""
+    """Quote a name as GNU ls does on a terminal (quoting style shell-escape), so that it reads as one name."""
     parts = _CONTROLS.split(name)
     if len(parts) == 1:
-        return f"'{name}'" if any(char in " '\"$&()|;<>*?" for char in name) else name
+        if "'" in name and not set(name) & set('"$`\\!'):
+            return f'"{name}"'
+        escaped = name.replace("'", "'\\''")
+        return f"'{escaped}'" if any(char in " '\"$&()|;<>*?" for char in name) else name
     shown = [f"'{text}'" if index % 2 == 0 else f"$'{_escaped(text)}'" for index, text in enumerate(parts)]
     return "".join(shown[:-1] if not parts[-1] else shown)
 
@@ -179,9 +186,12 @@ def _human(size: float) -> str:
 async def tree(session: Session) -> int:
     try:
         options, names = parse(session.argv, "adf", "L")
-        deepest = int(options.get("L", "99"))
-    except (UsageError, ValueError) as error:
+    except UsageError as error:
         complain(session, error)
+        return 1
+    deepest = int(options.get("L", "99")) if options.get("L", "99").isdigit() else 0
+    if not deepest:
+        complain(session, "Invalid level, must be greater than 0.")
         return 1
     counts = [0, 0]
     for name in names or ["."]:

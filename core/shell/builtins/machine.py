@@ -1,4 +1,4 @@
-"""nproc, lsb_release, locale: what an installation guide asks first."""
+"""nproc, lsb_release, locale: the first commands of an installation guide."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ async def nproc(session: Session) -> int:
 
 
 async def lsb_release(session: Session) -> int:
-    """`lsb_release -a`, `lsb_release -cs`: which system this is, by what it says of itself."""
+    """`lsb_release -a`, `lsb_release -cs`: the name and version of this system, from its own files."""
     letters = "".join(word.lstrip("-") for word in session.argv[1:])
     everything = not letters or "a" in letters
     if everything:
@@ -35,12 +35,12 @@ def _system() -> list[tuple[str, str, str]]:
         lines = _RELEASE.read_text(encoding="utf-8").splitlines()
     except OSError:
         lines = []
-    said = {name: value.strip("\"'") for name, _, value in (line.partition("=") for line in lines)}
+    release = {name: value.strip("\"'") for name, _, value in (line.partition("=") for line in lines)}
     return [
-        ("i", "Distributor ID", said.get("ID", platform.system()).capitalize()),
-        ("d", "Description", said.get("PRETTY_NAME", platform.platform(terse=True))),
-        ("r", "Release", said.get("VERSION_ID", platform.release())),
-        ("c", "Codename", said.get("VERSION_CODENAME", "n/a")),
+        ("i", "Distributor ID", release.get("ID", platform.system()).capitalize()),
+        ("d", "Description", release.get("PRETTY_NAME", platform.platform(terse=True))),
+        ("r", "Release", release.get("VERSION_ID", platform.release())),
+        ("c", "Codename", release.get("VERSION_CODENAME", "n/a")),
     ]
 
 

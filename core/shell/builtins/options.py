@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from day6_tui.core.session.session import Session
+from day6_tui.core.shell.language.interpreter import shell_of
 
 
 class UsageError(Exception):
@@ -70,8 +71,8 @@ def complain(session: Session, text: object) -> None:
 
 
 def complain_as_shell(session: Session, text: object) -> None:
-    """Print `bash: name: text` to standard error, as what is part of the shell does."""
-    session.print_error(f"{session.shell.name}: {session.name}: {text}")
+    """Print `bash: name: text` to standard error, as built-ins of the shell do."""
+    session.print_error(f"{shell_of(session).name}: {session.name}: {text}")
 
 
 def reason(error: OSError) -> str:

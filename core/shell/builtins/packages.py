@@ -1,4 +1,4 @@
-"""sudo, apt, rosdep, pip …: what a lesson's installing commands get for an answer on a machine that has no packages."""
+"""sudo, apt, rosdep, pip …: the replies to a lesson's installation commands on a machine that has no packages."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.language.interpreter import shell_of
 
 
 async def sudo(session: Session) -> int:
@@ -17,11 +18,11 @@ async def sudo(session: Session) -> int:
         session.print_error("usage: sudo COMMAND")
         return 1
     start = session.argv.index(words[0])
-    return await session.execute(find_command(words[0], session.shell), session.argv[start:])
+    return await session.execute(find_command(words[0], shell_of(session)), session.argv[start:])
 
 
 async def apt(session: Session) -> int:
-    """Say of every package whether what it brings is here; nothing is downloaded."""
+    """Report for every package whether its commands exist here; nothing is downloaded."""
     words = [word for word in session.argv[1:] if not word.startswith("-")]
     verb = words[0] if words else ""
     if verb == "install" and len(words) > 1:
@@ -45,12 +46,12 @@ _COMMANDS_OF = {
     "ros-dev-tools": ("colcon", "rosdep"),
     "python3-rosdep2": ("rosdep",),
 }
-"""Packages that are known by another name than the commands they bring, which are all here."""
+"""Packages whose name differs from the commands they provide, all of which exist here."""
 
 
 def _about(name: str) -> str:
-    """Say what becomes of `apt install NAME`."""
-    from day6_tui.core.ros.environment import DISTRO
+    """Return the outcome of `apt install NAME`."""
+    from day6_tui.core.ros.distribution import DISTRO
     from day6_tui.core.shell.commands import place_of
 
     name = name.removeprefix("~n")  # how apt is told that a pattern of names follows
@@ -73,7 +74,7 @@ def _shipped() -> set[str]:
 
 
 async def rosdep(session: Session) -> int:
-    """`rosdep init/update` succeed; `rosdep install --from-paths src` looks at the packages' real dependencies."""
+    """`rosdep init/update` succeed; `rosdep install --from-paths src` checks the packages' real dependencies."""
     words = session.argv[1:]
     verb = next((word for word in words if not word.startswith("-")), "")
     if verb in ("init", "update"):
@@ -101,7 +102,7 @@ async def rosdep(session: Session) -> int:
 
 
 def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
-    """Return by package the dependencies that nobody here provides."""
+    """Return, by package, the dependencies that nothing here provides."""
     from day6_tui.core.workspace.manifest import ManifestError, read_manifest
 
     manifests = []
@@ -129,7 +130,7 @@ def _unresolved(folders: list[Path], prefixes: str) -> dict[str, list[str]]:
 
 
 def _is_system(key: str) -> bool:
-    """Say whether a dependency is a tool of the build or of Python, which this machine has or does not need."""
+    """Whether a dependency is a build tool or a Python tool, which this machine has or does not need."""
     return key.startswith(("ament_", "python3", "rosidl_", "launch_testing")) or key in (
         "rclcpp",
         "rclcpp_action",

@@ -8,14 +8,14 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import InputStream, TerminalSide
 from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.builtins.text import text_named
-from day6_tui.core.shell.width import char_width
+from day6_tui.core.width import char_width
 
 _QUIT = ("q", "Q", "\x03", "")
 _STEPS = {"j": 1, "\r": 1, "\x1b[B": 1, "k": -1, "\x1b[A": -1}
 
 
 async def less(session: Session) -> int:
-    """Show files, or what comes through a pipe; where nobody looks at the output it is passed on."""
+    """Show files or standard input; if the output is not a terminal, copy it there."""
     names = [word for word in session.argv[1:] if not word.startswith(("-", "+"))]
     texts = []
     status = 0
@@ -59,7 +59,7 @@ async def man(session: Session) -> int:
 
 
 async def show_pages(session: Session, text: str, name: str) -> None:
-    """Let the user leaf through a text in a terminal, also one that came through a pipe; elsewhere print it."""
+    """Page a text in a terminal, even one that came through a pipe; elsewhere print it."""
     keys = session.stdin if session.stdin.isatty() else session.stdout.keyboard()
     terminal = None if keys is None else keys.terminal_of(session.stdout)
     if keys is None or terminal is None:
@@ -78,7 +78,7 @@ async def show_pages(session: Session, text: str, name: str) -> None:
 
 
 class _Pager:
-    """Which part of the lines is shown, and what was looked for."""
+    """The visible part of the lines, and the last search."""
 
     def __init__(self, session: Session, terminal: TerminalSide, lines: Sequence[str], name: str) -> None:
         self._session, self._terminal, self._name = session, terminal, name

@@ -8,7 +8,7 @@ from uuid import uuid4
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, complain_as_shell, parse, reason
-from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.interpreter import shell_of
 from day6_tui.core.shell.outside import asking
 
 
@@ -61,7 +61,7 @@ def _link(session: Session, target: str, name: str, *, symbolic: bool, force: bo
 
 
 def _is_entry(source: Path, place: Path, symbolic: bool) -> bool:
-    """Say whether a link in `place` would replace the very file that it is to lead to."""
+    """Whether a link at `place` would replace its own target."""
     if symbolic:
         same_folder = os.path.realpath(source.parent) == os.path.realpath(place.parent)
         return same_folder and source.name == place.name and os.path.lexists(place)
@@ -69,7 +69,7 @@ def _is_entry(source: Path, place: Path, symbolic: bool) -> bool:
 
 
 async def readlink(session: Session) -> int:
-    """`readlink NAME` says what a link points to, `readlink -f NAME` where one gets by it in the end."""
+    """`readlink NAME` prints what a link points to, `readlink -f NAME` the final target."""
     try:
         options, names = parse(session.argv, "fenm")
     except UsageError as error:
@@ -112,8 +112,8 @@ async def realpath(session: Session) -> int:
 
 
 async def pushd(session: Session) -> int:
-    """`pushd FOLDER` goes there and remembers where it was; `pushd` swaps the two."""
-    shell: Shell = session.shell
+    """`pushd FOLDER` changes there and remembers the old working directory; `pushd` swaps the two."""
+    shell = shell_of(session)
     names = [word for word in session.argv[1:] if not word.startswith("-")]
     if not names and not shell.folders:
         session.print_error(f"{shell.name}: pushd: no other directory")
@@ -128,7 +128,7 @@ async def pushd(session: Session) -> int:
 
 async def popd(session: Session) -> int:
     """Go back to where the last `pushd` was."""
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if not shell.folders:
         session.print_error(f"{shell.name}: popd: directory stack empty")
         return 1
@@ -139,8 +139,8 @@ async def popd(session: Session) -> int:
 
 
 async def dirs(session: Session) -> int:
-    """The folders that are remembered, the present one first."""
-    shell: Shell = session.shell
+    """Print the directory stack, the working directory first."""
+    shell = shell_of(session)
     home = shell.variables.get("HOME", "")
     shown = [
         "~" + folder[len(home) :] if home and (folder == home or folder.startswith(home + os.sep)) else folder
@@ -151,7 +151,7 @@ async def dirs(session: Session) -> int:
 
 
 def _go(session: Session, target: str) -> bool:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     path = Path(os.path.normpath(shell.cwd / target))
     if not path.is_dir():
         wrong = "Not a directory" if path.exists() else "No such file or directory"

@@ -1,14 +1,15 @@
-"""python3, ros2, colcon, the programs that have a name of their own, and bash."""
+"""python3, ros2, colcon, the programs that are commands of their own, and bash."""
 
 from __future__ import annotations
 
 import importlib
 
-from day6_tui.core.ros import programs
+from day6_tui.core.ros.program_index import COMMANDS as ROS_COMMANDS
+from day6_tui.core.ros.programs import load
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.builtins.text import text_named
-from day6_tui.core.shell.language.interpreter import Shell, subshell_main
+from day6_tui.core.shell.language.interpreter import shell_of, subshell_main
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.outside import asking
 
@@ -36,7 +37,7 @@ def _program(package: str, executable: str) -> Main:
     """A command that is an executable of one of our packages."""
 
     async def main(session: Session) -> int:
-        return await session.execute(programs.load(package, executable), session.argv)
+        return await session.execute(load(package, executable), session.argv)
 
     return main
 
@@ -62,13 +63,13 @@ async def run_script(session: Session, name: str, arguments: list[str]) -> int:
     try:
         text = await text_named(session, name)
     except OSError as error:
-        session.print_error(f"{session.shell.name}: {name}: {reason(error)}")
+        session.print_error(f"{shell_of(session).name}: {name}: {reason(error)}")
         return 126 if isinstance(error, (IsADirectoryError, PermissionError)) else 127
     return await _run_copy(session, text, name, arguments)
 
 
 async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     inner = shell.clone()
     inner.arguments, inner.zero = arguments, zero
     inner.options = set()
@@ -85,7 +86,7 @@ COMMANDS: dict[str, Main] = {
     "pytest": pytest,
     "ros2": asking(ros2, lambda words: ["."] if words[:2] == ["pkg", "create"] else []),
     "colcon": asking(colcon, lambda words: ["."] if words[:1] in (["build"], ["test"]) else []),
-    **{name: _program(*place) for name, place in programs.COMMANDS.items()},
+    **{name: _program(*place) for name, place in ROS_COMMANDS.items()},
     "bash": bash,
     "sh": bash,
 }

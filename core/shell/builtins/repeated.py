@@ -7,15 +7,15 @@ import shlex
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
-from day6_tui.core.shell.language.interpreter import Shell, subshell_main
+from day6_tui.core.shell.language.interpreter import shell_of, subshell_main
 from day6_tui.core.shell.language.redirection import Streams
 
 MOST_ARGUMENTS = 5000
-"""Of one call that xargs makes."""
+"""Most arguments of one command that xargs runs."""
 
 
 async def xargs(session: Session) -> int:
-    """`xargs [-0r] [-n N] [-I TEXT] [-d CHARACTER] [COMMAND …]`: the words that come in become arguments."""
+    """`xargs [-0r] [-n N] [-I TEXT] [-d CHARACTER] [COMMAND …]`: words of the standard input become arguments."""
     split = _first_operand(session.argv, "nIdP")
     try:
         # Among our tools `-3` is short for `-n 3`; here -0 is an option of its own.
@@ -60,7 +60,7 @@ def _words(text: str, options: dict[str, str]) -> list[str]:
 
 
 async def watch(session: Session) -> int:
-    """`watch [-n SECONDS] [-t] COMMAND …`: what the command prints, anew every two seconds, until Ctrl-C."""
+    """`watch [-n SECONDS] [-t] COMMAND …`: shows the command's output, refreshed every two seconds, until Ctrl-C."""
     split = _first_operand(session.argv, "n")
     try:
         options, _ = parse(session.argv[:split], "tcdex", "n", {"--interval": "n", "--no-title": "t"})
@@ -72,7 +72,7 @@ async def watch(session: Session) -> int:
     if not line:
         session.print_error("Usage: watch [options] command")
         return 1
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if session.stdout.isatty():
         session.stdout.control("\x1b[?1049h")
         session.defer(lambda: session.stdout.control("\x1b[?1049l"))
@@ -89,7 +89,7 @@ async def watch(session: Session) -> int:
 
 
 async def _run(session: Session, line: str) -> int:
-    inner: Shell = session.shell.clone()
+    inner = shell_of(session).clone()
     streams = Streams(InputStream(), session.stdout, session.stderr)
     return (await subshell_main(inner, lambda: inner.run(line, streams))(session)) or 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections import deque
 
@@ -40,11 +41,10 @@ _GREP_LONG = {
 
 async def grep(session: Session) -> int:
     try:
-        options, names = parse(session.argv, "ivncEFGPwxoqlrRhHaUs", "meABCK", _GREP_LONG, joined="e")
+        # Of all options with a value this one need not have it.
+        words = ["--color=auto" if word in ("--color", "--colour") else word for word in session.argv]
+        options, names = parse(words, "ivncEFGPwxoqlrRhHaUs", "meABCK", _GREP_LONG, joined="e")
     except UsageError as error:
-        if "--color" in str(error) or "--colour" in str(error):
-            session.argv = [word for word in session.argv if word not in ("--color", "--colour")]
-            return await grep(session)
         complain(session, error)
         return 2
     pattern = options.get("e")
@@ -62,11 +62,16 @@ async def grep(session: Session) -> int:
         complain(session, str(error).capitalize())
         return 2
     except ValueError:
-        complain(session, "context length argument is not a number")
+        wrong = next(options[letter] for letter in "CBAm" if not options.get(letter, "0").lstrip("-").isdigit())
+        complain(
+            session, "invalid max count" if wrong == options.get("m") else f"{wrong}: invalid context length argument"
+        )
         return 2
-    if "r" in options or "R" in options:
-        names = _all_files(session, names or ["."])
-    show_name = ("H" in options or len(names) > 1) and "h" not in options
+    recursive = bool({"r", "R"} & options.keys())
+    several = len(names) > 1 or (recursive and any((session.cwd / name).is_dir() for name in names or ["."]))
+    show_name = ("H" in options or several) and "h" not in options
+    if recursive:
+        names = _all_files(session, names)
     search = _Grep(session, expression, options, show_name, before, after, most)
     problems: list[str] = []
     try:
@@ -80,7 +85,7 @@ async def grep(session: Session) -> int:
 
 
 def _grep_expression(pattern: str, options: dict[str, str]) -> UserPattern:
-    """One expression for a list of patterns, one a line: a line of text is found if any of them is in it."""
+    """Return one expression for a list of patterns, one per line: a line of text matches if any of them does."""
     pieces = pattern.split("\n")
     if "F" in options:
         pieces = [re.escape(piece) for piece in pieces]
@@ -89,10 +94,11 @@ def _grep_expression(pattern: str, options: dict[str, str]) -> UserPattern:
         pieces = [
             re.sub(r"\\([|(){}+?])|([|(){}+?])", lambda m: m[1] if m[1] else "\\" + m[2], piece) for piece in pieces
         ]
+    if "F" not in options:
+        pieces = [re.sub(r"\[:(\w+):\]", lambda m: _CLASSES.get(m[1], m[0]), piece) for piece in pieces]
     for piece in pieces:
         UserPattern(piece)  # a mistake is that of one pattern
     pattern = pieces[0] if len(pieces) == 1 else "|".join(f"(?:{piece})" for piece in pieces)
-    pattern = re.sub(r"\[\[:(\w+):\]\]", lambda m: _CLASSES.get(m[1], m[0]), pattern)
     if "w" in options:
         pattern = rf"\b(?:{pattern})\b"
     if "x" in options:
@@ -101,29 +107,33 @@ def _grep_expression(pattern: str, options: dict[str, str]) -> UserPattern:
 
 
 _CLASSES = {
-    "digit": r"\d",
+    "digit": "0-9",
     "space": r"\s",
-    "alpha": "[A-Za-z]",
-    "alnum": "[A-Za-z0-9]",
-    "upper": "[A-Z]",
-    "lower": "[a-z]",
+    "blank": r" \t",
+    "alpha": "A-Za-z",
+    "alnum": "A-Za-z0-9",
+    "upper": "A-Z",
+    "lower": "a-z",
+    "punct": r"!-/:-@\[-`{-~",
+    "xdigit": "0-9A-Fa-f",
 }
+"""`[:digit:]` and the other classes, as they are written inside brackets."""
 
 
 def _all_files(session: Session, names: list[str]) -> list[str]:
     found: list[str] = []
-    for name in names:
+    for name in names or [""]:
         path = session.cwd / name
         if path.is_dir():
             inside = sorted(file for file in path.rglob("*") if file.is_file())
-            found.extend(f"{name.rstrip('/')}/{file.relative_to(path)}" for file in inside)
+            found.extend(os.path.join(name, file.relative_to(path)) for file in inside)
         else:
             found.append(name)
     return found
 
 
 class _Grep:
-    """What one run of grep has found so far."""
+    """The state of one run of grep."""
 
     def __init__(
         self,
@@ -139,7 +149,7 @@ class _Grep:
         self.earlier: deque[tuple[int, str]] = deque(maxlen=before)
         self.after, self.most = after, most
         self.number, self.name, self.count, self.total, self.left = 0, "", 0, 0, 0
-        self.shown = 0
+        self.shown, self.shown_of = 0, ""
         self.colour = session.stdout.isatty() or "always" in options.get("K", "")
 
     async def line(self, name: str, line: str) -> bool:
@@ -163,7 +173,8 @@ class _Grep:
         if "q" in self.options:
             return False
         if not ({"c", "l"} & self.options.keys()):
-            if (self.after or self.earlier.maxlen) and self.shown and self.number - len(self.earlier) > self.shown + 1:
+            gap = self.number - len(self.earlier) > self.shown + 1 or self.shown_of != self.name
+            if (self.after or self.earlier.maxlen) and self.shown and gap:
                 self.session.print("--")
             for number, earlier in self.earlier:
                 await self._show(number, earlier, "-")
@@ -173,7 +184,7 @@ class _Grep:
         return self.most < 0 or self.count < self.most
 
     async def _show(self, number: int, text: str, mark: str) -> None:
-        self.shown = number
+        self.shown, self.shown_of = number, self.name
         prefix = (
             (self.name.replace("-", "(standard input)", 1) if self.name == "-" else self.name) + mark
             if self.show_name

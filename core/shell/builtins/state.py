@@ -1,4 +1,4 @@
-"""What changes the shell itself: directories, history, control flow, sourcing. See `variables` for its variables."""
+"""Built-ins that change the shell itself: directories, history, control flow, sourcing. See `variables` for its variables."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from day6_tui.core.shell.builtins.options import complain_as_shell, reason
 from day6_tui.core.shell.builtins.text import text_named
 from day6_tui.core.shell.language.control_flow import ExitShell, LoopControl, ReturnFromSource
 from day6_tui.core.shell.language.functions import in_the_shell_itself
-from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.interpreter import shell_of
 from day6_tui.core.shell.system_files import TEXTS
 
 
 async def cd(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     operands = [word for word in session.argv[1:] if word not in ("-L", "-P", "--")]
     if len(operands) > 1:
         complain_as_shell(session, "too many arguments")
@@ -28,10 +28,10 @@ async def cd(session: Session) -> int:
             return 1
         session.print(target)
     if not target:
-        if operands:
-            return 0
-        complain_as_shell(session, "HOME not set")
-        return 1
+        if not operands:
+            complain_as_shell(session, "HOME not set")
+            return 1
+        target = "."
     # As a shell does it: `..` is taken off the text, symbolic links are kept.
     path = Path(os.path.normpath(shell.cwd / target))
     try:
@@ -50,12 +50,12 @@ async def cd(session: Session) -> int:
 
 
 async def pwd(session: Session) -> int:
-    session.print(session.shell.cwd)
+    session.print(shell_of(session).cwd)
     return 0
 
 
 async def shift(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     count = int(session.argv[1]) if len(session.argv) > 1 and session.argv[1].isdigit() else 1
     if count > len(shell.arguments):
         return 1
@@ -64,7 +64,7 @@ async def shift(session: Session) -> int:
 
 
 def _number(session: Session, default: int) -> int | None:
-    """The numeric argument of exit, break and their like; None (and a message) if it is none."""
+    """Return the numeric argument of exit, break and the like; None, with a message, if it isn't a number."""
     if len(session.argv) < 2:
         return default
     try:
@@ -75,28 +75,28 @@ def _number(session: Session, default: int) -> int | None:
 
 
 async def exit_(session: Session) -> int:
-    number = _number(session, session.shell.status)
+    number = _number(session, shell_of(session).status)
     status = 2 if number is None else number & 0xFF
-    if session.shell.interactive and session.name == "exit":
+    if shell_of(session).interactive and session.name == "exit":
         session.stderr.write("exit\n")
-    session.shell_end = ExitShell(status)
+    shell_of(session).wanted[session] = ExitShell(status)
     return status
 
 
 async def break_(session: Session) -> int:
-    session.shell_end = LoopControl(max(_number(session, 1) or 1, 1), again=session.name == "continue")
+    shell_of(session).wanted[session] = LoopControl(max(_number(session, 1) or 1, 1), again=session.name == "continue")
     return 0
 
 
 async def return_(session: Session) -> int:
-    number = _number(session, session.shell.status)
+    number = _number(session, shell_of(session).status)
     status = 2 if number is None else number & 0xFF
-    session.shell_end = ReturnFromSource(status)
+    shell_of(session).wanted[session] = ReturnFromSource(status)
     return status
 
 
 async def source(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if len(session.argv) < 2:
         complain_as_shell(session, "filename argument required")
         session.print_error(f"{session.name}: usage: {session.name} filename [arguments]")
@@ -123,10 +123,10 @@ async def source(session: Session) -> int:
 
 
 def _sourced_setup(session: Session, name: str) -> bool:
-    """Source the setup script of a workspace or of ROS; False if `name` is none (or is missing: then the caller says so)."""
-    from day6_tui.core.workspace.sourcing import make_known, source_setup
+    """Source the setup script of a workspace or of ROS; return False if `name` isn't one or is missing."""
+    from day6_tui.core.workspace.sourcing import import_interfaces, source_setup
 
-    shell: Shell = session.shell
+    shell = shell_of(session)
     try:
         changed = source_setup(Path(os.path.normpath(shell.cwd / name)), shell.environment)
     except (OSError, ValueError):
@@ -135,7 +135,7 @@ def _sourced_setup(session: Session, name: str) -> bool:
         return False
     shell.variables.update(changed)
     shell.exported.update(changed)
-    make_known(changed)
+    import_interfaces(changed)
     return True
 
 
@@ -145,14 +145,14 @@ async def eval_(session: Session) -> int:
 
 async def _run_here(session: Session, text: str) -> int:
     """Run command lines in the shell itself, on this command's streams."""
-    shell: Shell = session.shell
+    shell = shell_of(session)
     return await in_the_shell_itself(
         session, lambda streams: shell.run(text, streams), "maximum nesting level exceeded"
     )
 
 
 async def history(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if session.argv[1:] == ["-c"]:
         shell.history.clear()
         return 0

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.language.interpreter import shell_of
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
 _XTERM_VALUES = ("-T", "-title", "-n", "-name", "-geometry", "-fn", "-fa", "-fs", "-bg", "-fg", "-sl", "-xrm", "-class")
-"""Options of xterm that take a value; how it is to look is the desktop's affair."""
+"""Options of xterm that take a value and are ignored: the desktop decides the appearance."""
 
 
 async def xterm(session: Session) -> int:
@@ -64,7 +65,7 @@ def _open(session: Session, command: Sequence[str]) -> Terminal | None:
     """
     line = command[0] if len(command) == 1 else shlex.join(command)
     try:
-        terminal: Terminal = session.shell.desk.open_terminal(cwd=session.cwd, env=session.env, command=line)
+        terminal: Terminal = shell_of(session).desk.open_terminal(cwd=session.cwd, env=session.env, command=line)
     except BlockingIOError as error:
         session.print_error(f"{session.argv[0]}: fork: {error.strerror}")
         return None

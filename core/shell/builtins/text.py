@@ -6,10 +6,10 @@ import errno
 import os
 import re
 from collections import deque
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 
-from day6_tui.core.session.patient_files import refuse
+from day6_tui.core.session.blocking_files import refuse
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
@@ -24,11 +24,11 @@ _ESCAPES = {
 _ESCAPE = re.compile(r"\\(0[0-7]{1,3}|[0-7]{1,3}|x[0-9a-fA-F]{1,2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
 _STOP_OUTPUT = "\\c"
 LONGEST_TEXT = 64 * 1024 * 1024
-"""Characters that are held at once: a shell of a machine this small would not get more memory either."""
+"""Characters held in memory at once: a shell on a machine this small would not get more either."""
 
 
 def unescape(text: str) -> str:
-    """Resolve backslash escapes as `echo -e` and printf do; an unknown one stays."""
+    """Resolve backslash escapes as `echo -e` and printf do; an unknown one is kept."""
 
     def one(match: re.Match[str]) -> str:
         code = match[1]
@@ -69,7 +69,7 @@ async def printf(session: Session) -> int:
         before = len(values)
         try:
             text, ok = _format(pattern, values, session)
-        except MemoryError:  # the real one says the same where the machine has no room for so wide a number
+        except MemoryError:  # the real one prints the same if there is no memory for such a wide number
             session.print_error("bash: printf: write error: Cannot allocate memory")
             return 1
         session.stdout.write(text)
@@ -103,10 +103,12 @@ def _format(pattern: str, values: list[str], session: Session) -> tuple[str, boo
     return re.sub(r"%([-+ #0]*\d*(?:\.\d+)?)([%sbcdiouxXeEfFgG])", one, pattern), ok
 
 
-async def lines_of(session: Session, names: list[str], problems: list[str]) -> AsyncIterator[tuple[str, str]]:
+async def lines_of(
+    session: Session, names: list[str], problems: list[str], refusal: str = "{name}: {reason}"
+) -> AsyncIterator[tuple[str, str]]:
     """Yield (name, line) of the files, or of standard input when there are none or the name is '-'.
 
-    Files that cannot be read are reported as `command: name: reason` and added to `problems`.
+    Files that cannot be read are reported as `command: name: reason`, or in the words of `refusal`, and added to `problems`.
     """
     for name in names or ["-"]:
         stream: InputStream
@@ -119,7 +121,7 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
                     raise IsADirectoryError(21, "Is a directory")
                 stream = own or FileInput(session.cwd / name)
             except OSError as error:
-                complain(session, f"{name}: {reason(error)}")
+                complain(session, refusal.format(name=name, reason=reason(error)))
                 problems.append(name)
                 continue
         try:
@@ -132,19 +134,22 @@ async def lines_of(session: Session, names: list[str], problems: list[str]) -> A
 
 
 async def text_named(session: Session, name: str) -> str:
-    """Read what `name` means to a command at once: a file, or a stream of its own. Raises OSError."""
+    """Read at once what `name` means to a command: a file, or one of its own streams. Raises OSError."""
     own = own_input(session.cwd / name, table_of(session))
     return whole_text(session.cwd / name) if own is None else await own.read_all()
 
 
 def whole_text(path: Path) -> str:
-    """Read a file at once. Raises OSError, also for one that is too large for that (/dev/zero has no end)."""
+    """Read a file at once. Raises OSError, also for a file that is too large (/dev/zero has no end)."""
     refuse(str(path), path.stat().st_mode, writing=False)
     with path.open(encoding="utf-8", errors="surrogateescape") as file:
         text = file.read(LONGEST_TEXT + 1)
     if len(text) > LONGEST_TEXT:
         raise OSError(errno.ENOMEM, "Cannot allocate memory")
     return text
+
+
+_CANNOT_OPEN = "cannot open '{name}' for reading: {reason}"
 
 
 async def head(session: Session) -> int:
@@ -164,12 +169,13 @@ async def _ends(session: Session, *, first: bool) -> int:
         complain(session, error)
         return 1
     except ValueError:
-        complain(session, f"invalid number of lines: '{text}'")
+        complain(session, f"invalid number of lines: ‘{text}’")
         return 1
     problems: list[str] = []
     for index, name in enumerate(names or ["-"]):
-        if len(names) > 1:
-            session.print(f"{chr(10) if index else ''}==> {name} <==")
+        if len(names) > 1 and "q" not in options and (name == "-" or os.access(session.cwd / name, os.R_OK)):
+            title = "standard input" if name == "-" else name
+            session.print(f"{chr(10) if index else ''}==> {title} <==")
         if first and count >= 0:
             await _first_lines(session, name, count, problems)
         else:
@@ -182,7 +188,7 @@ async def _ends(session: Session, *, first: bool) -> int:
 async def _first_lines(session: Session, name: str, count: int, problems: list[str]) -> None:
     if count == 0:
         return
-    async for _, line in lines_of(session, [name], problems):
+    async for _, line in lines_of(session, [name], problems, _CANNOT_OPEN):
         session.stdout.write(line)
         count -= 1
         if count <= 0:
@@ -192,7 +198,7 @@ async def _first_lines(session: Session, name: str, count: int, problems: list[s
 async def _last_lines(session: Session, name: str, count: int, text: str, problems: list[str], *, first: bool) -> None:
     if not first and text.startswith("+"):  # tail -n +3: from the third line on
         skip = count - 1
-        async for _, line in lines_of(session, [name], problems):
+        async for _, line in lines_of(session, [name], problems, _CANNOT_OPEN):
             if skip > 0:
                 skip -= 1
             else:
@@ -200,7 +206,7 @@ async def _last_lines(session: Session, name: str, count: int, text: str, proble
         return
     kept: deque[str] = deque()
     keep = abs(count)
-    async for _, line in lines_of(session, [name], problems):
+    async for _, line in lines_of(session, [name], problems, _CANNOT_OPEN):
         kept.append(line)
         if len(kept) > keep:
             oldest = kept.popleft()
@@ -268,15 +274,20 @@ async def wc(session: Session) -> int:
 async def sort(session: Session) -> int:
     try:
         options, names = parse(
-            session.argv, "rnuf", "ko", {"--reverse": "r", "--numeric-sort": "n", "--unique": "u", "--output": "o"}
-        )
+            session.argv,
+            "rnufbs",
+            "kot",
+            {"--reverse": "r", "--numeric-sort": "n", "--unique": "u", "--ignore-case": "f", "--output": "o",
+             "--key": "k", "--field-separator": "t"},
+        )  # fmt: skip
+        key = _sort_key(options)
     except UsageError as error:
         complain(session, error)
         return 2
     problems: list[str] = []
     lines = []
     size = 0
-    async for _, line in lines_of(session, names, problems):
+    async for _, line in lines_of(session, names, problems, "cannot read: {name}: {reason}"):
         lines.append(line.rstrip("\n"))
         size += len(line)
         if size > LONGEST_TEXT:
@@ -284,22 +295,36 @@ async def sort(session: Session) -> int:
             return 2
     if problems:  # GNU's sort begins to write when it has read everything
         return 2
-    column = int(options["k"].split(",")[0]) - 1 if options.get("k", "").split(",")[0].isdigit() else None
-
-    def key(line: str) -> tuple[float, str]:
-        words = line.split()
-        text = line if column is None else " ".join(words[column:])
-        number = re.match(r"\s*-?\d+(?:\.\d+)?", text) if "n" in options else None
-        return (float(number[0]) if number else 0.0, text)
-
-    lines.sort(key=key, reverse="r" in options)
     if "u" in options:
-        lines = list(dict.fromkeys(lines))
+        lines = list({key(line): line for line in reversed(lines)}.values())
+    # Lines with the same key stand in the order of their characters.
+    lines.sort(key=lambda line: (key(line), line), reverse="r" in options)
     text = "".join(line + "\n" for line in lines)
     if "o" in options:
         return await _sorted_into(session, options["o"], text)
     session.stdout.write(text)
     return 0
+
+
+def _sort_key(options: dict[str, str]) -> Callable[[str], tuple[float, str]]:
+    """Return the sort key that `-k FIELD[,FIELD]`, `-n`, `-f` and `-t` select. Raises UsageError."""
+    match = re.fullmatch(r"([1-9]\d*)([nfrb]*)(?:,(\d+)([nfrb]*))?", options.get("k", "1"))
+    if match is None:
+        raise UsageError(f"invalid number at field start: invalid count at start of ‘{options['k']}’")
+    first, last = int(match[1]) - 1, int(match[3]) if match[3] else None
+    letters = {*options, *match[2], *(match[4] or "")}
+    if "r" in letters:
+        options["r"] = "r"
+
+    def key(line: str) -> tuple[float, str]:
+        separator = options.get("t")
+        text = (separator or " ").join(line.split(separator)[first:last]) if "k" in options else line
+        if "n" in letters:
+            number = re.match(r"\s*-?\d*(?:\.\d+)?", text)
+            return float(number[0]) if number is not None and number[0].strip() not in ("", "-") else 0.0, ""
+        return 0.0, text.upper() if "f" in letters else text
+
+    return key
 
 
 async def _sorted_into(session: Session, name: str, text: str) -> int:
@@ -317,7 +342,7 @@ async def _sorted_into(session: Session, name: str, text: str) -> int:
 
 
 async def write_named(session: Session, name: str, data: bytes) -> None:
-    """Make `data` the content of what `name` means to a command: a file, or a stream of its own. Raises OSError."""
+    """Write `data` to what `name` means to a command: a file, or one of its own streams. Raises OSError."""
     own = own_output(session.cwd / name, table_of(session))
     if own is None:
         path = session.cwd / name

@@ -9,6 +9,7 @@ from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
 from day6_tui.core.session.task import wait_for
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse
+from day6_tui.core.shell.language.interpreter import shell_of
 from day6_tui.core.shell.language.redirection import Streams
 
 _UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
@@ -24,7 +25,7 @@ def _seconds(text: str) -> float:
 
 
 MOST_SECONDS = 1e8
-"""Three years: what `sleep infinity` is, and the longest wait that every clock can count."""
+"""Three years: the length of `sleep infinity`, and the longest wait that every clock can represent."""
 
 
 async def sleep(session: Session) -> int:
@@ -36,7 +37,7 @@ async def sleep(session: Session) -> int:
         try:
             total += MOST_SECONDS if word in ("inf", "infinity") else min(_seconds(word), MOST_SECONDS)
         except ValueError:
-            session.print_error(f"sleep: invalid time interval '{word}'\nTry 'sleep --help' for more information.")
+            session.print_error(f"sleep: invalid time interval ‘{word}’\nTry 'sleep --help' for more information.")
             return 1
     await session.sleep(total)
     return 0
@@ -59,19 +60,20 @@ async def timeout(session: Session) -> int:
     except ValueError as error:
         complain(
             session,
-            f"invalid time interval '{error.args[0] if not str(error).startswith('could') else session.argv[split]}'",
+            f"invalid time interval ‘{error.args[0] if not str(error).startswith('could') else session.argv[split]}’"
+            "\nTry 'timeout --help' for more information.",
         )
         return 125
     except IndexError:
-        session.print_error("timeout: missing operand\nTry 'timeout --help' for more information.")
+        session.print_error("Try 'timeout --help' for more information.")
         return 125
     argv = session.argv[split + 1 :]
     if not argv:
-        session.print_error("timeout: missing operand\nTry 'timeout --help' for more information.")
+        session.print_error("Try 'timeout --help' for more information.")
         return 125
     name = options.get("s", "TERM")
     number = int(name) if name.isdigit() else NUMBERS.get(name.upper().removeprefix("SIG"), 15)
-    shell = session.shell
+    shell = shell_of(session)
     streams = Streams(session.stdin, session.stdout, session.stderr)
     program = shell.desk.start_program(
         argv, find_command(argv[0], shell), streams, env=session.env, cwd=session.cwd, shell=shell
@@ -116,9 +118,11 @@ async def date(session: Session) -> int:
     moment = (time.gmtime if utc else time.localtime)(now // NANOSECONDS)
     pattern = "+%a %b %e %I:%M:%S %p %Z %Y" if not words else words[0]
     if not pattern.startswith("+"):
-        session.print_error(f"date: invalid date '{pattern}'")
+        session.print_error(f"date: invalid date ‘{pattern}’")
         return 1
     pattern = pattern.replace("%N", f"{now % NANOSECONDS:09d}").replace("%s", str(now // NANOSECONDS))
+    if utc:
+        pattern = pattern.replace("%Z", "UTC")  # which Python calls GMT
     session.print(time.strftime(pattern[1:].replace("%e", f"{moment.tm_mday:>2}"), moment))
     return 0
 

@@ -1,4 +1,4 @@
-"""cp and mv, as GNU's on the odd cases: nothing is copied onto or into itself, no folder disappears in another unasked."""
+"""cp and mv, like GNU's in edge cases: nothing is copied onto or into itself, and no folder silently replaces another."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from day6_tui.core.shell.outside import asking
 from day6_tui.core.shell.own_streams import stream_number
 
 BLOCK = 1024 * 1024
-"""Bytes that are copied before others may run."""
+"""Bytes copied before other programs may run."""
 
 _LONG = {
     "--archive": "a", "--force": "f", "--interactive": "i", "--no-clobber": "n", "--recursive": "r", "--update": "u",
@@ -58,7 +58,7 @@ class _Transfer:
             complain(session, error)
             return 1
         *sources, target = names
-        # A dot means a folder also where somebody has removed the one this is.
+        # A dot means a folder even if that folder has been removed.
         into = bool(target) and (os.path.basename(target) in (".", "..") or (session.cwd / target).is_dir())
         if len(sources) > 1 and not into:
             there = bool(target) and os.path.lexists(session.cwd / target)
@@ -79,7 +79,7 @@ class _Transfer:
         complain(self.session, text)
         self.failed = True
 
-    def _told(self, text: str) -> None:
+    def _report(self, text: str) -> None:
         if "v" in self.options:
             self.session.print(text)
 
@@ -87,10 +87,10 @@ class _Transfer:
     def _recursive(self) -> bool:
         return bool({"r", "R", "a"} & self.options.keys())
 
-    # -- what both ask -------------------------------------------------------------------------------------------------
+    # -- checks of both ------------------------------------------------------------------------------------------------
 
     async def _may_replace(self, source: os.stat_result, name: str, shown: str) -> bool:
-        """Whether `shown`, if it is there, may be overwritten; False leaves it silently. Raises _Refused."""
+        """Whether `shown`, if it exists, may be overwritten; False skips it silently. Raises _Refused."""
         goal = self.session.cwd / shown
         if not shown or not os.path.lexists(goal):
             return True
@@ -109,7 +109,7 @@ class _Transfer:
         return True
 
     def _look(self, name: str, *, follow: bool) -> os.stat_result:
-        """What `name` is. Raises _Refused."""
+        """Return the status of `name`. Raises _Refused."""
         try:
             if not name:
                 raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
@@ -162,7 +162,7 @@ class _Transfer:
         try:
             if new:
                 goal.mkdir(mode=stat.S_IMODE(source.st_mode) | 0o700)
-                self._told(f"'{name}' -> '{shown}'")
+                self._report(f"'{name}' -> '{shown}'")
             inner = sorted(os.listdir(self.session.cwd / name))
         except OSError as error:
             what = f"create directory '{shown}'" if new and not goal.is_dir() else f"access '{name}'"
@@ -178,7 +178,7 @@ class _Transfer:
             goal.symlink_to(os.readlink(self.session.cwd / name))
         except OSError as error:
             raise _Refused(f"cannot create symbolic link '{shown}': {reason(error)}") from None
-        self._told(f"'{name}' -> '{shown}'")
+        self._report(f"'{name}' -> '{shown}'")
 
     async def _copy_file(self, source: os.stat_result, name: str, shown: str) -> None:
         goal = self.session.cwd / shown
@@ -193,7 +193,7 @@ class _Transfer:
                 writing = self._create(shown, stat.S_IMODE(source.st_mode))
             except OSError as error:
                 raise _Refused(f"cannot create regular file '{shown}': {reason(error)}") from None
-            self._told(f"'{name}' -> '{shown}'")
+            self._report(f"'{name}' -> '{shown}'")
             await self._pour(data.read, writing, shown)
 
     async def _copy_stream(self, name: str, shown: str) -> None:
@@ -221,7 +221,7 @@ class _Transfer:
         return os.open(goal, flags, mode & 0o777)
 
     async def _pour(self, read: object, writing: int, shown: str) -> None:
-        """Copy the contents. What fits is there afterwards, as with GNU's."""
+        """Copy the contents. On a full disk, the part that fits is written, as with GNU's."""
         assert callable(read)
         try:
             with open(writing, "wb", buffering=0) as file:
@@ -256,10 +256,10 @@ class _Transfer:
             if error.errno != errno.EXDEV:
                 raise _Refused(f"cannot move '{name}' to '{shown}': {reason(error)}") from None
             await self._move_to_another_disk(source, name, shown)
-        self._told(f"renamed '{name}' -> '{shown}'")
+        self._report(f"renamed '{name}' -> '{shown}'")
 
     async def _move_to_another_disk(self, source: os.stat_result, name: str, shown: str) -> None:
-        """Copy it, and remove the original only when every part of it has arrived."""
+        """Copy it, and remove the original only when every part has been copied."""
         copier = _Transfer(self.session)
         copier.options = {"a": "a"}
         await copier._copy_any(source, name, shown)
@@ -280,7 +280,7 @@ _FLAGS = getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
 
 
 def _same(source: Path, goal: Path, *, follow: bool) -> bool:
-    """Whether both names mean the same file: what is copied would be emptied, what is moved would be gone."""
+    """Whether both names mean the same file, which a copy would truncate and a move would delete."""
     try:
         if os.path.samefile(source, goal):
             return follow or not goal.is_symlink() or os.path.samestat(source.lstat(), goal.lstat())

@@ -8,14 +8,14 @@ import shlex
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain_as_shell
 from day6_tui.core.shell.language.arithmetic import evaluate
-from day6_tui.core.shell.language.interpreter import Shell
+from day6_tui.core.shell.language.interpreter import shell_of
 
 _SHOPT = ("checkwinsize", "cmdhist", "expand_aliases", "globstar", "histappend", "login_shell", "nullglob", "autocd")
 
 
 def _assign(session: Session, word: str) -> str | None:
-    """Carry out `NAME`, `NAME=value` or `NAME+=value`; returns the name, None (and a message) if it is none."""
-    shell: Shell = session.shell
+    """Carry out `NAME`, `NAME=value` or `NAME+=value`; return the name, or None, with a message, if it is invalid."""
+    shell = shell_of(session)
     name, equals, value = word.partition("=")
     append = name.endswith("+") and bool(equals)
     name = name.removesuffix("+") if append else name
@@ -28,7 +28,7 @@ def _assign(session: Session, word: str) -> str | None:
 
 
 async def export(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     words = session.argv[1:]
     if not words or words == ["-p"]:
         for name in sorted(shell.exported & shell.variables.keys()):
@@ -50,7 +50,7 @@ async def export(session: Session) -> int:
 
 
 async def unset(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     functions = "-f" in session.argv[1:]
     for name in session.argv[1:]:
         if name in ("-v", "-f"):
@@ -64,8 +64,8 @@ async def unset(session: Session) -> int:
 
 
 async def local(session: Session) -> int:
-    """`local NAME[=value] …` in a function: what it was before comes back when the function ends."""
-    shell: Shell = session.shell
+    """`local NAME[=value] …` in a function: the old value is restored when the function ends."""
+    shell = shell_of(session)
     if not shell.hidden:
         complain_as_shell(session, "can only be used in a function")
         return 1
@@ -86,7 +86,7 @@ async def local(session: Session) -> int:
 
 async def declare(session: Session) -> int:
     """`declare [-xirf] NAME[=value] …`; local in a function, as in bash. `declare -f` shows functions."""
-    shell: Shell = session.shell
+    shell = shell_of(session)
     options = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
     words = [word for word in session.argv[1:] if not word.startswith(("-", "+"))]
     if "f" in options or "F" in options:
@@ -114,7 +114,7 @@ async def declare(session: Session) -> int:
 
 
 def _show_functions(session: Session, names: list[str], *, whole: bool) -> int:
-    functions = session.shell.functions
+    functions = shell_of(session).functions
     for name in names or sorted(functions):
         if name not in functions:
             return 1
@@ -123,11 +123,11 @@ def _show_functions(session: Session, names: list[str], *, whole: bool) -> int:
 
 
 async def let(session: Session) -> int:
-    """`let SUM …`: status 0 if the last is not 0."""
+    """`let EXPRESSION …`: status 0 if the value of the last one is not 0."""
     value = 0
     for word in session.argv[1:]:
         try:
-            value = evaluate(word, session.shell.variables)
+            value = evaluate(word, shell_of(session).variables)
         except (ArithmeticError, ValueError) as error:
             complain_as_shell(session, f"{word}: {error}")
             return 1
@@ -136,7 +136,7 @@ async def let(session: Session) -> int:
 
 async def read(session: Session) -> int:
     """`read [-r] [-s] [-p PROMPT] [NAME …]`; the line is split at the characters of IFS."""
-    shell: Shell = session.shell
+    shell = shell_of(session)
     words = session.argv[1:]
     raw = False
     while words and words[0].startswith("-") and len(words[0]) > 1:
@@ -158,7 +158,7 @@ async def read(session: Session) -> int:
 
 
 def _split(text: str, separators: str, most: int) -> list[str]:
-    """Split a line into at most `most` pieces: white space separates as a whole, another character each time."""
+    """Split a line into at most `most` pieces: a run of white space is one separator, any other separator counts each time."""
     blanks = "".join(each for each in separators if each.isspace())
     others = "".join(each for each in separators if not each.isspace())
     text = text.strip(blanks) if blanks else text
@@ -169,7 +169,7 @@ def _split(text: str, separators: str, most: int) -> list[str]:
 
 
 async def alias(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     status = 0
     words = [word for word in session.argv[1:] if word != "-p"]
     for word in words:
@@ -192,7 +192,7 @@ def _quoted(text: str) -> str:
 
 
 async def unalias(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     if session.argv[1:] == ["-a"]:
         shell.aliases.clear()
         return 0
@@ -205,7 +205,7 @@ async def unalias(session: Session) -> int:
 
 
 async def set_(session: Session) -> int:
-    shell: Shell = session.shell
+    shell = shell_of(session)
     words = session.argv[1:]
     if not words:
         for name, value in sorted(shell.variables.items()):
@@ -232,8 +232,8 @@ async def set_(session: Session) -> int:
 
 
 async def shopt(session: Session) -> int:
-    """`shopt [-suq] [-o] NAME …`: says whether a setting is on; those that exist here need no switching."""
-    shell: Shell = session.shell
+    """`shopt [-suq] [-o] NAME …`: turns settings on or off, or prints whether they are on."""
+    shell = shell_of(session)
     options = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
     names = [word for word in session.argv[1:] if not word.startswith("-")]
     if "o" in options:
@@ -250,7 +250,7 @@ async def shopt(session: Session) -> int:
 
 
 async def accepted(session: Session) -> int:
-    """`trap`, `umask`, `bind` …: what a .bashrc says and nothing here depends on."""
+    """`trap`, `umask`, `bind` …: accepted because a .bashrc uses them; they have no effect here."""
     return 0
 
 

@@ -1,1 +1,1 @@
-"""The editor behind nano, gedit, vim and code: the file on the disk, what is wrong in a text, the model of the window."""
+"""The editor behind nano, gedit, vim and code: the file on the disk, checks of a text, the model of the window."""

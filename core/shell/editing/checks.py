@@ -1,4 +1,4 @@
-"""What is wrong in a text while it is typed: Python by its compiler, XML and YAML by their parsers, URDF as check_urdf does."""
+"""Checks a text while it is typed: Python by its compiler, XML and YAML by their parsers, URDF as check_urdf does."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def language_of(path: Path) -> str:
 
 
 def check(path: Path, text: str) -> Problem | None:
-    """Return the first problem of a text, None if there is none (or nobody who could tell)."""
+    """Return the first problem of a text, None if there is none, or no checker for the language."""
     checker = _CHECKERS.get("urdf" if path.suffix.lower() == ".urdf" else language_of(path))
     return checker(text) if checker is not None and text.strip() else None
 
@@ -66,7 +66,7 @@ def _xml(text: str) -> Problem | None:
 
 
 class _Entity(Exception):
-    """The text defines an entity, which could grow without end."""
+    """The text defines an entity, which could expand without end."""
 
 
 def _refuse_entity(*definition: object) -> None:
@@ -94,9 +94,9 @@ def _urdf(text: str) -> Problem | None:
         return broken
     from day6_tui.urdf.check import check_text
 
-    for said in check_text(text).diagnostics:
-        if said.level == "Error":
-            return Problem(max(1, said.line), max(1, said.column), said.text)
+    for diagnostic in check_text(text).diagnostics:
+        if diagnostic.level == "Error":
+            return Problem(max(1, diagnostic.line), max(1, diagnostic.column), diagnostic.text)
     return None
 
 

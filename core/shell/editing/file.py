@@ -1,4 +1,4 @@
-"""One text file that is being edited: read and written whole, never half, with a copy of what is not saved yet.
+"""One text file being edited: read and written completely or not at all, with a copy of what is not saved yet.
 
 The copy lies in the user's state folder, not beside the file: a workspace stays as it is. It survives a crash of
 day6-tui, a closed window and a full disk, and is offered when the file is opened again.
@@ -18,7 +18,7 @@ from day6_tui.core.session.folder import working_folder
 from day6_tui.core.whole_file import must_stay, overwrite_file, replace_file, write_private
 
 LARGEST = 4_000_000
-"""Bytes of the largest file that is opened: more is no program, and an editor in a terminal would crawl."""
+"""Bytes of the largest file that is opened: a larger one is not source code, and would slow the editor to a crawl."""
 
 
 class CannotEdit(Exception):
@@ -26,27 +26,27 @@ class CannotEdit(Exception):
 
 
 class Stamp(NamedTuple):
-    """What changes when somebody else writes a file: time in nanoseconds and size in bytes; None where there is none."""
+    """What changes when another program writes a file: time in nanoseconds and size in bytes; None if there is no file."""
 
     time: int
     size: int
 
 
 class Form(NamedTuple):
-    """What of a file's bytes is not in its text: the mark at the beginning, and what stands for "\\n"."""
+    """The part of a file's bytes that is not in its text: the byte order mark, and the line ending."""
 
     mark: str = ""
     newline: str = "\n"
 
 
 MARK = "\ufeff"
-"""What some Windows programs begin a UTF-8 file with."""
+"""The byte order mark with which some Windows programs begin a UTF-8 file."""
 
 
 def taken_apart(whole: str) -> tuple[Form, str]:
     """Return the form and the text of a file; `put_together` of them is the file again, whatever it holds.
 
-    Only where every line ends as on Windows are these ends ordinary ones; in a mixed file "\\r" is a character, as in nano.
+    Windows line endings are recognised only if every line has one; in a mixed file "\\r" is a character, as in nano.
     """
     mark = MARK if whole.startswith(MARK) else ""
     text = whole[len(mark) :]
@@ -57,7 +57,7 @@ def taken_apart(whole: str) -> tuple[Form, str]:
 
 
 def put_together(form: Form, text: str) -> str:
-    """Return what is to be in the file."""
+    """Return the bytes of the file."""
     return form.mark + text.replace("\n", form.newline)
 
 
@@ -82,7 +82,7 @@ class TextFile:
                 raise CannotEdit(f"{self.path} is a directory")
             if self.path.stat().st_size > LARGEST:
                 raise CannotEdit(f"{self.path}: larger than {LARGEST // 1_000_000} MB")
-            stamp = self._look()  # before reading: what is written meanwhile is a change
+            stamp = self._look()  # before reading: anything written meanwhile is a change
             data = self.path.read_bytes()
         except OSError as error:
             raise CannotEdit(f"{self.path}: {error.strerror or error}") from None
@@ -95,10 +95,10 @@ class TextFile:
         return text
 
     def write(self, text: str) -> None:
-        """Make `text` the file's: either whole, or the old one stays. Raises OSError.
+        """Write `text` completely, or leave the old file as it was. Raises OSError.
 
-        As in nano the file stays the one its other names, its rights and its owner belong to. It is written over only when a
-        copy of the text is on the disk, else it is replaced.
+        As in nano the file keeps its inode, and with it hard links, permissions and owner. It is overwritten only once a
+        copy of the text is on the disk; otherwise it is replaced.
         """
         target = Path(os.path.realpath(self.path))
         data = put_together(self.form, text).encode("utf-8")
@@ -114,7 +114,7 @@ class TextFile:
         self.forget()
 
     def changed_outside(self) -> bool:
-        """Say whether somebody else wrote, made or deleted the file since it was read or written here."""
+        """Whether another program wrote, created or deleted the file since it was read or written here."""
         return self._look() != self._stamp
 
     # -- the copy of what is not saved ---------------------------------------------------------------------------------
@@ -124,13 +124,13 @@ class TextFile:
         write_private(self._copy, json.dumps({"path": str(self.path), "text": text, **self.form._asdict()}).encode())
 
     def kept(self) -> tuple[Form, str] | None:
-        """Return the unsaved text of an earlier time and the form it was to be written in, None if there is none."""
+        """Return the unsaved text of an earlier session and the form to write it in, None if there is none."""
         try:
             found = json.loads(self._copy.read_text(encoding="utf-8"))
             form = Form(*(str(found.get(name, had)) for name, had in self.form._asdict().items()))
             return form, str(found["text"])
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            return None  # none, or one that was cut short: it is only a second copy
+            return None  # missing or truncated: it is only a second copy
 
     def forget(self) -> None:
         """Delete the copy."""

@@ -1,4 +1,4 @@
-"""What an editor window shows: one file at a time of one folder. The text itself is the window's; files are here."""
+"""The model of an editor window: one file at a time of one folder. The window owns the text, this module the files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from day6_tui.core.shell.outside import is_outside
 
 _SKIPPED = {"build", "install", "log", "__pycache__", "node_modules"}
 MOST_FILES = 500
-"""As many files of a folder are offered; a larger one is no workspace of a lesson."""
+"""Most files of a folder that are offered; a larger folder is not a lesson's workspace."""
 
 
 class Editor:
@@ -30,29 +30,29 @@ class Editor:
         self.saved = ""
         self.text = ""
         self.recovered = False
-        """Whether `text` is an unsaved text of an earlier time."""
+        """Whether `text` is the unsaved text of an earlier session."""
         self.version = 0
-        """Grows when another file was opened."""
+        """Incremented when another file is opened."""
         self.home = home
-        """The folder outside which a file is not the lesson's; None where everything is."""
+        """The folder that holds the lesson's files; None if every file counts as one."""
         self._state = state
         self._typed: deque[str] = deque()
 
     # -- the terminal it was started in --------------------------------------------------------------------------------
 
     def keys(self, text: str) -> None:
-        """Take what is typed in the terminal in which nano runs, also before its window was there (any thread)."""
+        """Take what is typed in the terminal in which nano runs, even before its window is open (any thread)."""
         self._typed.append(text)
 
     def resize(self, columns: int, rows: int) -> None:
-        """Another size of that terminal means nothing to the window."""
+        """Nothing to do: the window does not depend on the size of that terminal."""
 
     def wants_signal_keys(self) -> bool:
-        """Ctrl-C and Ctrl-Z are keys like others to an editor of the terminal."""
+        """Return False: to a terminal editor, Ctrl-C and Ctrl-Z are keys like any other."""
         return False
 
     def take_typed(self) -> str:
-        """Return what was typed there since the last call."""
+        """Return the keys typed there since the last call."""
         typed = []
         while self._typed:
             typed.append(self._typed.popleft())
@@ -73,7 +73,7 @@ class Editor:
         self.version += 1
 
     def is_outside(self, path: Path) -> bool:
-        """Say whether `path` lies where a lesson changes nothing without being told so twice."""
+        """Whether `path` is outside the folder of the lesson's files, where a change has to be confirmed."""
         return self.home is not None and is_outside(path, self.home)
 
     def save(self, text: str) -> None:
@@ -95,7 +95,7 @@ class Editor:
         self.version += 1
 
     def keep(self, text: str) -> None:
-        """Keep an unsaved text for the case that it never gets saved. Raises OSError."""
+        """Keep an unsaved text in case it is never saved. Raises OSError."""
         if self.file is not None:
             if text == self.saved:
                 self.file.forget()
@@ -110,11 +110,11 @@ class Editor:
         return self.saved
 
     def changed_outside(self) -> bool:
-        """Say whether the file on the disk is not the one that was read."""
+        """Whether the file on the disk is not the one that was read."""
         return self.file is not None and self.file.changed_outside()
 
     def exists(self) -> bool:
-        """Say whether there is such a file on the disk."""
+        """Whether the file exists on the disk."""
         return self.file is not None and self.file.path.exists()
 
     def check(self, text: str) -> Problem | None:
@@ -122,7 +122,7 @@ class Editor:
         return None if self.file is None else check(self.file.path, text)
 
     def title(self) -> str:
-        """The name of the file as a person calls it."""
+        """The file name to show."""
         if self.file is None:
             return self.folder.name
         try:

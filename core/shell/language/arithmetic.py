@@ -45,9 +45,9 @@ _UNARY: dict[str, Callable[[int], int]] = {
 
 
 def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -> int:
-    """Return the value; assignments change `variables`, whose values may be sums themselves.
+    """Return the value; assignments change `variables`, whose values may be expressions themselves.
 
-    Raises ValueError (bash's text) for what is no sum, ZeroDivisionError with bash's text.
+    Raises ValueError (bash's text) if `source` is not an expression, ZeroDivisionError with bash's text.
     """
     if depth > _MOST_DEPTH:
         raise ValueError("expression recursion level exceeded")
@@ -60,15 +60,15 @@ def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -
             raise ValueError(f'syntax error: invalid arithmetic operator (error token is "{text[at:].strip()}")')
         tokens.append(match.group().strip())
         at = match.end()
-    parser = _Sum(tokens, variables, depth)
+    parser = _Evaluator(tokens, variables, depth)
     value = parser.comma() if tokens else 0
     if parser.tokens:
         raise ValueError(f'syntax error in expression (error token is "{" ".join(parser.tokens)}")')
     return value
 
 
-class _Sum:
-    """Evaluates while it reads; where `quiet`, nothing is assigned: a branch that is not taken."""
+class _Evaluator:
+    """Evaluates while it parses; while `quiet` is not 0 (in a branch that is not taken) nothing is assigned."""
 
     def __init__(self, tokens: list[str], variables: MutableMapping[str, str], depth: int) -> None:
         self.tokens = tokens
@@ -76,7 +76,7 @@ class _Sum:
         self.depth = depth
         self.quiet = 0
         self.last = ""
-        """The operator that was read last, for messages."""
+        """The last operator that was read, for messages."""
 
     def next_is(self, *texts: str) -> bool:
         return bool(self.tokens) and self.tokens[0] in texts
@@ -90,24 +90,24 @@ class _Sum:
 
     def assignment(self) -> int:
         if len(self.tokens) > 1 and self.tokens[1] in _ASSIGNING and self.tokens[0].isidentifier():
-            name, sign = self.tokens.pop(0), self.tokens.pop(0)
+            name, symbol = self.tokens.pop(0), self.tokens.pop(0)
             value = self.assignment()
-            if sign != "=":
-                value = self.combine(sign[:-1], self.value_of(name), value)
+            if symbol != "=":
+                value = self.combine(symbol[:-1], self.value_of(name), value)
             return self.assign(name, value)
         return self.choice()
 
     def choice(self) -> int:
-        asked = self.binary(0)
+        condition = self.binary(0)
         if not self.next_is("?"):
-            return asked
+            return condition
         self.tokens.pop(0)
-        first = self.skipping(not asked, self.comma)
+        first = self.skipping(not condition, self.comma)
         if not self.next_is(":"):
             raise ValueError("`:' expected for conditional expression")
         self.tokens.pop(0)
-        second = self.skipping(bool(asked), self.assignment)
-        return first if asked else second
+        second = self.skipping(bool(condition), self.assignment)
+        return first if condition else second
 
     def skipping(self, skipped: bool, read: Callable[[], int]) -> int:
         self.quiet += skipped
@@ -172,9 +172,9 @@ class _Sum:
 
 
 def _number(text: str) -> int:
-    base, sign, digits = text.partition("#")
+    base, mark, digits = text.partition("#")
     try:
-        if sign:
+        if mark:
             return int(digits, int(base))
         if text[:2] in ("0x", "0X"):
             return int(text, 16)
@@ -184,7 +184,7 @@ def _number(text: str) -> int:
 
 
 def _wrapped(value: int) -> int:
-    """The value in 64 bits, as a machine word holds it."""
+    """Wrap the value to a signed integer of 64 bits."""
     return (value + 2**63) % 2**64 - 2**63
 
 
@@ -195,7 +195,7 @@ def _power(a: int, b: int) -> int:
 
 
 def _divide(a: int, b: int) -> int:
-    """C's division: towards zero."""
+    """Divide as C does: towards zero."""
     if b == 0:
         raise ZeroDivisionError("division by 0")
     quotient = abs(a) // abs(b)

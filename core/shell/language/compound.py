@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 
 async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) -> int:
-    """Run one compound command with its redirections in `shell`; returns its status, which is the shell's then too."""
-    assert not isinstance(command, syntax.Simple)
+    """Run one compound command with its redirections in `shell`; returns its status, which becomes the shell's."""
+    assert not isinstance(command, syntax.SimpleCommand)
     with ExitStack() as opened:
         try:
             streams = await redirect(command.redirections, shell, streams, opened)
@@ -34,8 +34,8 @@ async def run_compound(shell: Shell, command: syntax.Command, streams: Streams) 
             await _if(shell, command, streams)
         elif isinstance(command, syntax.Case):
             await _case(shell, command, streams)
-        elif isinstance(command, (syntax.Brackets, syntax.Sum)):
-            await _question(shell, command, streams)
+        elif isinstance(command, (syntax.Conditional, syntax.Arithmetic)):
+            await _conditional(shell, command, streams)
         elif isinstance(command, syntax.Function):
             shell.functions[command.name] = command
             shell.status = 0
@@ -85,22 +85,22 @@ async def _case(shell: Shell, command: syntax.Case, streams: Streams) -> None:
         fallen = (fallen or any(found)) and end == ";&"
 
 
-async def _question(shell: Shell, command: syntax.Brackets | syntax.Sum, streams: Streams) -> None:
-    """`[[ … ]]` and `(( … ))`: status 0 if it holds, 1 if not, 2 for what cannot be answered."""
+async def _conditional(shell: Shell, command: syntax.Conditional | syntax.Arithmetic, streams: Streams) -> None:
+    """`[[ … ]]` and `(( … ))`: status 0 if it is true, 1 if not, 2 if it cannot be evaluated."""
     try:
-        if isinstance(command, syntax.Sum):
+        if isinstance(command, syntax.Arithmetic):
             answer = await sum_of(command.source, shell, streams) != 0
         else:
             answer = await holds(command.condition, shell, streams)
     except (ArithmeticError, OSError, ValueError) as error:
-        streams.stderr.write(f"{shell.name}: {'((' if isinstance(command, syntax.Sum) else '[['}: {error}\n")
+        streams.stderr.write(f"{shell.name}: {'((' if isinstance(command, syntax.Arithmetic) else '[['}: {error}\n")
         shell.status = 2
         return
     shell.status = 0 if answer else 1
 
 
-async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Counted, streams: Streams) -> None:
-    if isinstance(command, syntax.Counted):
+async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.ArithmeticFor, streams: Streams) -> None:
+    if isinstance(command, syntax.ArithmeticFor):
         await sum_of(command.first, shell, streams)
     values: list[str] | None = None
     if isinstance(command, syntax.For):
@@ -108,7 +108,7 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Counte
     status = 0
     again = False
     while True:
-        if isinstance(command, syntax.Counted):
+        if isinstance(command, syntax.ArithmeticFor):
             if again:
                 await sum_of(command.step, shell, streams)
             again = True

@@ -10,7 +10,7 @@ from day6_tui.core.session.task import in_turns
 from day6_tui.core.shell.language import file_tests
 from day6_tui.core.shell.language.arithmetic import evaluate
 from day6_tui.core.shell.language.expansion import expand_pattern, expand_regular, expand_text
-from day6_tui.core.shell.language.syntax import Both, Condition, Not, Test
+from day6_tui.core.shell.language.syntax import AndOrCondition, Condition, Not, Test
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
 from day6_tui.core.user_pattern import user_pattern
 
@@ -23,7 +23,7 @@ _BINARY = frozenset({"=", "==", "!=", "=~", *file_tests.INTEGER, *file_tests.FIL
 
 
 def parse_condition(parser: Parser) -> Condition:
-    """Read a condition up to its `]]`, which is left."""
+    """Read a condition up to its `]]`, which is not consumed."""
     return _both(parser, "||")
 
 
@@ -37,7 +37,7 @@ def _both(parser: Parser, operator: str) -> Condition:
         if not parser.is_op(operator):
             return condition
         parser.take()
-        condition = Both(operator, condition, operand())
+        condition = AndOrCondition(operator, condition, operand())
 
 
 def _single(parser: Parser) -> Condition:
@@ -80,10 +80,10 @@ def _operand(parser: Parser) -> Word:
 
 
 async def holds(condition: Condition, shell: Shell, streams: Streams) -> bool:
-    """Whether the condition is true. Raises ValueError (bash's text) for what cannot be answered."""
+    """Whether the condition is true. Raises ValueError (bash's text) if it cannot be evaluated."""
     if isinstance(condition, Not):
         return not await holds(condition.inner, shell, streams)
-    if isinstance(condition, Both):
+    if isinstance(condition, AndOrCondition):
         left = await holds(condition.left, shell, streams)
         return left if left == (condition.operator == "||") else await holds(condition.right, shell, streams)
     operator, operands = condition.operator, condition.operands
@@ -109,7 +109,7 @@ async def holds(condition: Condition, shell: Shell, streams: Streams) -> bool:
 
 
 async def _matches(shell: Shell, text: str, pattern: str) -> bool:
-    """Search a regular expression and note the match, as BASH_REMATCH's first element is `$BASH_REMATCH`."""
+    """Search a regular expression; the match becomes `$BASH_REMATCH`, which is the first element of that array."""
     try:
         match = await in_turns(user_pattern(pattern).searching(text))
     except re.error as error:

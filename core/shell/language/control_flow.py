@@ -1,4 +1,4 @@
-"""What ends a command line before its end: `exit`, `break`, `continue`, `return` and Ctrl-C, as exceptions."""
+"""The exceptions that end a command line early: `exit`, `break`, `continue`, `return` and Ctrl-C."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ _CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A
 
 
 MOST_WORDS = 1_000_000
-"""That braces may stand for; the real shell takes all memory for more."""
+"""Most words of a brace expansion; the real shell uses up all memory for more."""
 
 
 class UnboundProblem(SyntaxProblem):
@@ -67,7 +67,7 @@ class _Fields:
 
 
 async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]:
-    """Return the arguments that `words` stand for."""
+    """Return the arguments that `words` expand to."""
     arguments: list[str] = []
     for word in words:
         for single in _braces(word):
@@ -76,10 +76,16 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
                 if isinstance(part, Text):
                     fields.add(part.text, part.quoted)
                 elif isinstance(part, Variable) and part.name in "@*" and not part.operator:
+                    if part.quoted and part.name == "*":
+                        fields.add(" ".join(shell.arguments), True)
+                        continue
                     for number, value in enumerate(shell.arguments):
                         if number:
                             fields.end()
-                        fields.add(value, part.quoted)
+                        if part.quoted:
+                            fields.add(value, True)
+                        else:
+                            fields.add_split(value)
                 else:
                     value = await _value(part, shell, streams)
                     if part.quoted:
@@ -88,12 +94,16 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
                         fields.add_split(value)
             fields.end()
             for pieces in fields.done:
-                arguments.extend(await _files(pieces, shell.cwd))
+                found = await _files(pieces, shell.cwd) if "f" not in shell.options else None
+                if found or (found is not None and "nullglob" in shell.settings):
+                    arguments.extend(found)
+                else:
+                    arguments.append("".join(text for text, _ in pieces))
     return arguments
 
 
 async def expand_text(word: Word, shell: Shell, streams: Streams) -> str:
-    """Return what `word` stands for as one text: no splitting, no patterns (assignments, redirections, here-documents)."""
+    """Expand `word` to one text: no splitting, no patterns (assignments, redirections, here-documents)."""
     result = []
     for part in _tilde(word.parts, shell):
         if isinstance(part, Text):
@@ -163,7 +173,9 @@ async def _slice(value: str, part: Variable, shell: Shell, streams: Streams) -> 
     """`${x:offset:length}`; a negative one counts from the end."""
     first, colon, second = part.argument.partition(":")
     start = await sum_of(first, shell, streams)
-    start = max(len(value) + start, 0) if start < 0 else start
+    start = len(value) + start if start < 0 else start
+    if start < 0:
+        return ""
     if not colon:
         return value[start:]
     length = await sum_of(second, shell, streams)
@@ -193,12 +205,12 @@ async def sum_of(source: str, shell: Shell, streams: Streams) -> int:
 
 
 async def expand_pattern(word: Word, shell: Shell, streams: Streams) -> str:
-    """Return a word as a pattern for fnmatch: what stood in quotes means itself."""
-    return "".join([_literal(text) if quoted else text for text, quoted in await _pieces(word, shell, streams)])
+    """Return a word as a pattern for fnmatch: quoted text is literal."""
+    return "".join([_literal(text) if quoted else _named(text) for text, quoted in await _pieces(word, shell, streams)])
 
 
 async def expand_regular(word: Word, shell: Shell, streams: Streams) -> str:
-    """Return a word as a regular expression: what stood in quotes means itself."""
+    """Return a word as a regular expression: quoted text is literal."""
     found = "".join([re.escape(text) if quoted else text for text, quoted in await _pieces(word, shell, streams)])
     for name, characters in _CLASSES.items():
         found = found.replace(f"[:{name}:]", characters)
@@ -210,12 +222,19 @@ async def _pieces(word: Word, shell: Shell, streams: Streams) -> list[tuple[str,
     return [(await expand_text(Word((part,), ""), shell, streams), part.quoted) for part in parts]
 
 
+def _named(text: str) -> str:
+    """Replace `[:digit:]` and the like in a pattern by the characters they mean."""
+    for name, characters in _CLASSES.items():
+        text = text.replace(f"[:{name}:]", characters.replace(r"\s", " \t\n\r\v\f"))
+    return text
+
+
 def _literal(text: str) -> str:
     return re.sub(r"([*?[])", r"[\1]", text)
 
 
 def _argument(part: Variable) -> Word:
-    """What stands behind the operator, as one word: no white space in it separates anything."""
+    """The text after the operator, as one word: white space in it does not split it."""
     return single_word(part.argument, part.quoted)
 
 
@@ -231,13 +250,13 @@ def _trim(value: str, operator: str, pattern: str) -> str:
     return value
 
 
-async def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
-    text = "".join(piece for piece, _ in pieces)
+async def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str] | None:
+    """Return the file names that a pattern matches; None for a text that isn't a pattern."""
     if not any(not quoted and _PATTERN.intersection(piece) for piece, quoted in pieces):
-        return [text]
+        return None
     pattern = "".join(glob.escape(piece) if quoted else piece for piece, quoted in pieces)
     if not _PATTERN.intersection(pattern.rpartition("/")[0]):
-        return sorted(glob.glob(pattern, root_dir=cwd)) or [text]
+        return sorted(glob.glob(pattern, root_dir=cwd))
     abandoned = threading.Event()  # folders of any number: others go on, and Ctrl-C ends it
 
     def found() -> list[str]:
@@ -245,13 +264,13 @@ async def _files(pieces: list[tuple[str, bool]], cwd: Path) -> list[str]:
         return sorted(itertools.islice(wanted, MOST_WORDS))
 
     try:
-        return await in_thread(found) or [text]
+        return await in_thread(found)
     finally:
         abandoned.set()
 
 
 def _braces(word: Word) -> list[Word]:
-    """`a{b,c}` and `{1..3}`, where the braces stand in one unquoted piece; every other word as it is."""
+    """Expand `a{b,c}` and `{1..3}` if the braces are in one unquoted piece; return every other word as it is."""
     for index, part in enumerate(word.parts):
         if isinstance(part, Text) and not part.quoted and "{" in part.text:
             if _brace_count(part.text) > MOST_WORDS:
@@ -264,7 +283,7 @@ def _braces(word: Word) -> list[Word]:
 
 
 def _brace_count(text: str) -> int:
-    """At least as many words as the braces of a text make: what stands beside each other multiplies, commas add."""
+    """An upper bound of the words that a text's braces expand to: adjacent braces multiply, commas add."""
     numbers = 1
     for inside in re.findall(r"\{([^{}]*)\}", text):
         numbers *= len(_brace_range(inside)) or inside.count(",") + 1
@@ -307,9 +326,9 @@ def _brace_range(inside: str) -> list[str]:
     try:
         low, high, step = int(first), int(last), abs(int(step_text or "1")) or 1
     except ValueError:
-        if len(first) == len(last) == 1 and first.isalpha() and last.isalpha() and not step_text:
-            step = 1 if first <= last else -1
-            return [chr(code) for code in range(ord(first), ord(last) + step, step)]
+        if len(first) == len(last) == 1 and (first + last).isalpha() and re.fullmatch(r"-?\d+", step_text or "1"):
+            way = 1 if first <= last else -1
+            return [chr(code) for code in range(ord(first), ord(last) + way, way * (abs(int(step_text or "1")) or 1))]
         return []
     if abs(high - low) > 10_000:
         return []

@@ -1,4 +1,4 @@
-"""Questions that `test`, `[` and `[[` ask: about files, texts and whole numbers."""
+"""The tests of `test`, `[` and `[[`: of files, texts and integers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FILES = frozenset({"-nt", "-ot", "-ef"})
 
 
 def unary(question: str, text: str, cwd: Path) -> bool:
-    """Answer a question about a text, or about the file of that name. ValueError (bash's text) for an unknown question."""
+    """Apply a unary test to a text or to the file of that name. Raises ValueError (bash's text) for an unknown operator."""
     path = cwd / text
     checks: dict[str, Callable[[], bool]] = {
         "-z": lambda: not text,
@@ -46,7 +46,7 @@ def unary(question: str, text: str, cwd: Path) -> bool:
 
 
 def integers(left: str, comparison: str, right: str) -> bool:
-    """Compare two whole numbers. ValueError (bash's text) for what is none."""
+    """Compare two integers. Raises ValueError (bash's text) for anything that isn't an integer."""
     for text in (left, right):
         if not text.strip().lstrip("+-").isdigit():
             raise ValueError(f"{text}: integer expression expected")
@@ -54,7 +54,7 @@ def integers(left: str, comparison: str, right: str) -> bool:
 
 
 def files(left: str, comparison: str, right: str, cwd: Path) -> bool:
-    """`-nt`, `-ot` (a file that is not there is older than any) and `-ef`."""
+    """`-nt`, `-ot` (a missing file is older than any) and `-ef`."""
     first, second = cwd / left, cwd / right
     if comparison == "-ef":
         return first.exists() and second.exists() and first.samefile(second)

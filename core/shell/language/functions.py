@@ -1,4 +1,4 @@
-"""What runs in the shell itself, one level deeper: a sourced file, and a shell function with its `local`s."""
+"""Code that runs in the shell itself, one level deeper: a sourced file, and a shell function with its `local`s."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.language.shell_state import MAX_DEPTH
 
 if TYPE_CHECKING:
-    from day6_tui.core.shell.language.interpreter import Shell
+    pass
 
 
 async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitable[int]], too_deep: str) -> int:
@@ -20,7 +20,9 @@ async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitab
 
     `return` ends it; `exit`, `break` and Ctrl-C end it too and are handed on to the shell.
     """
-    shell: Shell = session.shell
+    from day6_tui.core.shell.language.interpreter import shell_of
+
+    shell = shell_of(session)
     if shell.depth >= MAX_DEPTH:
         session.print_error(f"{shell.name}: {session.name}: {too_deep} ({MAX_DEPTH})")
         return 1
@@ -31,19 +33,20 @@ async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitab
     except ReturnFromSource as end:
         return end.status
     except (ExitShell, LoopControl, Interrupted) as end:
-        session.shell_end = end
+        shell.wanted[session] = end
         return shell.status
     finally:
         shell.depth -= 1
 
 
 def calling(function: syntax.Function) -> Main:
-    """The program that a call of the function is: it runs in the shell itself, with arguments and `local`s of its own."""
+    """Return the program for a call of the function: it runs in the shell itself, with its own arguments and `local`s."""
 
     async def main(session: Session) -> int:
         from day6_tui.core.shell.language.compound import run_compound
+        from day6_tui.core.shell.language.interpreter import shell_of
 
-        shell: Shell = session.shell
+        shell = shell_of(session)
         before, shell.arguments = shell.arguments, session.argv[1:]
         shell.hidden.append({})
         try:

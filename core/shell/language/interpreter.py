@@ -1,7 +1,7 @@
 """Runs parsed command lines: simple commands, pipelines, lists, background jobs. `compound` runs the loops and conditions.
 
 Every simple command, built-in or not, runs as a program of its own with a session (so Ctrl-C, pipes and `timeout` need no
-special cases); built-ins that change the shell reach it as `session.shell`. Commands in a pipeline, in `( )` and in the
+special cases); built-ins that change the shell reach it by `shell_of`. Commands in a pipeline, in `( )` and in the
 background work on a copy.
 """
 
@@ -13,12 +13,13 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.signals import NUMBERS
-from day6_tui.core.session.streams import CAPTURE_LIMIT, Captured, InputStream, Pipe
-from day6_tui.core.session.write_errors import told
+from day6_tui.core.session.streams import CAPTURE_LIMIT, Captured, InputStream, OutputStream, Pipe
+from day6_tui.core.session.write_errors import report_write_error
 from day6_tui.core.shell.language import parser, syntax
 from day6_tui.core.shell.language.compound import run_compound
 from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
 
 LONGEST_VALUE = 16 * 1024 * 1024
-"""Characters of a variable. A bash that doubles one for ever ends with this message too, when memory has ended."""
+"""Characters of a variable. A bash that keeps doubling one ends with this message too, once memory is used up."""
 
 
 class Shell(ShellState):
@@ -45,13 +46,15 @@ class Shell(ShellState):
         self.outer_jobs: JobTable | None = None
         """In a subshell the table of the shell around it, which `jobs` shows as long as there are none of its own."""
         self.condition_depth = 0
-        """Inside how many conditions of `if` and `while` it is: `set -e` does not apply there."""
+        """The nesting depth of conditions of `if` and `while`, in which `set -e` does not apply."""
         self._substitution_status = 0
         """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
         self._front: list[Job] = []
         """Jobs being waited for, the innermost last."""
+        self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
+        """What built-ins request after they have returned: to exit, to break out of a loop …"""
 
-    # -- what others ask -----------------------------------------------------------------------------------------------
+    # -- for its users -------------------------------------------------------------------------------------------------
 
     @property
     def front(self) -> Job | None:
@@ -104,9 +107,37 @@ class Shell(ShellState):
             self.status = 2
         return self.status
 
+    # -- for programs (core/session/host.Host) -------------------------------------------------------------------------
+
+    starts_programs = True
+
     async def run_line(self, source: str, session: Session) -> int:
         """Run command lines for a program, on its streams; for commands that start others (`ros2 run --prefix`)."""
         return await self.run(source, Streams(session.stdin, session.stdout, session.stderr))
+
+    def command(self, name: str) -> Main | None:
+        """The built-in command of that name."""
+        from day6_tui.core.shell.commands import builtin
+
+        return builtin(name)
+
+    @property
+    def terminals(self) -> tuple[str, ...]:
+        """Names of the commands that open a terminal."""
+        from day6_tui.core.shell.commands import MODULES
+
+        return MODULES["terminals"]
+
+    def start_beside(
+        self, argv: list[str], main: Main, stdout: OutputStream, stderr: OutputStream, *, env: dict[str, str], cwd: Path
+    ) -> Program:
+        """Start a program in the background, with nothing to read; for a launch. Raises BlockingIOError."""
+        streams = Streams(InputStream(), stdout, stderr)
+        program = self.desk.start_program(argv, main, streams, env=env, cwd=cwd, shell=self)
+        program.session.background = True
+        return program
+
+    # -- the parts of a line -------------------------------------------------------------------------------------------
 
     async def run_tree(self, tree: syntax.Sequence, streams: Streams) -> int:
         for item in tree.items:
@@ -138,16 +169,22 @@ class Shell(ShellState):
                 streams.stderr.write(f"{self.name}: {problem}\n")
                 self.status = 1
             return
+        last = node.items[-1][1]
         for index, (operator, pipeline) in enumerate(node.items):
             if index and (self.status == 0) != (operator == "&&"):
+                if pipeline is last:
+                    return
                 continue
+            asked = pipeline is not last  # a command before && or || may fail, even with `set -e`
+            self.condition_depth += asked
             try:
                 await self._pipeline(pipeline, streams)
             except SyntaxProblem as problem:
                 streams.stderr.write(f"{self.name}: {problem}\n")
                 self.status = 1
-        last_ran = node.items[-1][1]
-        if "e" in self.options and self.status and not last_ran.negated and not self.condition_depth:
+            finally:
+                self.condition_depth -= asked
+        if "e" in self.options and self.status and not last.negated and not self.condition_depth:
             raise ExitShell(self.status)
 
     async def _background(self, node: syntax.AndOr, streams: Streams) -> None:
@@ -189,7 +226,7 @@ class Shell(ShellState):
         if len(node.commands) > 1:
             front = replace(streams, stdin=streams.stdin.fork())
             await self._foreground(Job(self._start_stages(node, front), node.source, front.stdin), streams)
-        elif isinstance(command, syntax.Simple):
+        elif isinstance(command, syntax.SimpleCommand):
             await self._simple(command, node.source, streams)
         else:
             await run_compound(self, command, streams)
@@ -208,7 +245,7 @@ class Shell(ShellState):
                 program = self._start([node.source], self._stage_main(command, stage), stage)
             except (
                 SyntaxProblem
-            ):  # no room for another one: those before it would be in no job, and no Ctrl-C reach them
+            ):  # too many programs: those already started would be in no job, and Ctrl-C would not reach them
                 for started in programs:
                     started.kill()
                 raise
@@ -222,7 +259,7 @@ class Shell(ShellState):
 
     def _stage_main(self, command: syntax.Command, streams: Streams) -> Main:
         inner = self.clone()
-        if not isinstance(command, syntax.Simple):
+        if not isinstance(command, syntax.SimpleCommand):
             return subshell_main(inner, lambda: run_compound(inner, command, streams))
 
         async def become(session: Session) -> int:
@@ -233,7 +270,7 @@ class Shell(ShellState):
                 return 1
             if prepared is None:
                 return 1
-            session.shell = inner
+            session.host = inner
             session.env = prepared.env
             session.cwd = inner.cwd
             session.stdin, session.stdout, session.stderr = (
@@ -248,7 +285,7 @@ class Shell(ShellState):
 
     # -- simple commands -----------------------------------------------------------------------------------------------
 
-    async def _simple(self, command: syntax.Simple, source: str, streams: Streams) -> None:
+    async def _simple(self, command: syntax.SimpleCommand, source: str, streams: Streams) -> None:
         tty = streams.stdin.fork()
         prepared = await self._prepare(command, replace(streams, stdin=tty))
         if prepared is None:
@@ -260,11 +297,10 @@ class Shell(ShellState):
         program = self._start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
         program.session.defer(prepared.opened.close)
         await self._foreground(Job([program], source, tty), streams)
-        end = program.session.shell_end
-        if isinstance(end, Exception):
+        if (end := self.wanted.pop(program.session, None)) is not None:
             raise end
 
-    async def _prepare(self, command: syntax.Simple, streams: Streams) -> _Prepared | None:
+    async def _prepare(self, command: syntax.SimpleCommand, streams: Streams) -> _Prepared | None:
         """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""
         from day6_tui.core.shell.commands import find_command, list_too_long, too_long
 
@@ -340,7 +376,7 @@ class Shell(ShellState):
         try:
             await job.wait()
         except BaseException:
-            # The shell itself is being ended (a subshell in a pipeline, a closed terminal): nothing it started stays.
+            # The shell itself is being ended (a subshell in a pipeline, a closed terminal), and with it all it started.
             job.send(15)
             raise
         finally:
@@ -383,13 +419,20 @@ async def _nothing(session: Session) -> int:
     return 0
 
 
+def shell_of(session: Session) -> Shell:
+    """The shell that runs a built-in. Raises LookupError for a program that no shell has started."""
+    if not isinstance(session.host, Shell):
+        raise LookupError(f"{session.name}: no shell")
+    return session.host
+
+
 def write_error(session: Session, error: OSError) -> int:
-    """Say that a command's output could not be written, as bash does for what is part of it; returns the status."""
+    """Report that a command's output could not be written, as bash does for its built-ins; return the status."""
     from day6_tui.core.shell.commands import SHELL_BUILTINS
 
-    if session.shell is None or session.name not in SHELL_BUILTINS:
-        return told(session, error)
-    session.print_error(f"{session.shell.name}: {session.name}: write error: {error.strerror}")
+    if not isinstance(session.host, Shell) or session.name not in SHELL_BUILTINS:
+        return report_write_error(session, error)
+    session.print_error(f"{session.host.name}: {session.name}: write error: {error.strerror}")
     return 1
 
 

@@ -18,7 +18,7 @@ class Job:
         """The job's own end of the terminal: gets the keys while the job is in the foreground."""
         self.number = 0
         self._interrupted_late = False
-        """Ctrl-C came when every program had just ended, and the shell has not gone on yet: then it is the shell's."""
+        """Ctrl-C arrived after every program had ended but before the shell went on: it is then the shell's."""
         self.changed = Signal()
         """Set whenever one of the programs ended or the job was stopped."""
         for program in programs:

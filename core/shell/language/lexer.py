@@ -75,13 +75,13 @@ def tokenize(source: str) -> list[Token]:
 
 
 def single_word(source: str, quoted: bool = False) -> Word:
-    """Return all of `source` as one word, white space and operators included; `quoted`: as if it stood between `"`."""
+    """Return all of `source` as one word, white space and operators included; `quoted`: as if it were between `"`."""
     lexer = Lexer(source)
     return Word(tuple(lexer._quoted("")), source) if quoted else lexer._word(frozenset())
 
 
 class Lexer:
-    """Reads one text. Tokens come one at a time, because what follows some of them is no list of words."""
+    """Reads one text, one token at a time, because some tokens are not followed by a list of words."""
 
     def __init__(self, source: str) -> None:
         self.source = source
@@ -105,17 +105,17 @@ class Lexer:
             last = token
 
     def arithmetic(self) -> str | None:
-        """After a `(`, if it and the next one begin `((…))`: the sum between them, with `at` behind it; else None."""
+        """After a `(`: if it begins `((…))`, return the expression between them and move `at` past it; else None."""
         if not self.source.startswith("(", self.at):
             return None
-        end = _end_of_sum(self.source, self.at + 1)
+        end = _end_of_arithmetic(self.source, self.at + 1)
         if end < 0:
             return None
         start, self.at = self.at + 1, end + 2
         return self.source[start:end]
 
     def pattern(self) -> Word:
-        """The regular expression behind `=~`, in which `(`, `)` and `|` are characters like others."""
+        """The regular expression after `=~`, in which `(`, `)` and `|` are ordinary characters."""
         while self.at < len(self.source) and self.source[self.at] in " \t":
             self.at += 1
         return self._word(frozenset(" \t\n"))
@@ -242,7 +242,7 @@ class Lexer:
             return Substitution(_ESCAPED_IN_BACKQUOTES.sub(r"\1", match[1]), quoted)
         follow = source[start + 1 : start + 2]
         if source.startswith("$((", start):
-            end = _end_of_sum(source, start + 3)
+            end = _end_of_arithmetic(source, start + 3)
             if end >= 0:
                 self.at = end + 2
                 return Substitution(source[start + 3 : end], quoted, arithmetic=True)
@@ -266,7 +266,7 @@ class Lexer:
         return Variable(source[start + 1 : end], quoted)
 
     def _matching_brace(self, quoted: bool) -> int:
-        """Skip quotes and expansions up to the `}` that closes a `${`; leaves `at` behind it and returns its position."""
+        """Skip quotes and expansions up to the `}` that closes a `${`; leaves `at` after it and returns its position."""
         while self.at < len(self.source):
             char = self.source[self.at]
             if char == "}":
@@ -286,9 +286,9 @@ class Lexer:
         raise Incomplete("unexpected EOF while looking for matching `}'")
 
     def _matching_parenthesis(self) -> int:
-        """Skip words and operators up to the `)` that closes a `$(`; leaves `at` behind it and returns its position.
+        """Skip words and operators up to the `)` that closes a `$(`; leaves `at` after it and returns its position.
 
-        The `)` behind a pattern of `case` closes nothing.
+        The `)` after a pattern of `case` closes nothing.
         """
         open_ones = ["("]
         begins = True
@@ -329,7 +329,7 @@ class Lexer:
         self._documents.clear()
 
 
-def _end_of_sum(source: str, start: int) -> int:
+def _end_of_arithmetic(source: str, start: int) -> int:
     """Where the `))` is that closes the `((` before `start`; -1 if its parentheses do not close together."""
     depth = 0
     for at in range(start, len(source)):

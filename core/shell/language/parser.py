@@ -9,10 +9,11 @@ from day6_tui.core.shell.language.conditional import parse_condition
 from day6_tui.core.shell.language.lexer import REDIRECTIONS, Lexer, Token, tokenize
 from day6_tui.core.shell.language.syntax import (
     AndOr,
-    Brackets,
+    Arithmetic,
+    ArithmeticFor,
     Case,
     Command,
-    Counted,
+    Conditional,
     For,
     Function,
     Group,
@@ -20,8 +21,7 @@ from day6_tui.core.shell.language.syntax import (
     Pipeline,
     Redirection,
     Sequence,
-    Simple,
-    Sum,
+    SimpleCommand,
     While,
 )
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text, Word
@@ -48,22 +48,22 @@ def lines(source: str, aliases: Mapping[str, str] | None = None) -> Iterator[Seq
             yield parser.line()
             parser.skip_newlines()
     except RecursionError:
-        raise SyntaxProblem("memory exhausted") from None  # bison's words, whose stack has an end too
+        raise SyntaxProblem("memory exhausted") from None  # bison's message: its stack is limited too
 
 
 class Parser:
-    """Where in its text the parser is."""
+    """Parses one text; holds the position in it."""
 
     def __init__(self, source: str, aliases: Mapping[str, str]) -> None:
         self.source = source
         self.lexer = Lexer(source)
         self.rest = self.lexer.tokens()
         self.tokens: list[Token] = []
-        """Those that have been read: never more than the one that is looked at, unless an alias stands for several."""
+        """Tokens read ahead: at most the current one, unless an alias was replaced by several."""
         self.index = 0
         self.aliases = aliases
         self.replaced: dict[int, frozenset[str]] = {}
-        """By token (its id): the aliases it came from, which mean nothing in their own text."""
+        """By token (its id): the aliases it came from, which are not expanded again in their own text."""
 
     @property
     def token(self) -> Token:
@@ -171,11 +171,11 @@ class Parser:
         command: Command
         if self.is_op("("):
             bracket = self.take()
-            value = self.sum(bracket)
-            command = Sum(value) if value is not None else self.subshell()
+            value = self.arithmetic(bracket)
+            command = Arithmetic(value) if value is not None else self.subshell()
         elif self.is_keyword("[["):
             self.take()
-            command = Brackets(parse_condition(self))
+            command = Conditional(parse_condition(self))
             self.expect_keyword("]]")
         elif self.is_keyword("case"):
             command = self.case()
@@ -208,8 +208,8 @@ class Parser:
         self.take()
         return group
 
-    def sum(self, bracket: Token) -> str | None:
-        """What stands in `((…))`, if `bracket` is the first of these; it then stands for all of them."""
+    def arithmetic(self, bracket: Token) -> str | None:
+        """Return the expression in `((…))` if `bracket` is its first parenthesis, and consume all of it; else None."""
         if self.index != len(self.tokens):
             return None
         value = self.lexer.arithmetic()
@@ -218,13 +218,13 @@ class Parser:
         return value
 
     def pattern(self) -> Word:
-        """The regular expression behind `=~`."""
+        """The regular expression after `=~`."""
         return self.lexer.pattern() if self.index == len(self.tokens) else self.word()
 
-    def for_loop(self) -> For | Counted:
+    def for_loop(self) -> For | ArithmeticFor:
         self.take()
         if self.is_op("("):
-            return self.counted()
+            return self.arithmetic_for()
         name = self.take()
         if name.word is None or not (name.word.plain or "").isidentifier():
             raise SyntaxProblem(f"`{name.text}': not a valid identifier")
@@ -238,12 +238,12 @@ class Parser:
                 self.take()
         return For(name.text, words, self.loop_body())
 
-    def counted(self) -> Counted:
+    def arithmetic_for(self) -> ArithmeticFor:
         bracket = self.take()
-        parts = (self.sum(bracket) or "").split(";")
+        parts = (self.arithmetic(bracket) or "").split(";")
         if len(parts) != 3:
             raise SyntaxProblem("syntax error: arithmetic expression required")
-        return Counted(parts[0], parts[1], parts[2], self.loop_body())
+        return ArithmeticFor(parts[0], parts[1], parts[2], self.loop_body())
 
     def loop_body(self) -> Sequence:
         if self.is_op(";"):
@@ -307,7 +307,7 @@ class Parser:
         return Function(name, body, self.slice(start))
 
     def replace_alias(self) -> None:
-        """Put the tokens that an alias stands for in its place."""
+        """Replace an alias by its tokens."""
         while self.token.word is not None:
             name = self.token.word.plain or ""
             known = self.replaced.get(id(self.token), frozenset())
@@ -336,8 +336,8 @@ class Parser:
         self.expect_keyword("fi")
         return If(branches, otherwise)
 
-    def simple(self) -> Simple | Function:
-        command = Simple()
+    def simple(self) -> SimpleCommand | Function:
+        command = SimpleCommand()
         start = self.token.start
         while True:
             if not command.words:

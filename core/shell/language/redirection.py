@@ -77,11 +77,11 @@ async def redirect(
 
 
 async def _may_write(path: Path, shell: Shell, streams: Streams) -> bool:
-    """Ask, as the shell, before a file outside the home folder is written."""
+    """Ask, in the shell's name, before a file outside the home folder is written."""
     keys = keys_of(streams.stdin)
     if keys is None or not is_outside(path, Path(shell.environment.get("HOME", "/"))):
         return True
-    keys.focus()  # the command that would have them does not run yet
+    keys.focus()  # the command that would own them does not run yet
     try:
         return await agreed(shell.name, [path], keys, streams.stderr, shell.environment)
     finally:

@@ -1,4 +1,4 @@
-"""What one shell knows: its variables, working directory, options, arguments, and the special parameters (`$?`, `$!` …)."""
+"""The state of one shell: its variables, working directory, options, arguments, and the special parameters (`$?`, `$!` …)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_DEPTH = 100
 
 
 class ShellState:
-    """The state of one shell, without what runs in it. `name` stands before its messages (`bash: …`)."""
+    """The state of one shell, without its jobs. `name` is the prefix of its messages (`bash: …`)."""
 
     def __init__(self, *, env: dict[str, str], cwd: Path, interactive: bool, name: str, pid: int) -> None:
         self.variables = env
@@ -22,7 +22,7 @@ class ShellState:
         self.interactive = interactive
         self.name = name
         self.zero = name
-        """What `$0` is: the name of the script being run."""
+        """The value of `$0`: the name of the script being run."""
         self.arguments: list[str] = []
         self.options: set[str] = set()
         """Of `set`: 'e' ends the shell at the first failing command, 'x' shows each command, 'u' refuses unset variables."""
@@ -34,7 +34,7 @@ class ShellState:
         self.hidden: list[dict[str, str | None]] = []
         """For each running function, the values that its `local` variables had before (None: not set)."""
         self.folders: list[str] = []
-        """What `pushd` remembers, the last one first."""
+        """The directory stack of `pushd`, the newest first."""
         self.status = 0
         self.pid = pid
         self.last_background = 0
@@ -46,7 +46,7 @@ class ShellState:
 
     @property
     def environment(self) -> dict[str, str]:
-        """The exported variables: what a program started here gets."""
+        """The exported variables, which programs started here inherit."""
         return {name: value for name, value in self.variables.items() if name in self.exported}
 
     @property
@@ -88,6 +88,7 @@ class ShellState:
         self.zero = parent.zero
         self.options = set(parent.options)
         self.aliases = dict(parent.aliases)
+        self.settings = set(parent.settings)
         self.folders = list(parent.folders)
         self.functions = dict(parent.functions)
         self.hidden = [dict(each) for each in parent.hidden]

@@ -1,4 +1,4 @@
-"""The tree of a command line: what `parser` makes and `interpreter` and `compound` run."""
+"""The syntax tree of a command line: made by `parser`, run by `interpreter` and `compound`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Redirection:
 
 
 @dataclass
-class Simple:
+class SimpleCommand:
     """`A=1 command word … > file`."""
 
     assignments: list[tuple[str, Word]] = field(default_factory=list)
@@ -60,8 +60,8 @@ class If:
 
 
 @dataclass
-class Counted:
-    """`for ((first; condition; step))`; an empty condition holds."""
+class ArithmeticFor:
+    """`for ((first; condition; step))`; an empty condition is true."""
 
     first: str
     condition: str
@@ -80,8 +80,8 @@ class Case:
 
 
 @dataclass
-class Sum:
-    """`(( … ))`: holds when the value is not 0."""
+class Arithmetic:
+    """`(( … ))`: true if the value is not 0."""
 
     source: str
     redirections: list[Redirection] = field(default_factory=list)
@@ -89,7 +89,7 @@ class Sum:
 
 @dataclass
 class Test:
-    """One question of `[[ … ]]`; `operator` is '' for a single word, which holds when it is not empty."""
+    """One test of `[[ … ]]`; `operator` is '' for a single word, which is true if it is not empty."""
 
     operator: str
     operands: tuple[Word, ...]
@@ -101,7 +101,7 @@ class Not:
 
 
 @dataclass
-class Both:
+class AndOrCondition:
     """`left && right`, `left || right`."""
 
     operator: str
@@ -109,11 +109,11 @@ class Both:
     right: Condition
 
 
-Condition = Test | Not | Both
+Condition = Test | Not | AndOrCondition
 
 
 @dataclass
-class Brackets:
+class Conditional:
     """`[[ … ]]`."""
 
     condition: Condition
@@ -122,7 +122,7 @@ class Brackets:
 
 @dataclass
 class Function:
-    """`name() body`; defining it is what running this does."""
+    """`name() body`; running this node defines the function."""
 
     name: str
     body: Command
@@ -130,7 +130,7 @@ class Function:
     redirections: list[Redirection] = field(default_factory=list)
 
 
-Command = Simple | Group | For | While | If | Counted | Case | Sum | Brackets | Function
+Command = SimpleCommand | Group | For | While | If | ArithmeticFor | Case | Arithmetic | Conditional | Function
 
 
 @dataclass

@@ -1,4 +1,4 @@
-"""What a word of a command line is made of, and the expansions `${…}` and `$'…'` in it."""
+"""The parts of a word of a command line, and the expansions `${…}` and `$'…'` in it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NAMED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "e": "\x1b", "E
 _NAME = r"[A-Za-z_]\w*|\d+|[?!$#@*-]"
 _PARAMETER = re.compile(rf"#(?P<length>{_NAME})$|!(?P<indirect>[A-Za-z_]\w*)$|(?P<name>{_NAME})", re.ASCII)
 HAS_PATTERN = re.compile(rf"(?:{_NAME})[%#/]", re.ASCII)
-"""How the inside of `${…}` begins where quotes mean something even between quotes."""
+"""Matches the inside of a `${…}` whose operator takes a pattern, in which quotes are special even between quotes."""
 _BEHIND_A_NAME = (
     ":-", ":=", ":+", ":?", "-", "=", "+", "?", "%%", "%", "##", "#", "//", "/", "^^", "^", ",,", ",", ":",
 )  # fmt: skip
@@ -46,7 +46,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class Substitution:
-    """`$(source)`: the output of commands; `$((source))`: the value of a sum."""
+    """`$(source)`: the output of commands; `$((source))`: the value of an arithmetic expression."""
 
     source: str
     quoted: bool = False
@@ -63,14 +63,14 @@ class Word:
 
     @property
     def plain(self) -> str | None:
-        """The text of a word without quotes and expansions, else None; only such a word can be a keyword."""
+        """The text of a word that has no quotes or expansions, else None; only such a word can be a keyword."""
         if all(isinstance(part, Text) and not part.quoted for part in self.parts):
             return "".join(part.text for part in self.parts if isinstance(part, Text))
         return None
 
 
 def unescaped(text: str) -> str:
-    """Return what the inside of `$'…'` stands for: backslashes mean what they mean in C."""
+    """Return the text of `$'…'`: backslash escapes are C's."""
     return joined(_ESCAPE.sub(_character, text))
 
 

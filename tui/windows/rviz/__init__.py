@@ -1,1 +1,1 @@
-"""Parts of the RViz window: the panel of displays, the 3-D view, what is said about both, and the dialogs."""
+"""Parts of the RViz window: the Displays panel, the 3-D view, the status bar, and the dialogs."""

@@ -1,4 +1,4 @@
-"""What can be seen, in words: for people who cannot see it well, and for those who do not know what they are looking at."""
+"""Describes the view in words: for people who cannot see it well, and for those who do not know what they see."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from day6_tui.urdf.model import Joint
 HUES = ((15, "red"), (40, "orange"), (70, "yellow"), (165, "green"), (200, "cyan"), (260, "blue"), (330, "purple"))
 
 MOST_LINKS = 6
-"""A robot of more links is told by the number of the rest."""
+"""Of a robot with more links, the rest are counted."""
 
 
 def colour_word(colour: tuple[float, ...], texts: Texts) -> str:
@@ -30,29 +30,29 @@ def colour_word(colour: tuple[float, ...], texts: Texts) -> str:
 
 def described(rviz: RViz, texts: Texts) -> str:
     """One sentence for each enabled display, joined."""
-    said: list[str] = []
+    phrases: list[str] = []
     for display in rviz.displays:
         if not display.enabled:
             continue
         if isinstance(display, RobotModelDisplay):
-            said += _robot(display, texts)
+            phrases += _robot(display, texts)
         elif display.type == "Grid":
             cells = display.child("Plane Cell Count").text
             size = display.child("Cell Size").text
-            said.append(texts("rviz.seen.grid", cells=cells, size=size))
+            phrases.append(texts("rviz.seen.grid", cells=cells, size=size))
         elif display.type == "TF":
             count = len(getattr(display, "frames", {}))
-            said.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
+            phrases.append(texts("rviz.seen.frames", count=count) if count else texts("rviz.seen.no_frames"))
         elif display.type == "Axes":
-            said.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
+            phrases.append(texts("rviz.seen.axes", frame=display.child("Reference Frame").text))
         elif count := getattr(display, "points_shown", 0):
-            said.append(texts("rviz.seen.points", name=display.name, count=count))
+            phrases.append(texts("rviz.seen.points", name=display.name, count=count))
         elif size := getattr(display, "picture_size", ""):
-            said.append(texts("rviz.seen.image", name=display.name, size=size))
+            phrases.append(texts("rviz.seen.image", name=display.name, size=size))
         else:
-            said.append(texts("rviz.seen.messages", name=display.name, count=getattr(display, "received", 0)))
+            phrases.append(texts("rviz.seen.messages", name=display.name, count=getattr(display, "received", 0)))
     separator = texts("rviz.seen.separator")
-    return separator.join(said) if said else texts("rviz.seen.nothing")
+    return separator.join(phrases) if phrases else texts("rviz.seen.nothing")
 
 
 def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
@@ -60,7 +60,7 @@ def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
     if robot is None:
         return [texts("rviz.seen.no_robot")]
     joints = {joint.child: joint for joint in robot.joints}
-    said: list[str] = []
+    phrases: list[str] = []
     shown = [name for name, parts in display.parts.links.items() if parts.visual and display.links.enabled(name)]
     if len(shown) > 1 and all(name in display.lost for name in shown):
         return [texts("rviz.seen.all_lost", name=robot.name, frame=display.rviz.fixed_frame)]
@@ -78,10 +78,10 @@ def _robot(display: RobotModelDisplay, texts: Texts) -> list[str]:
             text += texts("rviz.seen.lost")
         elif name in joints and (turned := _turned(display, joints[name])) is not None:
             text += texts("rviz.seen.turned", degrees=turned)
-        said.append(text)
+        phrases.append(text)
     if len(shown) > MOST_LINKS:
-        said.append(texts("rviz.seen.more", count=len(shown) - MOST_LINKS))
-    return [texts("rviz.seen.robot", name=robot.name, parts=texts("rviz.seen.comma").join(said))]
+        phrases.append(texts("rviz.seen.more", count=len(shown) - MOST_LINKS))
+    return [texts("rviz.seen.robot", name=robot.name, parts=texts("rviz.seen.comma").join(phrases))]
 
 
 def _size(kind: str, size: tuple[float, float, float]) -> str:
@@ -95,7 +95,7 @@ def _size(kind: str, size: tuple[float, float, float]) -> str:
 
 
 def _turned(display: RobotModelDisplay, joint: Joint) -> int | None:
-    """Whole degrees by which a turning joint stands off its zero, from the poses that are drawn."""
+    """Whole degrees by which a revolute joint is turned from zero, from the drawn poses."""
     if joint.type not in ("continuous", "revolute"):
         return None
     parent, child = display.pose(joint.parent), display.pose(joint.child)

@@ -1,4 +1,4 @@
-"""What opens over the RViz window: choosing a value, typing one, adding a display, files."""
+"""The dialogs over the RViz window: choosing a value, typing one, adding a display, files."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from day6_tui.tui.prompt import Prompt, before_replacing
 from day6_tui.urdf.model import Vector
 
 if TYPE_CHECKING:
-    from day6_tui.tui.windows.rviz.pane import PicturePane
+    from day6_tui.tui.windows.rviz2 import RVizPane
 
 
-def edit(pane: PicturePane, prop: Property) -> None:
+def edit(pane: RVizPane, prop: Property) -> None:
     """Choose or type a value."""
     options = list(prop.options) if prop.kind in (ENUM, FRAME, TOPIC) else []
     if options:
@@ -30,17 +30,17 @@ def edit(pane: PicturePane, prop: Property) -> None:
         type_value(pane, prop)
 
 
-def _choose(pane: PicturePane, prop: Property, options: list[str]) -> None:
+def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
     texts = pane.look.texts
     entries = [Entry(option, "", partial(pane.set, prop, option)) for option in options]
     if prop.kind in (FRAME, TOPIC):
         entries.append(Entry(texts("rviz.type_it"), "", partial(type_value, pane, prop)))
     chosen = options.index(prop.value) if prop.value in options else 0
-    pane.open_overlay(Menu(pane.look, "rviz.choose", entries, chosen=chosen))
+    pane.lay_over(Menu(pane.look, "rviz.choose", entries, chosen=chosen))
 
 
-def type_value(pane: PicturePane, prop: Property) -> None:
-    """Type a value; a wrong one is explained and the line stays open."""
+def type_value(pane: RVizPane, prop: Property) -> None:
+    """Type a value; a wrong one is explained and the prompt stays open."""
 
     def taken(text: str) -> str | None:
         try:
@@ -51,10 +51,10 @@ def type_value(pane: PicturePane, prop: Property) -> None:
         pane.look.wake()
         return None
 
-    pane.open_overlay(Prompt(pane.look, prop.name, prop.text, taken))
+    pane.lay_over(Prompt(pane.look, prop.name, prop.text, taken))
 
 
-def add(pane: PicturePane) -> None:
+def add(pane: RVizPane) -> None:
     """The Add dialog: every display type, then every topic with the types that show it."""
     rviz, texts = pane.rviz, pane.look.texts
 
@@ -74,10 +74,10 @@ def add(pane: PicturePane) -> None:
         for message_type in types:
             for name in rviz.displays_for(message_type):
                 entries.append(Entry(topic, f"{name}  {by_topic}", partial(add_it, name, topic)))
-    pane.open_overlay(Menu(pane.look, "rviz.add.title", entries))
+    pane.lay_over(Menu(pane.look, "rviz.add.title", entries))
 
 
-def rename(pane: PicturePane, display: Display) -> None:
+def rename(pane: RVizPane, display: Display) -> None:
     """Give a display another name."""
 
     def taken(text: str) -> str | None:
@@ -86,13 +86,13 @@ def rename(pane: PicturePane, display: Display) -> None:
         pane.request(partial(pane.rviz.rename_display, display, text.strip()))
         return None
 
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.rename"), display.name, taken))
+    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.rename"), display.name, taken))
 
 
 # -- files -------------------------------------------------------------------------------------------------------------
 
 
-def save(pane: PicturePane) -> None:
+def save(pane: RVizPane) -> None:
     """Save the configuration where it came from; the first time it becomes the user's default, as in RViz."""
     path = pane.rviz.config_file or pane.rviz.default_file
     if path is None:
@@ -101,7 +101,7 @@ def save(pane: PicturePane) -> None:
         _write(pane, path)
 
 
-def save_as(pane: PicturePane) -> None:
+def save_as(pane: RVizPane) -> None:
     """Save under a name."""
 
     def taken(text: str) -> str | None:
@@ -117,14 +117,14 @@ def save_as(pane: PicturePane) -> None:
 
     old = str(pane.rviz.config_file or "robot.rviz")
     sure = before_replacing(pane.look, target, taken)
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, sure))
+    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, sure))
 
 
-def _write(pane: PicturePane, path: Path) -> None:
+def _write(pane: RVizPane, path: Path) -> None:
     rviz, texts = pane.rviz, pane.look.texts
 
     def work() -> None:
-        # On the program's thread, after every change that was asked for before.
+        # On the program's thread, after every change that was requested before.
         try:
             rviz.write_file(path, write_config(rviz.save()))
         except OSError as error:
@@ -132,12 +132,12 @@ def _write(pane: PicturePane, path: Path) -> None:
         else:
             rviz.config_file, rviz.modified = path, False
             text = texts("rviz.saved", file=str(path))
-        pane.app.call_later(pane.say, text, 6.0)
+        pane.app.call_later(pane.show_message, text, 6.0)
 
     pane.request(work)
 
 
-def load(pane: PicturePane) -> None:
+def load(pane: RVizPane) -> None:
     """Load a configuration."""
 
     def taken(text: str) -> str | None:
@@ -152,10 +152,10 @@ def load(pane: PicturePane) -> None:
         return None
 
     old = str(pane.rviz.config_file or "")
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.load"), old, taken, note=_near(pane)))
+    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.load"), old, taken, note=_near(pane)))
 
 
-def _near(pane: PicturePane) -> str:
+def _near(pane: RVizPane) -> str:
     """The .rviz files at hand."""
     try:
         names = sorted(each.name for each in pane.rviz.path(".").glob("*.rviz"))
@@ -164,8 +164,8 @@ def _near(pane: PicturePane) -> str:
     return ", ".join(names[:5])
 
 
-def screenshot(pane: PicturePane) -> None:
-    """Save the view as a picture; the ending says which kind."""
+def screenshot(pane: RVizPane) -> None:
+    """Save the view as a picture; the suffix determines the format."""
 
     def taken(text: str) -> str | None:
         from day6_tui.tui.render.image_file import png, svg
@@ -180,16 +180,16 @@ def screenshot(pane: PicturePane) -> None:
                 replace_file(path, svg(pane.view.snapshot(240)).encode("utf-8"))
         except OSError as error:
             return texts("rviz.not_saved", file=path.name, reason=error.strerror or str(error))
-        pane.say(texts("rviz.saved", file=str(path)))
+        pane.show_message(texts("rviz.saved", file=str(path)))
         return None
 
     note = pane.look.texts("rviz.picture_note")
     sure = before_replacing(pane.look, lambda text: pane.rviz.path(text.strip()), taken)
-    pane.open_overlay(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", sure, note=note))
+    pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", sure, note=note))
 
 
 def extent(scene: Scene) -> tuple[Vector, float] | None:
-    """Centre and radius of what there is to look at: the robot's links if there are any, else all solids and points."""
+    """Centre and radius of what is visible: the robot's links if there are any, else all solids and points."""
     shapes = [shape for shape in scene.shapes if shape.name] or ([] if scene.triangles else scene.shapes)
     low, high = [math.inf] * 3, [-math.inf] * 3
 

@@ -1,4 +1,4 @@
-"""The Displays panel as lines: which properties are shown, how deep, with which marks, words and colours."""
+"""The Displays panel as lines: which properties are shown, how deep, with which marks, texts and colours."""
 
 from __future__ import annotations
 
@@ -55,13 +55,13 @@ def _walk(properties: list[Property], depth: int) -> Iterator[Line]:
 
 
 def name_of(prop: Property, look: Look) -> str:
-    """The words of the left column. Names of RViz's properties stay as they are in every language."""
+    """The text of the left column. Names of RViz's properties stay as they are in every language."""
     return prop.name
 
 
 @dataclass(frozen=True, slots=True)
 class Zones:
-    """Where in a line a click means what: columns counted from the panel's left edge."""
+    """The clickable zones of a line: columns counted from the panel's left edge."""
 
     opener: int
     box: int | None
@@ -147,7 +147,7 @@ def _name_style(prop: Property, colours: Colours) -> Style:
 
 
 def full_text(prop: Property) -> str:
-    """All of a line, for where there is room: long statuses end beyond the panel."""
+    """The full text of a line: long statuses are cut in the panel."""
     if isinstance(prop, Display):
         bad = [each for each in prop.statuses.children if isinstance(each, Status) and each.level > OK]
         return "  ".join(f"{each.name}: {each.value}" for each in bad)

@@ -1,4 +1,4 @@
-"""The 3-D view: paints when something changed, at a pace the machine can keep, and tells which cells to send."""
+"""The 3-D view: paints when something changed, at a rate the machine can sustain, and returns which cells to send."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import Array
 
 MOVING_SECONDS = 1 / 15
-"""Between two pictures of a robot that moves."""
+"""Seconds between two pictures of a moving robot."""
 
 DRAGGING_SECONDS = 1 / 30
 """… while the user turns it."""
 
 SHARE = 0.2
-"""Of the time that painting may take: on a slow machine pictures come less often."""
+"""The share of time that painting may take: a slow machine paints less often."""
 
 SLOWEST_SECONDS = 1.0
 
@@ -36,7 +36,7 @@ class View3D:
         self._painted: tuple[object, ...] = ()
         self._painted_at = -10.0
         self._cost = 0.0
-        """Seconds that a picture takes, on the average of the last ones."""
+        """Seconds to paint a picture, averaged over the last ones."""
         self._times: list[float] = []
         self.dragging = False
 
@@ -67,7 +67,7 @@ class View3D:
         return float(len(self._times))
 
     def pull(self, now: float) -> tuple[list[Span], bool]:
-        """Paint if there is news: the spans that changed, and whether a picture is still due."""
+        """Paint if something changed; return the spans that differ, and whether a picture is still due."""
         if not self.columns or not self.rows:
             return [], False
         rviz = self._rviz

@@ -8,7 +8,7 @@ from action_msgs.msg import GoalStatus
 from example_interfaces.action import Fibonacci
 
 from day6_tui.core.ros.programs._component import ready
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Talker:
-    """Says Hello World on `chatter` once a second."""
+    """Publishes Hello World on `chatter` once a second."""
 
     NAME = "talker"
     OPTIONS: dict[str, Any] = {}
@@ -56,7 +56,7 @@ class Server:
 
 
 class Client:
-    """Asks every two seconds what 2 + 3 is."""
+    """Requests the sum of 2 and 3 every two seconds."""
 
     NAME = "Client"
     OPTIONS: dict[str, Any] = {}

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
-from day6_tui.core.ros.programs._rclcpp import create_node
 from day6_tui.core.ros.programs.composition._components import Client, Server, Talker
 from day6_tui.core.ros.programs.demo_nodes_cpp.listener import Listener
+from day6_tui.core.ros.programs.rclcpp import create_node
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs._component import Component

@@ -1,4 +1,4 @@
-"""The newest transforms of /tf and /tf_static, and where a frame is in another: as much of tf2 as a picture needs."""
+"""The newest transforms of /tf and /tf_static, and the pose of one frame in another: as much of tf2 as a picture needs."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 
 class Frames:
-    """A tree of frames: of every child frame its parent and its pose in it. What was heard once stays, as in tf2."""
+    """A tree of frames: for every child frame its parent and its pose in it. Received transforms stay, as in tf2."""
 
     def __init__(self) -> None:
         self._parents: dict[str, tuple[str, Transform]] = {}
 
     def update(self, transforms: Iterable[TransformStamped]) -> bool:
-        """Take in a message's transforms; True when one of them is new or another one than before."""
+        """Store a message's transforms; return True if one of them is new or changed."""
         changed = False
         for stamped in transforms:
             translation, rotation = stamped.transform.translation, stamped.transform.rotation
@@ -46,7 +46,7 @@ class Frames:
         return None
 
     def _up(self, frame: str) -> dict[str, Transform]:
-        """Return the frame and all above it, with the pose of `frame` in each; a loop is gone round once."""
+        """Return the frame and all above it, with the pose of `frame` in each; a loop is followed once."""
         found = {frame: IDENTITY}
         pose = IDENTITY
         while frame in self._parents:

@@ -1,4 +1,4 @@
-"""What /joint_states says of each joint: its position, and its speed measured from one message to the next."""
+"""The joints in /joint_states: each one's position, and its speed measured from one message to the next."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ WINDOW_NS = SECOND // 5
 """Positions this far apart in time give a speed: ten messages at 50 Hz."""
 
 SILENCE_NS = SECOND
-"""A joint nobody has spoken of for so long stands still, as far as anyone can tell."""
+"""A joint that no message has named for this long counts as standing still."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class JointReadings:
         self._arrivals: list[int] = []
 
     def hear(self, names: list[str], positions: list[float], now_ns: int, turning: frozenset[str]) -> None:
-        """Take in one message that came at `now_ns`; `turning` names the joints whose positions are angles."""
+        """Handle one message received at `now_ns` (nanoseconds); `turning` names the joints whose positions are angles."""
         self._arrivals = [*self._arrivals[-99:], now_ns]
         for name, position in zip(names, positions, strict=False):
             track = self._tracks.get(name)
@@ -71,7 +71,7 @@ class JointReadings:
                 track.speed = 0.0
 
     def heard_lately(self, now_ns: int) -> tuple[str, ...]:
-        """Return the joints somebody speaks of now."""
+        """Return the joints named in recent messages."""
         return tuple(name for name, track in self._tracks.items() if now_ns - track.heard_ns <= SILENCE_NS)
 
     def rate(self, now_ns: int) -> float | None:

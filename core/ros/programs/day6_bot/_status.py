@@ -1,38 +1,15 @@
-"""The plain words beside the car, what is missing or odd: (id, parameters) for the catalogue, and the English text."""
+"""The remarks beside the car about what is missing or odd: (id, parameters) for the catalogue, and the English text."""
 
 from __future__ import annotations
 
 import difflib
 from dataclasses import dataclass
 
-from day6_tui.core.ros.programs._remark import Remark
-
-TEXTS = {
-    "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
-    "car.loading": "reading the robot description",
-    "car.bad_description": "the robot description is broken: {text}",
-    "car.no_wheels": "this robot has no wheels: nothing that turns about a level axis",
-    "car.no_joint_states": "nobody publishes {topic}: the wheels do not turn",
-    "car.wrong_type": "{topic} has type {type}, sensor_msgs/msg/JointState is needed",
-    "car.unknown_joint": "joint {joint} is not in the URDF",
-    "car.unknown_joint_near": "joint {joint} is not in the URDF; did you mean {nearest}?",
-    "car.no_transform": "no transform from {link} to {frame}",
-    "car.no_transform_more": "no transform from {count} more links to {frame}",
-    "car.many_publishers": "{count} publishers on {topic}: {nodes}",
-    "car.slow": "{topic} comes only {rate} times a second: the eye needs about 20",
-    "car.silent": "nothing on {topic} for {seconds} s",
-    "car.stays": (
-        "The wheels turn, why does the car stay? This picture, like RViz, only draws angles. To roll on a floor: "
-        "ros2 launch day6_world world.launch.py"
-    ),
-}
-"""English texts by id. Topic, type, joint and frame names stand in the parameters as they are."""
+from day6_tui.core.ros.programs.remark import Remark
 
 
 class Status(Remark):
     """One line beside the car."""
-
-    TEXTS = TEXTS
 
 
 status = Status.of
@@ -40,7 +17,7 @@ status = Status.of
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """What is known when the lines are written. `publishers` are node names and types on `topic`, the joint states."""
+    """The facts from which the lines are made. `publishers` are node names and types on `topic`, the joint states."""
 
     described: bool
     loading: bool

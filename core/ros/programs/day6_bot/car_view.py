@@ -10,7 +10,7 @@ import textwrap
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.day6_bot._model import CarModel
+from day6_tui.core.ros.programs.day6_bot.model import CarModel
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.load import RobotError, load_robot
@@ -24,7 +24,7 @@ REFRESH_SECONDS = 0.5
 """How often to look at who publishes /joint_states; the picture itself follows every message."""
 
 SETTLE_SECONDS = 2.0
-"""Without a screen: how long to wait for a robot that is whole before it is printed as it is."""
+"""Without a screen: how long to wait for a complete robot before it is printed as it is."""
 
 SPEED_SECONDS = 0.5
 """And how long at least, so that speeds have been measured."""

@@ -1,4 +1,4 @@
-"""`ros2 run day6_bot copy_model [NAME]`: put a copy of a shipped robot's URDF here; without a name, say which there are."""
+"""`ros2 run day6_bot copy_model [NAME]`: copy a shipped robot's URDF here; without a name, list the robots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""wheel_spinner: tells on /joint_states, 50 times a second, that the car's wheels have turned a little further."""
+"""wheel_spinner: publishes on /joint_states, 50 times a second, that the car's wheels have turned a little further."""
 
 from __future__ import annotations
 

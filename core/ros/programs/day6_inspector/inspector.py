@@ -1,10 +1,11 @@
-"""`ros2 run day6_inspector inspector`: says what is wrong with the graph, in a window or, without a screen, once as text."""
+"""`ros2 run day6_inspector inspector`: shows what is wrong with the graph, in a window or, without a screen, once as text."""
 
 from __future__ import annotations
 
 from day6_tui.core.link import state_of
 from day6_tui.core.link.state import LinkState
-from day6_tui.core.ros.programs.day6_inspector._facts import Inspector
+from day6_tui.core.ros.programs.day6_inspector.model import Inspector
+from day6_tui.core.ros.remark_texts import TEXTS
 from day6_tui.core.session.session import Session
 
 LOOK_SECONDS = 0.5
@@ -25,7 +26,7 @@ async def main(session: Session) -> int | None:
         for finding in model.findings:
             session.print(f"{finding.level}: {finding.text}")
         if not model.findings:
-            session.print("nothing is wrong")
+            session.print(TEXTS["inspector.well"])
         return 1 if any(finding.level == "error" for finding in model.findings) else 0
     model.refresh()
     session.display.open("inspector", "Inspector", model)

@@ -29,7 +29,7 @@ class DrivenWheel:
 
 @dataclass(frozen=True)
 class Drive:
-    """The wheels of both sides, the distance between them (`track`, metres) and where the axle's middle is."""
+    """The wheels of both sides, the distance between them (`track`, metres) and the position of the axle's middle."""
 
     left: tuple[DrivenWheel, ...]
     right: tuple[DrivenWheel, ...]
@@ -50,7 +50,7 @@ class Drive:
         return speeds
 
     def body_speed(self, speeds: Mapping[str, float], gripping: bool = True) -> tuple[float, float]:
-        """Return the body's velocity (m/s, rad/s) when the wheels turn so fast and none slips.
+        """Return the body's velocity (m/s, rad/s) for these wheel speeds if no wheel slips.
 
         With `gripping`, wheels that do not touch the floor push nothing; a side without any gives no motion at all.
         """
@@ -89,8 +89,8 @@ class Drive:
 def find_drive(robot: Robot, left: Sequence[str] = (), right: Sequence[str] = ()) -> Drive | None:
     """Return the drive of a robot, None if it has no wheel on one side.
 
-    Without names of joints the driven wheels are found: continuous joints with a wheel that looks along x, on the left
-    (y > 0) and on the right. Balls, wheels in the middle and wheels behind a steering or castor joint run freely.
+    Without joint names the driven wheels are detected: continuous joints with a wheel that looks along x, on the left
+    (y > 0) and on the right. Balls, wheels in the middle and wheels behind a steering or castor joint turn freely.
     """
     rest = link_transforms(robot, {})
     sides: tuple[list[DrivenWheel], list[DrivenWheel]] = ([], [])

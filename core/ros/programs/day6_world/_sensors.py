@@ -12,8 +12,8 @@ from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs.day6_world._model import Scan
 from day6_tui.core.ros.programs.day6_world._simulation import STEP, Place, Simulation
+from day6_tui.core.ros.programs.day6_world.model import Scan
 from day6_tui.urdf.topplan import plan_top
 from rclpy.qos import QoSProfile
 
@@ -37,7 +37,7 @@ _LIDAR = re.compile("laser|lidar|scan", re.IGNORECASE)
 
 
 class Sensors:
-    """The publishers. `mount` is told the robot, `publish` is called after every step."""
+    """The publishers. `mount` sets the robot, `publish` is called after every step."""
 
     def __init__(self, node: Node, simulation: Simulation, *, publishes_joints: bool) -> None:
         self._node = node
@@ -69,14 +69,14 @@ class Sensors:
         self.newest = None
 
     def unmount(self) -> None:
-        """There is no robot: nobody may take this node for one that tells of joints."""
+        """Remove the robot: this node must no longer look like a publisher of joint states."""
         if self._joints is not None:
             self._node.destroy_publisher(self._joints)
             self._joints = None
         self.line, self.newest = (), None
 
     def publish(self, stamp: Time, wants_rays: bool) -> None:
-        """Publish the state after a step; a scan only when it is due and somebody looks."""
+        """Publish the state after a step; a scan only when it is due and something reads it."""
         simulation = self._simulation
         self._publish_odometry(stamp)
         if self._joints is not None:

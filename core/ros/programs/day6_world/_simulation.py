@@ -1,6 +1,6 @@
 """The world itself, without ROS: one robot, its wheels, what it may hit, and what its sensors see. Time goes in steps.
 
-The same steps with the same seed and the same orders give the same world, bit for bit.
+The same steps with the same seed and the same commands give the same world, bit for bit.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from itertools import product
 
 from day6_tui.core.ros.programs.day6_world._drive import Drive
-from day6_tui.core.ros.programs.day6_world._scenery import Scenery
-from day6_tui.core.ros.programs.day6_world._shapes import Outline, RayCaster, distance, overlap
+from day6_tui.core.ros.programs.day6_world.scenery import Scenery
+from day6_tui.core.ros.programs.day6_world.shapes import Outline, RayCaster, distance, overlap
 from day6_tui.urdf.kinematics import Transform, compose, link_transforms, rotate
 from day6_tui.urdf.model import Box, Collision, Cylinder, Pose, Robot, Sphere
 from day6_tui.urdf.topplan import hull
@@ -21,19 +21,19 @@ STEP = 0.02
 """Seconds of one step: 50 a second."""
 
 ACCELERATION = 30.0
-"""How fast a wheel can change its speed, rad/s²: from standing to 1 m/s in less than a second."""
+"""Maximum acceleration of a wheel, rad/s²: from rest to 1 m/s in less than a second."""
 
 SERVO = 10.0
-"""1/s: a wheel that is told an angle turns as fast as it is far away, ten times a second."""
+"""1/s: a wheel commanded to an angle turns at this gain times the remaining angle."""
 
 LONGEST_MOVE = 0.02
-"""Metres the robot moves between two looks at the walls."""
+"""Metres the robot moves between two collision checks."""
 
 Place = tuple[float, float, float]
 
 
 class LostGround(Exception):
-    """The robot would stand in a wall: it cannot enter there."""
+    """The robot would be inside a wall: it cannot enter there."""
 
 
 class Simulation:
@@ -80,7 +80,7 @@ class Simulation:
         self._put_back(place)
 
     def reset(self) -> None:
-        """Everything as at the beginning, time too."""
+        """Restore the initial state, including the time."""
         self._random = random.Random(self._seed)
         self.steps = 0
         if self.robot is not None:
@@ -95,16 +95,16 @@ class Simulation:
         self.bumped = False
         self._wanted = {}
 
-    # -- orders --------------------------------------------------------------------------------------------------------
+    # -- commands ------------------------------------------------------------------------------------------------------
 
     def order_velocity(self, linear: float, angular: float) -> None:
-        """Drive so fast (m/s, rad/s), as far as the wheels can."""
+        """Drive at this velocity (m/s, rad/s), as far as the wheels can."""
         if self.drive is not None:
             for joint, speed in self.drive.wheel_speeds(linear, angular).items():
                 self._wanted[joint] = ("speed", speed)
 
     def order_speed(self, joint: str, speed: float) -> None:
-        """Turn a joint so fast (rad/s or m/s)."""
+        """Turn a joint at this speed (rad/s or m/s)."""
         if joint in self.angles:
             self._wanted[joint] = ("speed", speed)
 
@@ -116,14 +116,14 @@ class Simulation:
     # -- one step ------------------------------------------------------------------------------------------------------
 
     def step(self) -> None:
-        """Let `STEP` seconds pass."""
+        """Advance by `STEP` seconds."""
         self.steps += 1
         if self.robot is None or self.drive is None:
             return
         self._turn_joints()
-        said = self.drive.body_speed(self.speeds, gripping=False)
-        self.odometry = self.drive.moved(self.odometry, *said, STEP)
-        self.wheel_velocity = said
+        measured = self.drive.body_speed(self.speeds, gripping=False)
+        self.odometry = self.drive.moved(self.odometry, *measured, STEP)
+        self.wheel_velocity = measured
         linear, angular = self.drive.body_speed(self.speeds)
         before = self.pose
         self.bumped = False
@@ -150,7 +150,7 @@ class Simulation:
             self.angles[joint] = angle + self.speeds[joint] * STEP
 
     def _move(self, linear: float, angular: float) -> None:
-        """Roll on in short moves; where a wall stops the way, turn on the spot or slide on as far as it lets."""
+        """Roll in short moves; at a wall, turn on the spot or slide along as far as possible."""
         assert self.drive is not None
         reach = max((shape.reach[2] for shape in self._shapes), default=0.3)
         count = max(1, math.ceil((abs(linear) + abs(angular) * reach) * STEP / LONGEST_MOVE))
@@ -175,7 +175,7 @@ class Simulation:
     # -- sensors -------------------------------------------------------------------------------------------------------
 
     def mounted_at(self, link: str) -> Place:
-        """Return where a link is in the world and where it looks (x, y, yaw)."""
+        """Return the pose (x, y, yaw) of a link in the world."""
         x, y, yaw = self.pose
         at = self._rest.get(link)
         if at is None:
@@ -208,7 +208,7 @@ class Simulation:
 
 
 def collision_shapes(robot: Robot, rest: Mapping[str, Transform]) -> tuple[Outline, ...]:
-    """Return what of a robot can touch a wall, seen from above: the outlines of its <collision> shapes."""
+    """Return the parts of a robot that can touch a wall, seen from above: the outlines of its <collision> shapes."""
     shapes = (
         _shape(collision, compose(rest[link.name], collision.origin))
         for link in robot.links

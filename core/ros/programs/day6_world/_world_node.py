@@ -1,4 +1,4 @@
-"""The world as a ROS node: orders in, sensors out, its clock, and its services."""
+"""The world as a ROS node: commands in, sensors out, its clock, and its services."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from std_srvs.srv import Empty, SetBool
 
 from day6_tui.core.ros.programs.day6_world._admission import Status, refusals, status, warnings
 from day6_tui.core.ros.programs.day6_world._drive import find_drive
-from day6_tui.core.ros.programs.day6_world._model import SPEEDS, WorldModel, WorldSnapshot
-from day6_tui.core.ros.programs.day6_world._scenery import Scenery
 from day6_tui.core.ros.programs.day6_world._sensors import Sensors
 from day6_tui.core.ros.programs.day6_world._simulation import LostGround, Simulation
+from day6_tui.core.ros.programs.day6_world.model import SPEEDS, WorldModel, WorldSnapshot
+from day6_tui.core.ros.programs.day6_world.scenery import Scenery
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
@@ -32,10 +32,10 @@ MOST_STEPS = 100_000
 """In one call of the service `step`."""
 
 BUMP_STEPS = 50
-"""How long a bump is told of: a line that comes and goes many times a second cannot be read."""
+"""How long a bump is shown: a line that appears and disappears many times a second cannot be read."""
 
 ALIGN_NS = 1_000_000_000
-"""A source of wheel angles that was silent for so long begins anew: its first angle is where the wheel is now."""
+"""After this much silence a source of wheel angles starts again: its first angle means the wheel's current one."""
 
 
 class WorldNode:
@@ -59,7 +59,7 @@ class WorldNode:
         self._paused = False
         self._due = 0.0
         self._admission: tuple[Status, ...] = ()
-        self._said: tuple[Status, ...] = ()
+        self._remarks: tuple[Status, ...] = ()
         self._sideways = False
         self._bumped_until = -1
         self._aligned: dict[str, tuple[float, int]] = {}
@@ -91,16 +91,16 @@ class WorldNode:
     # -- the robot -----------------------------------------------------------------------------------------------------
 
     def hear_text(self, text: str) -> None:
-        """Take in a robot description; it is read elsewhere, and `admit` is called with the outcome."""
+        """Accept a robot description; it is read elsewhere, and `admit` is called with the result."""
         if text != self._description:
             self._description = self.waiting_description = text
             if self.on_description is not None:
                 self.on_description()
 
     def admit(self, robot: Robot | None, problem: str) -> None:
-        """Let a robot in, or say why it may not enter; one that was there before goes.
+        """Let a robot in, or report why it may not enter; the previous robot is removed.
 
-        `problem` says why there is none, or what the parser left away of one that there is.
+        `problem` says why there is none, or what the parser left out of an accepted one.
         """
         self.waiting_description = None
         self._simulation.robot = None
@@ -149,7 +149,7 @@ class WorldNode:
             x, y, yaw = self._simulation.pose
             logger.info(f"{name} stands at x={x:.2f}, y={y:.2f}, yaw={yaw:.2f}")
 
-    # -- orders --------------------------------------------------------------------------------------------------------
+    # -- commands ------------------------------------------------------------------------------------------------------
 
     def _drive(self, twist: Any) -> None:
         linear, angular = twist.linear.x, twist.angular.z
@@ -183,9 +183,9 @@ class WorldNode:
         return min(max(float(value), 0.0), SPEEDS[-1]) if isinstance(value, (int, float)) else 1.0
 
     def tick(self) -> None:
-        """Let as many steps pass as are due, then show the world."""
-        for wish in self.model.take_wishes():
-            self._grant(wish)
+        """Run the steps that are due, then show the world."""
+        for request in self.model.take_requests():
+            self._handle(request)
         if not self._paused:
             self._due += self.speed
             while self._due >= 1 - 1e-9:
@@ -209,18 +209,18 @@ class WorldNode:
         seconds, nanoseconds = divmod(self._simulation.time_ns, 1_000_000_000)
         return Time(sec=seconds, nanosec=nanoseconds)
 
-    def _grant(self, wish: str) -> None:
-        if wish == "pause":
+    def _handle(self, request: str) -> None:
+        if request == "pause":
             self._paused = not self._paused
-        elif wish == "step":
+        elif request == "step":
             self._paused = True
             self._step()
-        elif wish in ("faster", "slower"):
+        elif request in ("faster", "slower"):
             near = min(range(len(SPEEDS)), key=lambda index: abs(SPEEDS[index] - self.speed))
-            self._set_speed(SPEEDS[min(max(near + (1 if wish == "faster" else -1), 0), len(SPEEDS) - 1)])
-        elif wish == "reset":
+            self._set_speed(SPEEDS[min(max(near + (1 if request == "faster" else -1), 0), len(SPEEDS) - 1)])
+        elif request == "reset":
             self._reset()
-        elif wish == "clear":
+        elif request == "clear":
             self.model.trail.clear()
 
     def _set_speed(self, speed: float) -> None:
@@ -261,14 +261,14 @@ class WorldNode:
     # -- what can be seen ----------------------------------------------------------------------------------------------
 
     def look_around(self) -> None:
-        """Find out who drives and who disturbs; called a few times a second."""
+        """Find the publishers that drive the robot or interfere; called a few times a second."""
         lines = list(self._admission)
         if self._simulation.robot is None:
             if not lines:
                 lines = [status("warning", "world.waiting_for_robot")]
         else:
             lines += self._traffic()
-        self._said = tuple(lines)
+        self._remarks = tuple(lines)
 
     def _traffic(self) -> list[Status]:
         lines = []
@@ -291,7 +291,7 @@ class WorldNode:
 
     def _show(self) -> None:
         simulation, old = self._simulation, self._snapshot
-        lines = list(self._said)
+        lines = list(self._remarks)
         if simulation.robot is not None:
             if simulation.bumped:
                 self._bumped_until = simulation.steps + BUMP_STEPS

@@ -1,4 +1,4 @@
-"""`ros2 run day6_world line_follower`: keeps the line of /line_sensor under the middle of the robot by /cmd_vel.
+"""`ros2 run day6_world line_follower`: follows the line seen by /line_sensor, driving with /cmd_vel.
 
 An example to read and to improve: it steers by how far the dark part lies to the left or right (a P controller), and
 where it lost the line it turns to the side where it saw it last. Parameters: `speed` (m/s), `gain` (rad/s).
@@ -53,5 +53,5 @@ async def main(session: Session) -> int:
     except KeyboardInterrupt:
         return 0
     finally:
-        follower.stop()  # however it ends: the world goes on with the last order
+        follower.stop()  # however it ends: otherwise the world keeps executing the last command
     return 0

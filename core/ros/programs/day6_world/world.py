@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs.day6_world._scenery import Scenery, SceneryError, read_scenery, shipped_worlds
 from day6_tui.core.ros.programs.day6_world._simulation import STEP
 from day6_tui.core.ros.programs.day6_world._world_node import WorldNode
+from day6_tui.core.ros.programs.day6_world.scenery import Scenery, SceneryError, read_scenery, shipped_worlds
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
@@ -91,7 +91,7 @@ async def _read_descriptions(session: Session, world: WorldNode, described: Sign
 def _read(text: str) -> tuple[Robot | None, str]:
     """Return the robot (None if it is refused) and what was wrong with its description."""
     report = check_text(text)
-    robot, errors = report.robot, [said.text for said in report.diagnostics if said.level == "Error"]
+    robot, errors = report.robot, [diagnostic.text for diagnostic in report.diagnostics if diagnostic.level == "Error"]
     if robot is not None and robot.loop:
         return None, f"the links form a loop: {' -> '.join(robot.loop)}"
     return robot, errors[-1 if robot is None else 0] if errors else ""

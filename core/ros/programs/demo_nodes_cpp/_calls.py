@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.programs._component import ready
-from day6_tui.core.ros.programs._rclcpp import log_interrupt
+from day6_tui.core.ros.programs.rclcpp import log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

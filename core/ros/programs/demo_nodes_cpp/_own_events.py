@@ -1,4 +1,4 @@
-"""The two demos that hear on /parameter_events what happens to their own parameters."""
+"""The two demos that subscribe to /parameter_events for changes of their own parameters."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import wait_for_service
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.qos import qos_profile_parameter_events
@@ -74,7 +74,7 @@ async def hear_all(session: Session, name: str) -> int:
     return 0
 
 
-def _hearing_node(session: Session, name: str, told: Callable[[], None]) -> Node:
+def _hearing_node(session: Session, name: str, on_event: Callable[[], None]) -> Node:
     node = create_node(session, name)
 
     def hear(event: ParameterEvent) -> None:
@@ -90,7 +90,7 @@ def _hearing_node(session: Session, name: str, told: Callable[[], None]) -> Node
             for what, names in sections.items():
                 lines += [f" {what} parameters:", *(f"  {each}" for each in names)]
             node.get_logger().info("\n".join([*lines, ""]))
-            told()
+            on_event()
 
     node.create_subscription(ParameterEvent, "/parameter_events", hear, qos_profile_parameter_events)
     return node
@@ -101,5 +101,5 @@ def _declare(node: Node) -> None:
         node.declare_parameter(name, value)
 
 
-def _parameters(values: dict[str, object]) -> list[Parameter[object]]:
+def _parameters(values: dict[str, Any]) -> list[Parameter[Any]]:
     return [Parameter(name, value=value) for name, value in values.items()]

@@ -1,11 +1,11 @@
-"""What the demos of rclcpp's parameter clients do: a node that sets, lists and gets its own parameters by the services."""
+"""The demos of rclcpp's parameter clients: a node that sets, lists and gets its own parameters through the services."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.programs._rclcpp import create_node
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import TYPE_NAMES, value_text, wait_for_service
+from day6_tui.core.ros.programs.rclcpp import create_node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 

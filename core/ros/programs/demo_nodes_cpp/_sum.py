@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 from example_interfaces.srv import AddTwoInts
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import wait_for_service
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 
 async def ask(session: Session) -> int:
-    """Wait for the service, ask what 2 + 3 is, log the answer."""
+    """Wait for the service, request the sum of 2 and 3, log the response."""
     node = create_node(session, "add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
     if not await wait_for_service(session, node, client.service_is_ready):

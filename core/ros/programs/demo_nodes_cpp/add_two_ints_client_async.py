@@ -1,4 +1,4 @@
-"""add_two_ints_client_async: asks once what 2 + 3 is; in C++ with a callback, which nobody sees from outside."""
+"""add_two_ints_client_async: requests the sum of 2 and 3 once; in C++ with a callback, which is invisible from outside."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""add_two_ints_server: adds two numbers for whoever asks."""
+"""add_two_ints_server: adds the two numbers of each request."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""content_filtering_subscriber: asks only for temperatures that are an emergency."""
+"""content_filtering_subscriber: subscribes only to temperatures that are an emergency."""
 
 from __future__ import annotations
 

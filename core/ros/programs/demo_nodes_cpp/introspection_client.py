@@ -1,4 +1,4 @@
-"""introspection_client: asks twice a second, and tells of it on a topic if its parameter says so."""
+"""introspection_client: sends a request twice a second, and publishes service events if its parameter says so."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from example_interfaces.srv import AddTwoInts
 
 from day6_tui.core.ros.programs._component import run
-from day6_tui.core.ros.programs.demo_nodes_cpp._introspection import follow_parameter
+from day6_tui.core.ros.programs.demo_nodes_cpp.introspection import follow_parameter
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

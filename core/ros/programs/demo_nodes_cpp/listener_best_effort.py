@@ -1,4 +1,4 @@
-"""listener_best_effort: a listener that would rather miss a message than wait for it."""
+"""listener_best_effort: a listener that may miss messages, with best-effort reliability."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.serialization import deserialize_message
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""one_off_timer: every third time a timer makes another one that rings once."""
+"""one_off_timer: every third time a timer makes another one that fires once."""
 
 from __future__ import annotations
 

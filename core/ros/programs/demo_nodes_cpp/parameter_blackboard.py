@@ -1,4 +1,4 @@
-"""parameter_blackboard: a node that takes whatever parameters it is given."""
+"""parameter_blackboard: a node that accepts any parameters."""
 
 from __future__ import annotations
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.demo_nodes_cpp._calls import TYPE_NAMES, value_text
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.parameter import parameter_value_to_python
 from rclpy.qos import qos_profile_parameter_events
 
@@ -48,7 +48,7 @@ async def main(session: Session) -> int:
             for each in changes:
                 tell("cb3", each)
 
-    # What was declared up to here is no news.
+    # Parameters declared so far cause no events.
     node.create_subscription(ParameterEvent, "/parameter_events", hear, qos_profile_parameter_events)
     session.print(
         "This demo is monitoring for the following parameter changes:\n\n"

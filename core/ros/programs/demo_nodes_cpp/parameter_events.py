@@ -1,4 +1,4 @@
-"""parameter_events: a node hears what happens to its own parameters; ends after ten events."""
+"""parameter_events: a node receives the events of its own parameters; ends after ten events."""
 
 from __future__ import annotations
 

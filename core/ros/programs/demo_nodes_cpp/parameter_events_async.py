@@ -1,4 +1,4 @@
-"""parameter_events_async: a node hears what happens to its own parameters; ends soon after the last change."""
+"""parameter_events_async: a node receives the events of its own parameters; ends soon after the last change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""reuse_timer: every third time a timer winds another one up again, which rings once."""
+"""reuse_timer: every third time a timer resets another one, which fires once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""talker: says Hello World once a second."""
+"""talker: publishes Hello World once a second."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Talker:
-    """Publishes on `chatter`; counts from 1, its Python brother from 0."""
+    """Publishes on `chatter`; counts from 1, the Python version from 0."""
 
     NAME = "talker"
     OPTIONS: dict[str, Any] = {}

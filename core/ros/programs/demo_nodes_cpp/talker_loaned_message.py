@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class LoanedMessageTalker:
-    """In real ROS it borrows the memory of its messages from the middleware; what is heard is the same."""
+    """In real ROS it borrows the memory of its messages from the middleware; subscribers see no difference."""
 
     NAME = "loaned_message_talker"
     OPTIONS: dict[str, Any] = {}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, create_node, log_interrupt
 from rclpy.serialization import serialize_message
 
 if TYPE_CHECKING:

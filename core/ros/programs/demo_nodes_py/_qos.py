@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def parse(session: Session, number_help: str) -> argparse.Namespace:
     """Parse the program's arguments; raises the parser's end, which `ros2` turns into an exit status."""
-    from day6_tui.core.ros.ros2.cli.parser import Parser
+    from day6_tui.core.session.argument_parser import Parser
 
     parser = Parser(session, prog=session.name)
     parser.add_argument(

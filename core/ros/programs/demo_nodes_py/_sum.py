@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 async def ask(session: Session) -> int:
-    """Wait for the service, ask what 2 + 3 is, log the answer."""
+    """Wait for the service, request the sum of 2 and 3, log the response."""
     node = session.create_node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
     session.executor.add_node(node)

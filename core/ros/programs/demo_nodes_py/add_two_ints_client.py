@@ -1,4 +1,4 @@
-"""add_two_ints_client: asks once what 2 + 3 is."""
+"""add_two_ints_client: requests the sum of 2 and 3 once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""add_two_ints_client_async: asks once what 2 + 3 is, and spins by itself until the answer is there."""
+"""add_two_ints_client_async: requests the sum of 2 and 3 once, and spins until the response arrives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""introspection: a client and a server in one program, both of which can tell on a topic what they say to each other."""
+"""introspection: a client and a server in one program, both of which can publish service events."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from example_interfaces.srv import AddTwoInts
 
 from day6_tui.core.ros.programs._waiting import spin
-from day6_tui.core.ros.programs.demo_nodes_cpp._introspection import follow_parameter
+from day6_tui.core.ros.programs.demo_nodes_cpp.introspection import follow_parameter
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class IntrospectionClient:
-    """Asks twice a second."""
+    """Sends a request twice a second."""
 
     def __init__(self, node: Node) -> None:
         self._node = node

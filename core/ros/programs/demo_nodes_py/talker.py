@@ -1,4 +1,4 @@
-"""talker: says Hello World once a second."""
+"""talker: publishes Hello World once a second."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Talker:
-    """Publishes on `chatter`; counts from 0, its C++ brother from 1."""
+    """Publishes on `chatter`; counts from 0, the C++ version from 1."""
 
     def __init__(self, node: Node) -> None:
         self._logger = node.get_logger()

@@ -51,7 +51,7 @@ class PlainServer:
         return CancelResponse.ACCEPT
 
     def _is_over(self, handle: Handle) -> bool:
-        """Say whether a goal must not be worked on any further, and tell it so."""
+        """Whether execution of a goal must stop; if so, set the goal's state."""
         if handle.is_cancel_requested:
             handle.canceled()
             self.info("Goal canceled")

@@ -1,4 +1,4 @@
-"""All four clients: from outside they differ in their names and in when they ask."""
+"""All four clients: from outside they differ in their names and in when they send the request."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 async def ask(session: Session, name: str, *, pause: float = 0.0) -> int:
-    """Wait for the server, `pause` seconds more, ask what 41 + 1 is and log the answer."""
+    """Wait for the server, then `pause` seconds, request the sum of 41 and 1 and log the response."""
     node = session.create_node(name)
     client = node.create_client(AddTwoInts, "add_two_ints")
     session.executor.add_node(node)

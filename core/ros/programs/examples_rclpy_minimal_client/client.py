@@ -1,4 +1,4 @@
-"""client: asks once what 41 + 1 is, in the original written as a client which waits for the answer."""
+"""client: requests the sum of 41 and 1 once, in the original with a blocking wait for the response."""
 
 from __future__ import annotations
 

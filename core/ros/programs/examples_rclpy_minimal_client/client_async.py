@@ -1,4 +1,4 @@
-"""client_async: asks once what 41 + 1 is, in the original written as a client which spins by itself."""
+"""client_async: requests the sum of 41 and 1 once, in the original with a spin loop."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""client_async_callback: asks once what 41 + 1 is, in the original written as a client from a coroutine that a timer calls."""
+"""client_async_callback: requests the sum of 41 and 1 once, in the original from a coroutine that a timer calls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""client_async_member_function: asks once what 41 + 1 is, in the original written as a client as a class that is a node."""
+"""client_async_member_function: requests the sum of 41 and 1 once, in the original with a class that is a node."""
 
 from __future__ import annotations
 

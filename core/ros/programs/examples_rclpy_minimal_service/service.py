@@ -13,7 +13,12 @@ if TYPE_CHECKING:
 
 
 async def main(session: Session) -> int:
-    node = session.create_node("minimal_service")
+    return await serve_sums(session, "minimal_service")
+
+
+async def serve_sums(session: Session, name: str) -> int:
+    """Add two numbers for whoever asks, by a node of that name."""
+    node = session.create_node(name)
 
     def add(request: Any, response: Any) -> Any:
         response.sum = request.a + request.b

@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from example_interfaces.srv import AddTwoInts
-
-from day6_tui.core.ros.programs._waiting import spin
+from day6_tui.core.ros.programs.examples_rclpy_minimal_service.service import serve_sums
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 
 async def main(session: Session) -> int:
-    node = session.create_node("minimal_service")
-
-    def add(request: Any, response: Any) -> Any:
-        response.sum = request.a + request.b
-        node.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
-        return response
-
-    node.create_service(AddTwoInts, "add_two_ints", add)
-    return await spin(session, node)
+    return await serve_sums(session, "minimal_service")

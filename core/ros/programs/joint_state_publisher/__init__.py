@@ -1,1 +1,1 @@
-"""joint_state_publisher 2.4.0 (Jazzy): says on /joint_states where a robot's joints are while nothing measures them."""
+"""joint_state_publisher 2.4.0 (Jazzy): publishes a robot's joint positions on /joint_states while nothing measures them."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs.joint_state_publisher._joints import DescriptionError
-from day6_tui.core.ros.programs.joint_state_publisher._publisher import JointStatePublisher
-from day6_tui.core.ros.ros2.cli.parser import Parser, ParserExit
+from day6_tui.core.ros.programs.joint_state_publisher.joints import DescriptionError
+from day6_tui.core.ros.programs.joint_state_publisher.publisher import JointStatePublisher
+from day6_tui.core.session.argument_parser import Parser, ParserExit
 from day6_tui.urdf.check import MAX_BYTES, read_description, too_large
 from rclpy.utilities import remove_ros_args
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs.joint_state_publisher.joint_state_publisher import make_publisher
-from day6_tui.core.ros.programs.joint_state_publisher_gui._sliders import SliderModel
+from day6_tui.core.ros.programs.joint_state_publisher_gui.model import SliderModel
 from day6_tui.core.session.task import Signal
 
 if TYPE_CHECKING:
@@ -30,9 +30,9 @@ async def main(session: Session) -> int:
         publisher.node.get_logger().warning("There is no screen for the sliders: every joint stays at its zero")
     else:
         session.display.open("joint_state_publisher", "Joint State Publisher", model)
-        wished = Signal()
-        model.on_wish = wished.set
-        session.spawn(_grant(session, model, wished))
+        requested = Signal()
+        model.on_request = requested.set
+        session.spawn(_handle_requests(session, model, requested))
         session.spawn(_look_around(session, model))
     try:
         await session.spin(publisher.node)
@@ -41,11 +41,11 @@ async def main(session: Session) -> int:
     return 0
 
 
-async def _grant(session: Session, model: SliderModel, wished: Signal) -> None:
+async def _handle_requests(session: Session, model: SliderModel, requested: Signal) -> None:
     while True:
-        await session.wait(wished)
-        wished.clear()
-        model.grant()
+        await session.wait(requested)
+        requested.clear()
+        model.handle_requests()
 
 
 async def _look_around(session: Session, model: SliderModel) -> None:

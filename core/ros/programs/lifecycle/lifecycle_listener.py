@@ -1,4 +1,4 @@
-"""lifecycle_listener: hears what lc_talker says, and what happens to it."""
+"""lifecycle_listener: subscribes to lc_talker's messages and state transitions."""
 
 from __future__ import annotations
 

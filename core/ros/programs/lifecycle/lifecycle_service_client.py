@@ -1,4 +1,4 @@
-"""lifecycle_service_client: leads lc_talker through its whole life, with ten seconds between two changes."""
+"""lifecycle_service_client: leads lc_talker through all its states, with ten seconds between two transitions."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 
 from day6_tui.core.ros.programs._component import ready
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from rclpy.task import Future
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from std_msgs.msg import String
 
-from day6_tui.core.ros.programs._rclcpp import log_interrupt
+from day6_tui.core.ros.programs.rclcpp import log_interrupt
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ SUCCESS = TransitionCallbackReturn.SUCCESS
 
 
 class LifecycleTalker(LifecycleNode):
-    """Publishes on `lifecycle_chatter` once a second from its configuration on; only while it is active it is heard."""
+    """Publishes on `lifecycle_chatter` once a second once configured; messages are sent only while it is active."""
 
     def __init__(self, name: str, **keywords: Any) -> None:
         self._count = 0

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LifecycleTalker(LifecycleNode):
-    """As its C++ brother in package lifecycle, but it counts from 0."""
+    """Like the C++ version in package lifecycle, but it counts from 0."""
 
     def __init__(self, name: str, **keywords: Any) -> None:
         self._count = 0
@@ -35,25 +35,25 @@ class LifecycleTalker(LifecycleNode):
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         self._chatter = self.create_lifecycle_publisher(String, "lifecycle_chatter", 10)
         self._clockwork = self.create_timer(1.0, self.publish)
-        return self._told("on_configure")
+        return self._log_call("on_configure")
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        self._told("on_activate")
+        self._log_call("on_activate")
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        self._told("on_deactivate")
+        self._log_call("on_deactivate")
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         self._release()
-        return self._told("on_cleanup")
+        return self._log_call("on_cleanup")
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
         self._release()
-        return self._told("on_shutdown")
+        return self._log_call("on_shutdown")
 
-    def _told(self, name: str) -> TransitionCallbackReturn:
+    def _log_call(self, name: str) -> TransitionCallbackReturn:
         self.get_logger().info(f"{name}() is called.")
         return TransitionCallbackReturn.SUCCESS
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.programs.rclcpp_components._manager import run_container
+from day6_tui.core.ros.programs.rclcpp_components.component_manager import run_container
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

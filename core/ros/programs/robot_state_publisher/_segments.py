@@ -1,4 +1,4 @@
-"""Which transforms a robot has: those that stand still and those that follow a joint, as KDL's tree gives them."""
+"""The transforms of a robot: fixed ones and those that follow a joint, as in KDL's tree."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Segments:
         return [_transform(joint, 0.0) for joint in self._fixed]
 
     def moving(self, names: Sequence[str], positions: Sequence[float]) -> list[FrameTransform]:
-        """Return the transforms of the joints that are named; names the robot does not have are passed over.
+        """Return the transforms of the joints that are named; unknown names are ignored.
 
         Of a joint named twice the first counts. Mimicking joints follow the one they mimic if that is named, each once
         and in the order of their names, so that a mimic of a mimic follows only where its turn comes later.

@@ -17,7 +17,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 
-from day6_tui.core.ros.programs._rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
 from day6_tui.core.ros.programs.robot_state_publisher._segments import FrameTransform, Segments, StaticFrames, Throttle
 from day6_tui.core.session.threads import in_thread
 from day6_tui.urdf.check import MAX_BYTES, check_text, read_description, too_large
@@ -47,7 +47,7 @@ SHORT = 100_000
 
 
 class Fatal(Exception):
-    """What ends the original by an uncaught C++ exception: its type and what() it says."""
+    """An error that ends the original by an uncaught C++ exception: the exception's type and what()."""
 
     def __init__(self, what: str, kind: str = "std::runtime_error", log: bool = False) -> None:
         super().__init__(what)
@@ -60,7 +60,7 @@ class Refused(Exception):
 
 
 class RobotStatePublisher:
-    """The node; it does nothing before `start`. Raises Fatal for parameters the original dies of."""
+    """The node; it does nothing before `start`. Raises Fatal for parameters that crash the original."""
 
     def __init__(self, node: Node, print_error: Callable[[str], None]) -> None:
         self._node = node
@@ -115,7 +115,7 @@ class RobotStatePublisher:
             raise Refused("Unable to initialize urdf::model from robot description")
         loop = report.robot.loop
         if loop:
-            # The original recurses until its stack is used up; here it is told instead.
+            # The original recurses until its stack overflows; here the error is reported instead.
             self._print_error(f"The links form a loop: {' -> '.join(loop)}")
             raise Refused("Failed to extract kdl tree from robot description")
         self._warn_as_kdl(report.robot)

@@ -1,1 +1,1 @@
-"""rqt_console: the log of all nodes. `_model` keeps and chooses the messages, `rqt_console` is the program."""
+"""rqt_console: the log of all nodes. `model` keeps and chooses the messages, `rqt_console` is the program."""

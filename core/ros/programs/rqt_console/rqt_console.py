@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from rcl_interfaces.msg import Log
 
-from day6_tui.core.ros.programs.rqt_console._model import Console
+from day6_tui.core.ros.programs.rqt_console.model import Console
 from day6_tui.core.session.session import Session
 
 DEPTH = 1000

@@ -9,9 +9,9 @@ import textwrap
 
 from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.rqt_graph._drawing import ASCII, UNICODE, draw
-from day6_tui.core.ros.programs.rqt_graph._fit import fitted
-from day6_tui.core.ros.programs.rqt_graph._model import RqtGraph
+from day6_tui.core.ros.programs.rqt_graph.model.drawing import ASCII, UNICODE, draw
+from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted
+from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 
@@ -63,6 +63,6 @@ def _print(session: Session, model: RqtGraph) -> None:
     hidden = model.content.hidden
     if hidden:
         reasons = "; ".join(f"{each.option} hides {', '.join(each.names)}" for each in hidden)
-        told = f"{sum(len(each.names) for each in hidden)} hidden: {reasons}"
-        for line in textwrap.wrap(told, session.stdout.columns, break_long_words=False, break_on_hyphens=False):
+        summary = f"{sum(len(each.names) for each in hidden)} hidden: {reasons}"
+        for line in textwrap.wrap(summary, session.stdout.columns, break_long_words=False, break_on_hyphens=False):
             session.print(line)

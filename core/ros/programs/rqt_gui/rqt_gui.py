@@ -5,7 +5,7 @@ Without a screen it lists what there is, or goes on as the plugin that was named
 
 from __future__ import annotations
 
-from day6_tui.core.ros.programs.rqt_gui._model import PLUGINS, Menu, Plugin, find
+from day6_tui.core.ros.programs.rqt_gui.model import PLUGINS, Menu, Plugin, find
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 

@@ -1,1 +1,1 @@
-"""rqt_plot: numbers over time. `_field` finds them in messages, `_model` keeps them, `_axis` and `_lines` are for drawing."""
+"""rqt_plot: numbers over time. `model` is what the window reads, `rqt_plot` is the program."""

@@ -6,7 +6,7 @@ Without a screen it prints the newest values (see `programs/_without_screen.py`)
 from __future__ import annotations
 
 from day6_tui.core.graph import GraphEvent
-from day6_tui.core.ros.programs.rqt_plot._model import Plot
+from day6_tui.core.ros.programs.rqt_plot.model.plot import Plot
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 
@@ -33,7 +33,7 @@ async def main(session: Session) -> int | None:
         changed.set()
 
     session.defer(graph.add_listener(on_change))
-    plot.on_wish = changed.set
+    plot.on_request = changed.set
     plot.add_now(words)
     if plot.message:
         session.print_error(plot.message)
@@ -45,7 +45,7 @@ async def main(session: Session) -> int | None:
     while True:
         await session.wait(changed)
         changed.clear()
-        plot.grant_wishes()
+        plot.handle_requests()
         await session.sleep(0.1)
 
 

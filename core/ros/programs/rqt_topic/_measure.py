@@ -1,4 +1,4 @@
-"""Rate and bandwidth of one topic, measured from the messages that came."""
+"""Rate and bandwidth of one topic, measured from received messages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ BARS = 30
 
 
 class Measure:
-    """Feed it every message; it tells messages and bytes per second of world time."""
+    """Measures messages and bytes per second of world time; call `add` for every message."""
 
     def __init__(self) -> None:
         self._arrivals: deque[tuple[int, int]] = deque(maxlen=MOST)
@@ -26,7 +26,7 @@ class Measure:
         self.count = 0
 
     def add(self, now_ns: int, size: int) -> None:
-        """A message of `size` bytes came."""
+        """Count a received message of `size` bytes."""
         self._arrivals.append((now_ns, size))
         self.count += 1
         self._since_bar += 1

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs._without_screen import stays
-from day6_tui.core.ros.programs.rqt_topic._model import TopicMonitor
+from day6_tui.core.ros.programs.rqt_topic.model import TopicMonitor
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 
@@ -39,7 +39,7 @@ async def main(session: Session) -> int | None:
         changed.set()
 
     session.defer(graph.add_listener(on_change))
-    model.on_wish = changed.set
+    model.on_request = changed.set
     model.refresh()
     session.display.open("topics", "Topic Monitor", model)
     session.spawn(session.spin(node))
@@ -47,7 +47,7 @@ async def main(session: Session) -> int | None:
     while True:
         await session.wait(changed)
         changed.clear()
-        model.grant_wishes()
+        model.handle_requests()
         await session.sleep(0.1)
 
 

@@ -1,4 +1,4 @@
-"""Files and robots for RViz, read in threads: the window never waits, and what is not wanted any more is given up."""
+"""Files and robots for RViz, read in threads: the window never waits, and reads that are no longer needed are cancelled."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Reader:
-    """Does what takes long for one RViz."""
+    """Runs the slow tasks of one RViz."""
 
     def __init__(self, session: Session, rviz: RViz) -> None:
         self._session = session
@@ -74,7 +74,7 @@ class Reader:
         self._session.spawn(run())
 
     def is_of_this_machine(self, gid: bytes | None) -> bool:
-        """Say whether a publisher belongs to this process, or to another one of this user on this machine."""
+        """Whether a publisher belongs to this process, or to another one of this user on this machine."""
         graph = self._session.graph
         if graph is None or gid is None:
             return False

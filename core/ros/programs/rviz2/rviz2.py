@@ -11,14 +11,14 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from day6_tui.core.ros.programs._rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs._without_screen import stays
+from day6_tui.core.ros.programs.rclcpp import create_node, log_interrupt
 from day6_tui.core.ros.programs.rviz2.model.config import ConfigError
 from day6_tui.core.ros.programs.rviz2.model.frames import FrameBuffer
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.status import ERROR, OK, WORDS, Status
 from day6_tui.core.ros.programs.rviz2.reading import Reader
-from day6_tui.core.ros.programs.tf2_ros._listening import listen
+from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
@@ -138,7 +138,7 @@ async def main(session: Session) -> int:
     session.spawn(session.spin(node, listener))
     if session.display is None:
         if not stays(session, node):
-            return await _tell(session, rviz, changed)
+            return await _print_panel(session, rviz, changed)
         try:
             await _log(session, rviz, changed)
         except KeyboardInterrupt:
@@ -210,16 +210,16 @@ async def _run(session: Session, rviz: RViz, changed: Signal) -> None:
         cost = time.thread_time() - began
         # A robot of thousands of links must leave time to the others on this thread.
         period = max(1 / max(1, rviz.frame_rate.value), rviz.pace, min(cost / SHARE, LOOK_SECONDS))
-        # A user's wish is followed at once, even while the world stands still.
+        # A user's request is handled at once, even while the world is paused.
         await session.wait(rviz.urgent, period)
         rviz.urgent.clear()
         await session.wait(changed, RESTLESS_SECONDS if rviz.restless else LOOK_SECONDS)
 
 
-async def _tell(session: Session, rviz: RViz, changed: Signal) -> int:
+async def _print_panel(session: Session, rviz: RViz, changed: Signal) -> int:
     """Without a screen: print the panel after a while."""
     await _settle(session, rviz, changed)
-    for line in told(rviz):
+    for line in panel_text(rviz):
         session.print(line)
     return 0
 
@@ -264,7 +264,7 @@ def troubles(rviz: RViz) -> dict[str, int]:
     return found
 
 
-def told(rviz: RViz) -> list[str]:
+def panel_text(rviz: RViz) -> list[str]:
     """The panel as text: the Fixed Frame, every display with its statuses."""
     lines = [f"Fixed Frame: {rviz.fixed_frame}", *_statuses(rviz.statuses, "")]
     for display in rviz.displays:

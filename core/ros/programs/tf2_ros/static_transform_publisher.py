@@ -1,4 +1,4 @@
-"""static_transform_publisher: says where one fixed frame is (tf2_ros/static_transform_broadcaster_program.cpp)."""
+"""static_transform_publisher: broadcasts one fixed frame (tf2_ros/static_transform_broadcaster_program.cpp)."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from rcl_interfaces.msg import ParameterDescriptor
 from tf2_msgs.msg import TFMessage
 from tf2_py import _rotation as rot
 
-from day6_tui.core.ros.programs._rclcpp import abort, create_node, log_interrupt
-from day6_tui.core.ros.programs.tf2_ros._listening import log_without_node
+from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.tf2_ros.listening import log_without_node
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSPolicyKind, QoSProfile
 from rclpy.qos_overriding_options import QoSOverridingOptions

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from tf2_py import _rotation as rot
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs._rclcpp import abort, create_node, log_interrupt
-from day6_tui.core.ros.programs.tf2_ros._listening import listen
+from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 
@@ -33,7 +33,7 @@ _FLOAT = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
 class BadRate(Exception):
-    """The rate is no number (status 2) or has something behind the number (status 3)."""
+    """The rate isn't a number (status 2), or has text after the number (status 3)."""
 
     def __init__(self, status: int) -> None:
         super().__init__(status)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from tf2_msgs.msg import TFMessage
 from tf2_ros import Buffer, TransformException
 
-from day6_tui.core.ros.programs._rclcpp import abort, create_node, log_interrupt
-from day6_tui.core.ros.programs.tf2_ros._listening import listen
+from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
+from day6_tui.core.ros.programs.tf2_ros.listening import listen
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 AUTHORITY = "<no authority available>"
-"""ROS 2 does not tell who sent a message."""
+"""ROS 2 does not report who sent a message."""
 
 KEPT = 1000
-"""So many delays are averaged."""
+"""Number of delays that are averaged."""
 
 PERIOD_S = 0.5
 ROUNDS = 20
-"""Results are printed when more than so many periods have passed."""
+"""Results are printed when more than this many periods have passed."""
 
 LOWPASS = 0.01
 
@@ -90,8 +90,8 @@ class Monitor:
         if self._frames is not None:
             await self._find_chain(*self._frames)
         latched = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self._node.create_subscription(TFMessage, "/tf", self._heard, QoSProfile(depth=100))
-        self._node.create_subscription(TFMessage, "/tf_static", self._heard, latched)
+        self._node.create_subscription(TFMessage, "/tf", self._on_transforms, QoSProfile(depth=100))
+        self._node.create_subscription(TFMessage, "/tf_static", self._on_transforms, latched)
         what = "all frames" if self._frames is None else " -> ".join(self._frames)
         self._print([f"Gathering data on {what} for 10 seconds..."])
         average = longest = 0.0
@@ -120,7 +120,7 @@ class Monitor:
             await self._session.sleep(PERIOD_S)
         self._chain = self._buffer._chain(second, Time(), first, Time(), second)
 
-    def _heard(self, message: TFMessage) -> None:
+    def _on_transforms(self, message: TFMessage) -> None:
         self._delays.take(message, self._now())
 
     def _now(self) -> float:

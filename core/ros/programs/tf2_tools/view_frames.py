@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, Buffer, TransformListener
 
-from day6_tui.core.ros.ros2.cli.parser import Parser, ParserExit
+from day6_tui.core.session.argument_parser import Parser, ParserExit
 from day6_tui.core.session.harmless import quotable
 from day6_tui.core.session.threads import in_thread
 from day6_tui.core.whole_file import replace_file

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._component import spin_cpp
-from day6_tui.core.ros.programs._rclcpp import create_node
-from day6_tui.core.ros.programs.turtle_tf2_py._frames import Follower
+from day6_tui.core.ros.programs.rclcpp import create_node
+from day6_tui.core.ros.programs.turtle_tf2_py.frames import Follower
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._waiting import spin
-from day6_tui.core.ros.programs.turtle_tf2_py._frames import broadcast_carrot
+from day6_tui.core.ros.programs.turtle_tf2_py.frames import broadcast_carrot
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

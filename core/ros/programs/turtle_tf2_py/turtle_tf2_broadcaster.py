@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._waiting import spin
-from day6_tui.core.ros.programs.turtle_tf2_py._frames import broadcast_turtle
+from day6_tui.core.ros.programs.turtle_tf2_py.frames import broadcast_turtle
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session

@@ -1,4 +1,4 @@
-"""turtle_tf2_message_broadcaster: a third turtle that drives in a circle and tells as a point where it is."""
+"""turtle_tf2_message_broadcaster: a third turtle that drives in a circle and publishes its position as a point."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from geometry_msgs.msg import PointStamped, Twist
 from turtlesim.msg import Pose
 
 from day6_tui.core.ros.programs._waiting import spin
-from day6_tui.core.ros.programs.turtle_tf2_py._frames import Spawner
+from day6_tui.core.ros.programs.turtle_tf2_py.frames import Spawner
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -33,9 +33,9 @@ class PointTeller:
         elif self._speeds is None:
             self._speeds = self._node.create_publisher(Twist, f"{NAME}/cmd_vel", 10)
             self._points = self._node.create_publisher(PointStamped, f"{NAME}/turtle_point_stamped", 10)
-            self._node.create_subscription(Pose, f"{NAME}/pose", self._tell, 10)
+            self._node.create_subscription(Pose, f"{NAME}/pose", self._on_pose, 10)
 
-    def _tell(self, pose: Pose) -> None:
+    def _on_pose(self, pose: Pose) -> None:
         twist = Twist()
         twist.linear.x = twist.angular.z = 1.0
         self._speeds.publish(twist)

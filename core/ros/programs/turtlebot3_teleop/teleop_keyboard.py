@@ -55,7 +55,7 @@ class Teleop:
         model = session.env.get("TURTLEBOT3_MODEL", "burger")
         self._limits = LIMITS.get(model, LIMITS["waffle"])
         self._wanted = [0.0, 0.0]
-        self._told = [0.0, 0.0]
+        self._commanded = [0.0, 0.0]
         self._presses = 0
 
     def press(self, key: str) -> None:
@@ -68,15 +68,15 @@ class Teleop:
                 self._session.print(HELP)
                 self._presses = 0
         elif key in " s":
-            self._wanted, self._told = [0.0, 0.0], [0.0, 0.0]
+            self._wanted, self._commanded = [0.0, 0.0], [0.0, 0.0]
             self._print()
 
     def tick(self) -> None:
         """Come nearer to what is wanted by half a step, and publish."""
         for index, step in enumerate((LINEAR_STEP / 2, ANGULAR_STEP / 2)):
-            gap = self._wanted[index] - self._told[index]
-            self._told[index] += min(max(gap, -step), step)
-        self.publish(*self._told)
+            gap = self._wanted[index] - self._commanded[index]
+            self._commanded[index] += min(max(gap, -step), step)
+        self.publish(*self._commanded)
 
     def publish(self, linear: float, angular: float) -> None:
         message = TwistStamped()

@@ -9,7 +9,7 @@ from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
-from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS
+from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
 from rclpy.task import Future
@@ -67,7 +67,7 @@ class TurtleInterface:
         self._node.destroy_subscription(self._commands)
 
     def before_step(self) -> None:
-        """Tell the turtle that its rotation is to be cancelled, if somebody asked for that."""
+        """Cancel the turtle's rotation if a client requested it."""
         rotation = self._turtle.rotation
         if rotation is not None and self._goal is not None and self._goal.is_cancel_requested:
             rotation.canceling = True
@@ -149,7 +149,7 @@ class TurtleInterface:
         self._results[_id_of(goal)].set_result(RotateAbsolute.Result(delta=rotation.delta))
 
     def _drop_rotation(self, goal: ServerGoalHandle[Any, Any, Any]) -> None:
-        """The turtle goes in the middle of a goal: rclcpp cancels a goal whose handle nobody holds any more."""
+        """The turtle is removed during a goal: rclcpp cancels a goal whose handle is no longer held."""
         self._turtle.abort()
         self._goal = None
         if not goal.is_cancel_requested:

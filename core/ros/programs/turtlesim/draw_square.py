@@ -8,7 +8,7 @@ from geometry_msgs.msg import Twist
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
-from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, create_node, log_interrupt
+from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim import model
 
 if TYPE_CHECKING:

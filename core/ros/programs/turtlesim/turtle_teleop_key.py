@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from geometry_msgs.msg import Twist
 from turtlesim.action import RotateAbsolute
 
-from day6_tui.core.ros.programs._rclcpp import TOPIC_QOS, abort, create_node
+from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, abort, create_node
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class Teleop:
         self._goal: Any = None
 
     def press(self, key: str) -> bool:
-        """Do what the key (one character) is for; False if that is to quit. Other keys do nothing."""
+        """Handle a key (one character); return False for the one that quits. Other keys do nothing."""
         debug = self.node.get_logger().debug
         debug(f"value: 0x{ord(key):02X}\n")
         if key in ARROWS:

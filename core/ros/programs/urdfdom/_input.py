@@ -1,4 +1,4 @@
-"""What both tools do first: read the description and say what the parser says."""
+"""The first step of both tools: read the description and print the parser's messages."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What a process of xacro may use. A file whose expressions or macros have no end is ended, and not the machine.
+"""The limits of a process of xacro: a file with endless expressions or macros must not bring down the machine.
 
-Time of the processor, not of the clock: a slow or busy machine ends no honest file. A robot arm with its sensors takes about
-a second. Memory is limited where the system can (Linux); elsewhere the time is what ends it.
+The limit is CPU time, not wall time, so a slow or busy machine does not stop an honest file. A robot arm with its sensors
+takes about a second. Memory is limited if the system can (Linux); elsewhere the time limit ends the process.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _kept: list[BinaryIO] = []
 
 
 def run(seconds: int) -> None:
-    """Be xacro, with limits (seconds of the processor); the arguments are those of this process. Ends it."""
+    """Run xacro with limits (seconds of CPU time) and this process's arguments. Ends the process."""
     limit(seconds)
     import xml.parsers.expat  # noqa: F401  # xacro names that module without importing it
 
@@ -53,7 +53,7 @@ def limit(seconds: int) -> None:
 
 
 def _is_caused_by(error: BaseException, kind: type[BaseException]) -> bool:
-    """Say whether an exception, or one that it was raised for, is of a kind; those of xacro hold theirs in `exc`."""
+    """Whether an exception or one of its causes is of a kind; xacro's exceptions hold theirs in `exc`."""
     waiting: list[BaseException | None] = [error]
     seen: set[int] = set()
     while waiting:

@@ -1,1 +1,1 @@
-"""The check for copyright notices that the tests of a new package call."""
+"""The check for copyright notices that the tests of a new package run."""

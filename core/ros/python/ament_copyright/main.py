@@ -1,4 +1,4 @@
-"""Looks for a copyright notice at the beginning of every source file."""
+"""Checks every source file for a copyright notice at its beginning."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import os
 import sys
 from collections.abc import Iterator
 
-_LOOKED_AT = 40
-"""Lines from the beginning in which a notice is looked for."""
+_SEARCHED_LINES = 40
+"""The number of lines at the beginning that are searched for a notice."""
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Check the given files and folders (none: the current one); returns 1 if one has no notice."""
+    """Check the given files and folders (by default the current one); returns 1 if one has no notice."""
     missing = [path for path in sorted(python_files(sys.argv[1:] if argv is None else argv)) if not _has_notice(path)]
     for path in missing:
         print(f"{path}: could not find copyright notice", file=sys.stderr)
@@ -21,7 +21,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def python_files(paths: list[str]) -> Iterator[str]:
-    """Yield the Python files at and below some paths; hidden folders and those with AMENT_IGNORE are left out."""
+    """Yield the Python files at and below some paths, except in hidden folders and those with AMENT_IGNORE."""
     for path in paths or ["."]:
         if os.path.isfile(path):
             yield path
@@ -36,4 +36,4 @@ def python_files(paths: list[str]) -> Iterator[str]:
 def _has_notice(path: str) -> bool:
     with open(path, encoding="utf-8", errors="replace") as file:
         lines = file.read().splitlines()
-    return not lines or any("copyright" in line.lower() for line in lines[:_LOOKED_AT])
+    return not lines or any("copyright" in line.lower() for line in lines[:_SEARCHED_LINES])

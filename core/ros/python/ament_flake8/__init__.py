@@ -1,1 +1,1 @@
-"""The style check that the tests of a new package call: flake8 where it is installed, else the rules a beginner breaks most."""
+"""The style check that the tests of a new package run: flake8 if it is installed, else the most frequent rules."""

@@ -1,7 +1,7 @@
-"""Runs flake8 with the settings of ROS where it is installed, and else checks the rules that beginners break most.
+"""Runs flake8 with the settings of ROS if it is installed, else checks the rules that beginners break most often.
 
-Those are: syntax errors (E999), lines over 99 characters (E501), tabs (W191), spaces at the end of a line (W291, W293), the end
-of the file (W292, W391), and imports that nobody uses (F401).
+Those are: syntax errors (E999), lines over 99 characters (E501), tabs (W191), trailing spaces (W291, W293), the end of the file
+(W292, W391), and unused imports (F401).
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ _LONGEST = 99
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Check the given files and folders; returns 1 if there is something to complain about."""
+    """Check the given files and folders; returns 1 if there are errors."""
     return main_with_errors(argv)[0]
 
 
 def main_with_errors(argv: list[str] | None = None) -> tuple[int, list[str]]:
-    """The same, with the complaints: (exit status, lines like `./hello/talker.py:3:1: F401 'math' imported but unused`)."""
+    """Like `main`; returns (exit status, lines like `./hello/talker.py:3:1: F401 'math' imported but unused`)."""
     paths = [path for path in (sys.argv[1:] if argv is None else argv) if not path.startswith("-")]
     errors = _by_flake8(paths) if find_spec("flake8") is not None else _by_ourselves(paths)
     for error in errors:

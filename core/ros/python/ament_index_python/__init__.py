@@ -1,4 +1,4 @@
-"""Finds installed packages, as programs ask for them (`get_package_share_directory('my_package')`), and other resources."""
+"""Finds installed packages (`get_package_share_directory('my_package')`) and other resources."""
 
 from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
 from ament_index_python.packages import (

@@ -1,4 +1,4 @@
-"""Which packages exist, and under which prefix."""
+"""The installed packages and their prefixes."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _VALID_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
 
 
 class PackageNotFoundError(KeyError):
-    """Raised for a package that is under none of the prefixes."""
+    """Raised for a package that isn't under any of the prefixes."""
 
 
 def get_packages_with_prefixes(environment: Mapping[str, str] | None = None) -> dict[str, str]:
-    """Return `{package: prefix}`; where two prefixes have a package, the first wins."""
+    """Return `{package: prefix}`; if two prefixes have a package, the first wins."""
     found: dict[str, str] = {}
     for prefix in get_search_paths(environment):
         for name in names_in(prefix, "packages"):
@@ -28,7 +28,7 @@ def get_packages_with_prefixes(environment: Mapping[str, str] | None = None) -> 
 
 
 def get_package_prefix(package_name: str, environment: Mapping[str, str] | None = None) -> str:
-    """Return the prefix of a package; ValueError for what cannot be a name, PackageNotFoundError if there is none."""
+    """Return the prefix of a package. Raises ValueError for an invalid name, PackageNotFoundError."""
     if not _VALID_NAME.fullmatch(package_name):
         raise ValueError(f"'{package_name}' is not a valid package name")
     paths = get_search_paths(environment)
@@ -41,7 +41,7 @@ def get_package_prefix(package_name: str, environment: Mapping[str, str] | None 
 def get_package_share_directory(
     package_name: str, print_warning: bool = True, environment: Mapping[str, str] | None = None
 ) -> str:
-    """Return `<prefix>/share/<package>`; raises as `get_package_prefix`."""
+    """Return `<prefix>/share/<package>`. Raises the same errors as `get_package_prefix`."""
     path = os.path.join(get_package_prefix(package_name, environment), "share", package_name)
     if print_warning and not os.path.exists(path):
         import warnings
@@ -51,7 +51,7 @@ def get_package_share_directory(
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """As `get_package_share_directory`, as a Path."""
+    """Like `get_package_share_directory`, as a Path."""
     return Path(get_package_share_directory(package_name, print_warning))
 
 

@@ -1,6 +1,6 @@
 """The resource index: files `share/ament_index/resource_index/<type>/<name>` below every prefix.
 
-Of the packages that came with day6-tui the type `packages` is answered from their package.xml; they have no markers.
+The packages of day6-tui have no such files of the type `packages`; they are found by their package.xml.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
 
 
 class InvalidResourceTypeNameError(ValueError):
-    """Raised for a resource type that holds a path separator."""
+    """Raised for a resource type that contains a path separator."""
 
 
 class InvalidResourceNameError(ValueError):
-    """Raised for a resource name that holds a path separator."""
+    """Raised for a resource name that contains a path separator."""
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     """Return (content, prefix) of a resource.
 
-    Raises LookupError if there is none, OSError if it cannot be read, AssertionError for an empty and
-    InvalidResource(Type)NameError for an impossible name.
+    Raises LookupError if there is none, OSError if it can't be read, AssertionError for an empty and
+    InvalidResource(Type)NameError for an invalid name.
     """
     prefix = has_resource(resource_type, resource_name)
     if not prefix:
@@ -42,7 +42,10 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
-    """Return `{name: prefix}` of all resources of a type; where two prefixes have one, the first wins. Raises as above."""
+    """Return `{name: prefix}` of all resources of a type; if two prefixes have one, the first wins.
+
+    Raises AssertionError for an empty and InvalidResourceTypeNameError for an invalid type.
+    """
     _check_type(resource_type)
     found: dict[str, str] = {}
     for prefix in get_search_paths():
@@ -52,7 +55,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 
 def get_resource_types() -> set[str]:
-    """Return the types of which there are resources."""
+    """Return the types of all resources."""
     found = {"packages"}
     for prefix in get_search_paths():
         index = Path(prefix, RESOURCE_INDEX_SUBFOLDER)
@@ -62,21 +65,24 @@ def get_resource_types() -> set[str]:
 
 
 def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
-    """Return the prefix of a resource, False if there is none. Raises as above."""
+    """Return the prefix of a resource, False if there is none.
+
+    Raises AssertionError for an empty and InvalidResource(Type)NameError for an invalid name.
+    """
     _check_type(resource_type)
     assert resource_name, "The resource name must not be empty"
-    if _is_no_name(resource_name):
+    if _is_invalid_name(resource_name):
         raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
     return next((prefix for prefix in get_search_paths() if resource_name in names_in(prefix, resource_type)), False)
 
 
 def _check_type(resource_type: str) -> None:
     assert resource_type, "The resource type must not be empty"
-    if _is_no_name(resource_type):
+    if _is_invalid_name(resource_type):
         raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' is invalid")
 
 
-def _is_no_name(name: str) -> bool:
+def _is_invalid_name(name: str) -> bool:
     return "/" in name or "\\" in name
 
 
@@ -85,7 +91,7 @@ def _is_ours(prefix: str, resource_type: str) -> bool:
 
 
 def names_in(prefix: str, resource_type: str) -> Iterator[str]:
-    """The names of the resources of a type under one prefix, sorted."""
+    """Yield the names of the resources of a type under one prefix, sorted."""
     if _is_ours(prefix, resource_type):
         yield from sorted(path.parent.name for path in Path(prefix, "share").glob("*/package.xml"))
         return

@@ -1,4 +1,4 @@
-"""Where packages are installed: the prefixes of AMENT_PREFIX_PATH, then the packages that came with day6-tui."""
+"""The prefixes of installed packages: those in AMENT_PREFIX_PATH, then that of day6-tui's packages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ BUILT_IN_PREFIX = str(Path(__file__).resolve().parents[2])
 
 
 def get_search_paths(environment: Mapping[str, str] | None = None) -> list[str]:
-    """Return the prefixes, first found first; `environment` stands for `os.environ` where a program has its own."""
+    """Return the prefixes in search order. `environment` replaces `os.environ`."""
     given = (os.environ if environment is None else environment).get(AMENT_PREFIX_PATH_ENV_VAR, "")
     paths = [path for path in given.split(os.pathsep) if path and os.path.isdir(path)]
     return [*(path for path in paths if path != BUILT_IN_PREFIX), BUILT_IN_PREFIX]

@@ -1,1 +1,1 @@
-"""The check of docstrings that the tests of a new package call."""
+"""The check of docstrings that the tests of a new package run."""

@@ -1,4 +1,4 @@
-"""Checks the docstrings that are there, by the rules of PEP 257 that ROS asks for. (That one is missing is no complaint.)"""
+"""Checks docstrings by those rules of PEP 257 that ROS requires. (A missing docstring is not an error.)"""
 
 from __future__ import annotations
 
@@ -10,32 +10,32 @@ from ament_copyright.main import python_files
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Check the given files and folders (none: the current one); returns 1 if there is something to complain about."""
+    """Check the given files and folders (by default the current one); returns 1 if there are errors."""
     count = 0
     for path in sorted(set(python_files(sys.argv[1:] if argv is None else argv))):
         with open(path, encoding="utf-8", errors="replace") as file:
-            for line, what in _complaints(file.read()):
+            for line, what in _errors(file.read()):
                 print(f"{path}:{line}: {what}", file=sys.stderr)
                 count += 1
     print(f"{count} errors" if count else "No problems found")
     return 1 if count else 0
 
 
-def _complaints(text: str) -> Iterator[tuple[int, str]]:
+def _errors(text: str) -> Iterator[tuple[int, str]]:
     try:
         tree = ast.parse(text)
     except SyntaxError:
-        return  # another test's business
+        return  # ament_flake8 reports it
     for node in ast.walk(tree):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
             doc = ast.get_docstring(node, clean=False)
             if doc is not None:
                 line = node.body[0].lineno
                 source = ast.get_source_segment(text, node.body[0]) or ""
-                yield from ((line, what) for what in _faults(doc, source))
+                yield from ((line, what) for what in _errors_of(doc, source))
 
 
-def _faults(doc: str, source: str) -> Iterator[str]:
+def _errors_of(doc: str, source: str) -> Iterator[str]:
     lines = doc.strip().splitlines()
     if not lines:
         yield "D419: Docstring is empty"

@@ -1,4 +1,4 @@
-"""The ROS package angles: differences between angles, also for joints that turn only so far. Radians throughout."""
+"""The ROS package angles: differences between angles, also for joints with limits. All angles are in radians."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def normalize_angle(angle: float) -> float:
 
 
 def shortest_angular_distance(from_angle: float, to_angle: float) -> float:
-    """Return the way from one angle to another, between -pi and pi."""
+    """Return the difference from one angle to another, between -pi and pi."""
     return normalize_angle(to_angle - from_angle)
 
 
 def two_pi_complement(angle: float) -> float:
-    """Return the way in the other direction, between -2 pi and 2 pi."""
+    """Return the same rotation in the other direction, between -2 pi and 2 pi."""
     if abs(angle) > _TURN:
         angle = fmod(angle, _TURN)
     return angle - _TURN if angle > 0 else angle + _TURN
@@ -50,35 +50,35 @@ def _find_min_max_delta(from_angle: float, left_limit: float, right_limit: float
 def shortest_angular_distance_with_limits(
     from_angle: float, to_angle: float, left_limit: float, right_limit: float
 ) -> tuple[bool, float]:
-    """Return whether a joint with limits between -pi and pi can go from one angle to another, and by which way."""
+    """Return whether a joint with limits between -pi and pi can turn from one angle to another, and by how much."""
     valid, least, most = _find_min_max_delta(from_angle, left_limit, right_limit)
-    way = shortest_angular_distance(from_angle, to_angle)
-    other = two_pi_complement(way)
-    shorter = way if abs(way) < abs(other) else other
+    direct = shortest_angular_distance(from_angle, to_angle)
+    other = two_pi_complement(direct)
+    shorter = direct if abs(direct) < abs(other) else other
     if not valid:
-        return False, _towards(abs(most) - abs(least), way, other, shorter)
-    for each in (way, other):
+        return False, _towards(abs(most) - abs(least), direct, other, shorter)
+    for each in (direct, other):
         if least <= each <= most:
             return True, each
     _, least, most = _find_min_max_delta(to_angle, left_limit, right_limit)
-    return False, _towards(abs(least) - abs(most), way, other, shorter)
+    return False, _towards(abs(least) - abs(most), direct, other, shorter)
 
 
-def _towards(side: float, way: float, other: float, shorter: float) -> float:
+def _towards(side: float, direct: float, other: float, shorter: float) -> float:
     if side == 0:
         return shorter
-    return min(way, other) if side > 0 else max(way, other)
+    return min(direct, other) if side > 0 else max(direct, other)
 
 
 def shortest_angular_distance_with_large_limits(
     from_angle: float, to_angle: float, left_limit: float, right_limit: float
 ) -> tuple[bool, float]:
-    """The same for limits that may lie beyond pi; the left one must be the smaller one."""
-    way, other = sorted(
+    """Like `shortest_angular_distance_with_limits`, for limits that may exceed pi; the left one must be smaller."""
+    shorter, longer = sorted(
         (distance := shortest_angular_distance(from_angle, to_angle), two_pi_complement(distance)), key=abs
     )
     if left_limit <= right_limit:
-        for each in (way, other):
+        for each in (shorter, longer):
             if left_limit <= from_angle + each <= right_limit:
                 return left_limit <= from_angle <= right_limit, each
-    return False, way
+    return False, shorter

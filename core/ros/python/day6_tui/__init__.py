@@ -1,4 +1,4 @@
-"""Lets a plain `python3` with only the folder above on its path import `day6_tui`, which lies around that folder."""
+"""Lets a plain `python3` with only the folder above on its path import `day6_tui`, which contains that folder."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""A laser scan as a point cloud in the frame of the laser (laser_geometry 2.7, its Python half)."""
+"""Converts laser scans to point clouds in the laser's frame (the Python part of laser_geometry 2.7)."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from sensor_msgs_py.point_cloud2 import create_cloud
 
 
 class LaserProjection:
-    """Makes clouds of scans; what lies outside the scan's range is left out."""
+    """Converts scans to clouds; readings outside of the scan's range are left out."""
 
     LASER_SCAN_INVALID = -1.0
     LASER_SCAN_MIN_RANGE = -2.0
     LASER_SCAN_MAX_RANGE = -3.0
 
     class ChannelOption:
-        """Which fields a point has beside x, y and z; to be added up."""
+        """Flags for the fields of a point besides x, y and z."""
 
         NONE = 0x00
         INTENSITY = 0x01
@@ -30,9 +30,10 @@ class LaserProjection:
     def projectLaser(
         self, scan_in: LaserScan, range_cutoff: float = -1.0, channel_options: int = ChannelOption.DEFAULT
     ) -> PointCloud2:
-        """Return the cloud of a scan. `range_cutoff` (metres) leaves out more than the scan's own `range_max` does.
+        """Return the cloud of a scan. `range_cutoff` (metres) reduces the scan's own `range_max`.
 
-        The fields are x, y, z and, as asked for, intensity, index, distances, stamps (seconds since the scan began), vp_x …
+        The fields are x, y, z and, by `channel_options`, intensity, index, distances, stamps (seconds since the scan began),
+        vp_x …
         """
         option = self.ChannelOption
         ranges = np.array(scan_in.ranges)
@@ -58,5 +59,5 @@ class LaserProjection:
             PointField(name=name, offset=4 * number, datatype=kind, count=1)
             for number, (name, kind, _) in enumerate(columns)
         ]
-        points = [tuple(values[place] for _, _, values in columns) for place in wanted.tolist()]
+        points = [tuple(values[index] for _, _, values in columns) for index in wanted.tolist()]
         return create_cloud(scan_in.header, fields, points)

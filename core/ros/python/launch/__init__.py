@@ -1,7 +1,10 @@
-"""Starts several programs at once and watches over them: launch files, as in ROS 2.
+"""Starts and supervises several programs at once: launch files, as in ROS 2.
 
-Names, signatures and texts are those of ros2/launch. How it works inside is not: see `_loop` (no asyncio), `_programs` (which
-programs are processes) and `_host` (who runs the others).
+Names, signatures and texts are those of ros2/launch. The internals are not: see `_loop` (no asyncio), `_programs` (which
+programs are processes) and `_host` (what runs the others).
+
+It knows nothing of sessions, shells and programs: the host that runs day6-tui's programs is handed to its service
+(`ros2/launch/_process`); launch_ros, launch_xml and launch_yaml, which lie above, are names in `_entry_points`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What happens to a process that does not end when it is asked to: SIGTERM after a while, then SIGKILL."""
+"""Escalation for a process that ignores SIGINT: SIGTERM after a while, then SIGKILL."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ _TOO_SLOW = "process[{}] failed to terminate '{}' seconds after receiving '{}', 
 
 
 def escalation(
-    action: ExecuteLocal, name: str, sigterm_timeout: str, sigkill_timeout: str, say_error: Callable[[str], None]
+    action: ExecuteLocal, name: str, sigterm_timeout: str, sigkill_timeout: str, log_error: Callable[[str], None]
 ) -> list[TimerAction]:
     """Return the timers that send SIGTERM and SIGKILL to the process `name` of an action.
 
-    The timeouts are seconds as text, as they are shown: from now to SIGTERM, and from there to SIGKILL.
+    The timeouts are seconds, as the text that is logged: from now to SIGTERM, and from there to SIGKILL.
     """
 
-    def say(_: LaunchContext, text: str) -> None:
-        say_error(text)
+    def log(_: LaunchContext, text: str) -> None:
+        log_error(text)
 
     both = str(float(sigterm_timeout) + float(sigkill_timeout))
     timers = []
@@ -38,13 +38,13 @@ def escalation(
     )
     for period, before, number in steps:
         next_name = number if isinstance(number, str) else number.name
-        order = SignalProcess(signal_number=number, process_matcher=matches_action(action))
+        event = SignalProcess(signal_number=number, process_matcher=matches_action(action))
         timers.append(
             TimerAction(
                 period=float(period),
                 actions=[
-                    OpaqueFunction(function=say, args=[_TOO_SLOW.format(name, period, before, next_name)]),
-                    EmitEvent(event=order),
+                    OpaqueFunction(function=log, args=[_TOO_SLOW.format(name, period, before, next_name)]),
+                    EmitEvent(event=event),
                 ],
                 cancel_on_shutdown=False,
             )

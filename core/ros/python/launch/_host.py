@@ -1,17 +1,17 @@
-"""The day6-tui that started this launch, and runs our own programs for it.
+"""The day6-tui process that started this launch and runs our own programs for it.
 
-`ros2 launch` is a process, because a launch file is its author's program. turtlesim, robot_state_publisher or RViz, however, are
-parts of day6-tui and have their windows there. So the `ros2 launch` command listens on a socket, whose address this process
-finds in DAY6_LAUNCH_HOST, and both send each other lines of JSON:
+`ros2 launch` is a process, because a launch file is its author's program. But turtlesim, robot_state_publisher or RViz are
+parts of day6-tui and have their windows there. So the `ros2 launch` command listens on a socket (its address is in
+DAY6_LAUNCH_HOST) and the two send each other lines of JSON:
 
-    here → there   {"do": "start", "id": 1, "kind": "program", "argv": [...], "cwd": "...", "env": {...}}
+    here → host    {"do": "start", "id": 1, "kind": "program", "argv": [...], "cwd": "...", "env": {...}}
                    {"do": "signal", "id": 1, "number": 2}
-    there → here   {"is": "started", "id": 1, "pid": 1007}     {"is": "output", "id": 1, "fd": 2, "text": "..."}
+    host → here    {"is": "started", "id": 1, "pid": 1007}     {"is": "output", "id": 1, "fd": 2, "text": "..."}
                    {"is": "ended", "id": 1, "code": 0}         {"is": "failed", "id": 1, "reason": "..."}
-                   {"is": "interrupted"}                       (Ctrl-C came to the command, not to this process)
+                   {"is": "interrupted"}                       (Ctrl-C went to the command, not to this process)
 
-What is launched, when, what its output looks like and what its end leads to is decided here alone. The end of the connection is
-the end of all programs, on either side. The address is `unix:PATH`, or `tcp:PORT:SECRET` where there are no Unix sockets.
+Only this side decides what is launched, when, how its output looks and what follows its end. When the connection ends, either
+side ends its programs. The address is `unix:PATH`, or `tcp:PORT:SECRET` where there are no Unix sockets.
 """
 
 from __future__ import annotations
@@ -22,25 +22,19 @@ import os
 import socket
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from typing import Any
 
 VARIABLE = "DAY6_LAUNCH_HOST"
 
-_host: Host | None = None
 
+def connect(terminals: Container[str]) -> Host | None:
+    """Connect to the host of this launch, which can open these `terminals`; returns None if there is no host.
 
-def host() -> Host | None:
-    """Return the connection to whoever started this launch, None if nobody did."""
-    return _host
-
-
-def connect() -> None:
-    """Take the address out of the environment (programs launched from here are not to find it) and connect."""
-    global _host
+    The address is removed from the environment: launched programs must not find it.
+    """
     address = os.environ.pop(VARIABLE, "")
-    if address:
-        _host = Host(_open(address))
+    return Host(_open(address), terminals) if address else None
 
 
 def _open(address: str) -> socket.socket:
@@ -56,7 +50,7 @@ def _open(address: str) -> socket.socket:
 
 
 class HostedProcess:
-    """A program of ours that runs over there. The callbacks are called on the connection's thread."""
+    """A program of ours that runs in the host. The callbacks are called on the connection's thread."""
 
     hosted = True
 
@@ -78,6 +72,7 @@ class HostedProcess:
         self.on_failed = on_failed
 
     def send_signal(self, number: int) -> None:
+        """Send a signal, by its number on Linux."""
         self._owner.send({"do": "signal", "id": self._number, "number": int(number)})
 
     def kill(self) -> None:
@@ -85,9 +80,11 @@ class HostedProcess:
 
 
 class Host:
-    """The connection. `on_interrupt` is called, on its thread, when a Ctrl-C came over there."""
+    """The connection to the host. `on_interrupt` is called, on its thread, when the host got a Ctrl-C."""
 
-    def __init__(self, connection: socket.socket) -> None:
+    def __init__(self, connection: socket.socket, terminals: Container[str]) -> None:
+        self.terminals = terminals
+        """Names of the commands that open a terminal in the host."""
         self._connection = connection
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
@@ -107,7 +104,7 @@ class Host:
         on_ended: Callable[[int], object],
         on_failed: Callable[[str], object],
     ) -> HostedProcess:
-        """Have a program started; one of `on_started` and `on_failed` will be called."""
+        """Start a program in the host; either `on_started` or `on_failed` will be called."""
         number = next(self._numbers)
         process = HostedProcess(self, number, on_started, on_output, on_ended, on_failed)
         self._processes[number] = process
@@ -116,12 +113,13 @@ class Host:
         return process
 
     def send(self, message: dict[str, Any]) -> None:
+        """Send one message; a broken connection is ignored."""
         data = json.dumps(message).encode("utf-8") + b"\n"
         with self._lock:
             try:
                 self._connection.sendall(data)
             except OSError:
-                return  # the reading thread tells the processes' ends
+                return  # the reading thread reports the end of the processes
 
     def _read(self) -> None:
         try:
@@ -129,7 +127,7 @@ class Host:
                 for line in lines:
                     self._handle(json.loads(line))
         except OSError:
-            pass  # a broken connection is an ended one
+            pass  # a broken connection has ended too
         finally:
             if self.on_interrupt is not None:
                 self.on_interrupt()

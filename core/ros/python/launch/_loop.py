@@ -1,8 +1,8 @@
-"""The heart of a launch: one thread that runs what is due, and sleeps in its inbox otherwise.
+"""The event loop of a launch: one thread that runs calls and timers when they are due, and sleeps otherwise.
 
-Processes are watched by threads, timers wait here; both only ever put a call into the inbox. No asyncio: every launch would
-pay for its import, and on Windows its subprocesses need a loop of another kind. Names are those of an asyncio loop where launch
-files may use them (`context.asyncio_loop.call_soon_threadsafe …`).
+Threads watch the processes, timers wait here; both only ever put a call into the inbox. No asyncio: every launch would
+pay for its import, and on Windows its subprocesses need another kind of loop. The names that launch files may use are those of
+an asyncio loop (`context.asyncio_loop.call_soon_threadsafe …`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any
 
 
 class Future:
-    """Something that will be done. Used by the loop's thread only."""
+    """A result that is available later, as asyncio.Future. Only the loop's thread uses it."""
 
     def __init__(self) -> None:
         self._done = False
@@ -49,7 +49,7 @@ class Future:
         self._finish()
 
     def cancel(self) -> bool:
-        """End it without a result; False if it was done already."""
+        """End it without a result; returns False if it was done already."""
         if self._done:
             return False
         self._cancelled = True
@@ -72,7 +72,7 @@ class Future:
 
 
 class Timer:
-    """A call that is due later."""
+    """A call that is due later, as asyncio.TimerHandle."""
 
     def __init__(self, function: Callable[[], object]) -> None:
         self._function: Callable[[], object] | None = function
@@ -81,13 +81,14 @@ class Timer:
         self._function = None
 
     def fire(self) -> None:
+        """Run the call, unless it was cancelled."""
         function, self._function = self._function, None
         if function is not None:
             function()
 
 
 class CoroutineFuture(Future):
-    """The end of a coroutine that asyncio runs in a thread of its own."""
+    """The future of a coroutine that asyncio runs in a separate thread."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -101,7 +102,7 @@ class CoroutineFuture(Future):
 
 
 class Loop:
-    """See the module's first lines. `run_next` is for the one thread that runs it; `call_soon_threadsafe` for all."""
+    """See the module's docstring. `run_next` is for the loop's own thread, `call_soon_threadsafe` for all threads."""
 
     def __init__(self) -> None:
         self._inbox: SimpleQueue[Callable[[], object]] = SimpleQueue()
@@ -109,34 +110,37 @@ class Loop:
         self._count = itertools.count()
         self._thread: int | None = None
         self._called = False
-        """The last was a call and no timer: they take turns, so that neither can keep the other from its turn."""
+        """The last one run was a call, not a timer: they take turns, so that neither can starve the other."""
 
     def adopt(self) -> None:
         """Make the calling thread the one that runs this loop."""
         self._thread = threading.get_ident()
 
     def is_here(self) -> bool:
-        """Whether the calling thread runs this loop."""
+        """Return whether the calling thread runs this loop."""
         return self._thread in (None, threading.get_ident())
 
     def time(self) -> float:
+        """Return the loop's clock, in seconds."""
         return time.monotonic()
 
     def create_future(self) -> Future:
         return Future()
 
     def call_soon(self, function: Callable[..., object], *args: Any) -> None:
+        """Run a call as soon as possible. May be called from any thread."""
         self._inbox.put(lambda: function(*args))
 
     call_soon_threadsafe = call_soon
 
     def call_later(self, delay: float, function: Callable[..., object], *args: Any) -> Timer:
+        """Run a call after `delay` seconds."""
         timer = Timer(lambda: function(*args))
         heapq.heappush(self._timers, (self.time() + delay, next(self._count), timer))
         return timer
 
     def run_in_executor(self, executor: None, function: Callable[..., Any], *args: Any) -> Future:
-        """Run a function in a thread; the future has what it returned or raised."""
+        """Run a function in a thread; the future gets what it returns or raises."""
         future = Future()
 
         def work() -> None:
@@ -151,7 +155,7 @@ class Loop:
         return future
 
     def create_task(self, coroutine: Coroutine[Any, Any, Any]) -> Future:
-        """Let asyncio run a coroutine in a thread. It may use all of asyncio, and of launch what is thread-safe."""
+        """Let asyncio run a coroutine in a thread. It may use all of asyncio, and the thread-safe parts of launch."""
         future = CoroutineFuture()
 
         def work() -> None:
@@ -179,7 +183,7 @@ class Loop:
         return future
 
     def run_next(self, *, wait: bool = True) -> bool:
-        """Run one call that is due, waiting for it if asked to; False if there was none."""
+        """Run one call that is due, waiting for it with `wait`; returns False if there was none."""
         while True:
             delay = self._delay()
             if delay is not None and delay <= 0 and (self._called or self._inbox.empty()):
@@ -191,7 +195,7 @@ class Loop:
                 self._inbox.get()()
                 return True
             try:
-                # Not without end: only a wait with a limit lets Ctrl-C through on Windows.
+                # On Windows only a wait with a timeout lets Ctrl-C through.
                 call = (
                     self._inbox.get(timeout=min(delay, 1.0) if delay is not None else 1.0)
                     if wait

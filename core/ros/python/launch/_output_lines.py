@@ -1,4 +1,4 @@
-"""Whole lines out of the pieces in which a process writes."""
+"""Assembles whole lines from the pieces in which a process writes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 
 
 class OutputLines:
-    """The output of one stream. `keep`: all of it stays, for `text`."""
+    """The output of one stream. With `keep` all of it is kept, for `text`."""
 
     def __init__(self, keep: bool) -> None:
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
@@ -16,11 +16,11 @@ class OutputLines:
 
     @property
     def text(self) -> str:
-        """All that was written, if it is kept."""
+        """All of the output; empty unless it is kept."""
         return "".join(self._kept or ())
 
     def feed(self, data: bytes) -> list[str]:
-        """Take what was written; returns the lines that are complete now, without their ends."""
+        """Take output; returns the lines that are complete now, without their line ends."""
         text = self._decoder.decode(data)
         if self._kept is not None:
             self._kept.append(text)
@@ -28,6 +28,6 @@ class OutputLines:
         return [line[:-1] if os.name == "nt" and line.endswith("\r") else line for line in lines]
 
     def rest(self) -> str:
-        """Return what came after the last newline; it is handed out once."""
+        """Return the text after the last newline; the second call returns ''."""
         rest, self._partial = self._partial, ""
         return rest

@@ -1,6 +1,6 @@
-"""A launched process on this machine: started here, read by threads, in the process group of the launch.
+"""A launched process on this machine: started here, read by threads, in the launch's process group.
 
-In the group, so that Ctrl-C reaches it as it reaches the launch. If the launch itself is killed, the guardian ends it.
+So a Ctrl-C reaches it as it reaches the launch. If the launch itself is killed, the guardian ends it.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from functools import partial
 from typing import Any
 
 READ_SIZE = 65536
-LAST_WORDS = 0.5
-"""Seconds for the output of a process that has ended, while something it started may keep it open."""
+DRAIN_SECONDS = 0.5
+"""How long output is read after a process has ended: its own children may keep the pipe open."""
 
 _POSIX = os.name == "posix"
 _running: set[LocalProcess] = set()
 
 
 class LocalProcess:
-    """One process. `on_output(fd, data)` and `on_ended(code)` are called on threads; OSError if it cannot be started."""
+    """One process. `on_output(fd, data)` and `on_ended(code)` are called on threads. Raises OSError if it can't start."""
 
     hosted = False
 
@@ -53,13 +53,13 @@ class LocalProcess:
         _guard(self.pid)
 
     def watch(self) -> None:
-        """Begin to call back."""
+        """Start the threads that call back."""
         for reader in self._readers:
             reader.start()
         threading.Thread(target=self._wait, name="launch-wait", daemon=True).start()
 
     def send_signal(self, number: int) -> None:
-        """Send a signal; ProcessLookupError if it has ended."""
+        """Send a signal. Raises ProcessLookupError if the process has ended."""
         if self._popen.returncode is not None:
             raise ProcessLookupError
         self._popen.send_signal(number)
@@ -77,7 +77,7 @@ class LocalProcess:
         try:
             for _, slave in ends:
                 mode = termios.tcgetattr(slave)
-                mode[1] &= ~termios.ONLCR  # lines are put together here, a \r would stay in them
+                mode[1] &= ~termios.ONLCR  # lines are assembled here, a \r would stay in them
                 termios.tcsetattr(slave, termios.TCSANOW, mode)
             self._popen = subprocess.Popen(args, stdout=ends[0][1], stderr=ends[1][1], **options)
         except BaseException:
@@ -103,7 +103,7 @@ class LocalProcess:
     def _wait(self) -> None:
         code = self._popen.wait()
         for reader in self._readers:
-            reader.join(LAST_WORDS)
+            reader.join(DRAIN_SECONDS)
         if self._popen.stdin is not None:
             self._popen.stdin.close()
         _running.discard(self)
@@ -115,11 +115,11 @@ def _bytes_from(fd: int) -> bytes:
     try:
         return os.read(fd, READ_SIZE)
     except OSError:
-        return b""  # Linux: the last process left the pty
+        return b""  # on Linux, when the last process has closed the pty
 
 
 def end_all(grace: float = 2.0) -> None:
-    """Terminate what still runs, and kill what does not listen."""
+    """Terminate all running processes, and kill those that still run after `grace` seconds."""
     left = list(_running)
     for process in left:
         process._popen.terminate()
@@ -131,12 +131,12 @@ def end_all(grace: float = 2.0) -> None:
 
 
 def _guard(pid: int) -> None:
-    from day6_tui.core.session.guardian import guard_process
+    from day6_tui.core.guardian import guard_process
 
     guard_process(pid)
 
 
 def _release(pid: int) -> None:
-    from day6_tui.core.session.guardian import release_process
+    from day6_tui.core.guardian import release_process
 
     release_process(pid)

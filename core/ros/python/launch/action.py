@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Action(LaunchDescriptionEntity):
-    """Base of all actions. With a `condition` it is executed only where that holds at the visit."""
+    """Base of all actions. With a `condition` it is executed only if that holds when it is visited."""
 
     def __init__(self, *, condition: Condition | None = None) -> None:
         self.__condition = condition
 
     @staticmethod
     def parse(entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class and the keyword arguments that every tag of an XML or YAML file may have: `if` and `unless`."""
+        """Return the class and the keyword arguments of the attributes that every tag may have: `if` and `unless`."""
         from launch.conditions import IfCondition, UnlessCondition
 
         wanted = entity.get_attr("if", optional=True)
@@ -43,7 +43,7 @@ class Action(LaunchDescriptionEntity):
         return self.__repr__()
 
     def get_sub_entities(self) -> Sequence[LaunchDescriptionEntity]:
-        """Return the entities that executing it brings with it, as far as that is known before."""
+        """Return the entities that executing it will return, as far as they are known beforehand."""
         return []
 
     def describe_sub_entities(self) -> Sequence[LaunchDescriptionEntity]:
@@ -75,5 +75,5 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Do it. Return what is to be visited next."""
+        """Execute the action; returns the entities to visit next."""
         return None

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Condition:
-    """A condition that asks `predicate(context)`; without one it never holds."""
+    """A condition that holds if `predicate(context)` is true; without a predicate it never holds."""
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
@@ -19,5 +19,5 @@ class Condition:
         return self.__repr__()
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Say whether it holds now."""
+        """Return whether it holds now."""
         return self._predicate is not None and self._predicate(context)

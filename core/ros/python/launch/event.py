@@ -1,9 +1,9 @@
-"""Events: what happens while a launched system runs."""
+"""Events: things that happen while a launched system runs."""
 
 from __future__ import annotations
 
 
 class Event:
-    """Base of all events; `name` is what log messages call them."""
+    """Base of all events; `name` is their name in log messages."""
 
     name = "launch.Event"

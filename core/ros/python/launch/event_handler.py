@@ -1,4 +1,4 @@
-"""Event handlers: what is to be done when an event of some kind comes."""
+"""Event handlers: the entities to visit when a certain kind of event occurs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class BaseEventHandler:
-    """Base of all handlers: handles the events for which `matcher(event)` is true, only the first with `handle_once`."""
+    """Base of all handlers: handles the events for which `matcher(event)` is true; with `handle_once` only the first."""
 
     def __init__(self, *, matcher: Callable[[Any], bool], handle_once: bool = False) -> None:
         self.__matcher = matcher
@@ -40,7 +40,7 @@ class BaseEventHandler:
         return f"{kind}(matcher='{matcher}', handler='{handler}', handle_once={self.handle_once})", []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Handle an event: it is `context.locals.event` for the entities that this returns."""
+        """Handle an event and return entities, which see it as `context.locals.event`."""
         context.extend_locals({"event": event})
         if self.handle_once:
             context.unregister_event_handler(self)
@@ -48,7 +48,7 @@ class BaseEventHandler:
 
 
 class EventHandler(BaseEventHandler):
-    """A handler that answers every event with the same entities."""
+    """A handler that returns the same entities for every event."""
 
     def __init__(
         self, *, matcher: Callable[[Any], bool], entities: SomeEntitiesType | None = None, handle_once: bool = False

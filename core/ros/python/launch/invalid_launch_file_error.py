@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 class InvalidLaunchFileError(Exception):
-    """Raised with what each way of loading the file said against it; `extension` is '' for a file of unknown kind."""
+    """Raised with the errors of all ways of loading the file; `extension` is '' for a file of unknown kind."""
 
     def __init__(self, extension: str = "", *, likely_errors: Sequence[Exception] | None = None) -> None:
         self._extension = extension

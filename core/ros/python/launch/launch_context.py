@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable, Mapping, MutableMapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch._loop import Future, Loop
@@ -13,9 +13,12 @@ from launch.event import Event
 from launch.event_handler import BaseEventHandler
 from launch.substitution import Substitution
 
+if TYPE_CHECKING:
+    from launch._host import Host
+
 
 class Locals:
-    """`context.locals`: what event handlers and includes have put there, as attributes that can only be read."""
+    """`context.locals`: values from event handlers and includes, as read-only attributes."""
 
     def __init__(self, values: dict[str, Any]) -> None:
         self.__dict__["_values"] = values
@@ -33,7 +36,7 @@ class Locals:
 
 
 class LaunchContext:
-    """What actions and substitutions are given. The environment is that of this process (`os.environ`)."""
+    """The context that actions and substitutions are given. Its environment is this process's (`os.environ`)."""
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
         self.__argv = argv if argv is not None else []
@@ -50,6 +53,8 @@ class LaunchContext:
         self.__environment_stack: list[Mapping[str, str]] = []
         self.__is_shutdown = False
         self._is_broken = False
+        self._host: Host | None = None
+        """The process that started this launch and runs our programs for it, if there is one."""
         self.__loop: Loop | None = None
         self.__logger = launch.logging.get_logger(__name__)
 
@@ -77,24 +82,26 @@ class LaunchContext:
         self.__loop = loop
 
     def add_completion_future(self, completion_future: Future) -> None:
-        """Keep the launch running until this is done too."""
+        """Keep the launch running until this future is done too."""
         self._completion_futures.append(completion_future)
 
     # -- locals --------------------------------------------------------------------------------------------------------
 
     def extend_globals(self, extensions: Mapping[str, Any]) -> None:
-        """Add to `locals` for good; locals of the same name hide them."""
+        """Add to `locals` permanently; locals of the same name hide them."""
         self.__globals.update(extensions)
 
     def extend_locals(self, extensions: Mapping[str, Any]) -> None:
-        """Add to `locals` until the event that is being processed has been."""
+        """Add to `locals` until the current event has been processed."""
         self.__locals.update(extensions)
 
     def get_locals_as_dict(self) -> dict[str, Any]:
+        """Return globals and locals in one dict."""
         return {**self.__globals, **self.__locals}
 
     @property
     def locals(self) -> Locals:
+        """The globals and locals, as attributes."""
         return Locals(self.get_locals_as_dict())
 
     def _push_locals(self) -> None:
@@ -109,6 +116,7 @@ class LaunchContext:
 
     @property
     def environment(self) -> MutableMapping[str, str]:
+        """The environment of this process."""
         return os.environ
 
     def _push_environment(self) -> None:
@@ -138,17 +146,18 @@ class LaunchContext:
     # -- events --------------------------------------------------------------------------------------------------------
 
     def would_handle_event(self, event: Event) -> bool:
+        """Return whether any handler matches an event."""
         return any(handler.matches(event) for handler in self._event_handlers)
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Add a handler before those that are there, or after them with `append`."""
+        """Add a handler before the others, or after them with `append`."""
         if append:
             self._event_handlers.append(event_handler)
         else:
             self._event_handlers.appendleft(event_handler)
 
     def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
-        """Remove a handler; ValueError if it is not there."""
+        """Remove a handler. Raises ValueError if it isn't registered."""
         self._event_handlers.remove(event_handler)
 
     def emit_event_sync(self, event: Event) -> None:
@@ -167,9 +176,10 @@ class LaunchContext:
     def _queue(self, event: Event) -> None:
         self._event_queue.append(event)
         if self.__loop is not None and not self.__loop.is_here():
-            self.__loop.call_soon(lambda: None)  # it looks at the queue when it has run something
+            self.__loop.call_soon(lambda: None)  # the loop checks the event queue after each call
 
     def perform_substitution(self, substitution: Substitution) -> str:
+        """Return the text of a substitution. Raises SubstitutionFailure."""
         return substitution.perform(self)
 
 

@@ -1,4 +1,4 @@
-"""Launch descriptions: what `generate_launch_description()` returns."""
+"""Launch descriptions, the return values of `generate_launch_description()`."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
-        """Return the arguments declared here and in what this includes, as far as that can be seen without launching."""
+        """Return the arguments declared here and in included files, as far as they are known without launching."""
         return [
             argument
             for argument, _ in self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
@@ -66,7 +66,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments_with_include_launch_description_actions(
         self, conditional_inclusion: bool = False
     ) -> _Found:
-        """Return the same, each with the includes that lead to it (None: it is declared here). Of one name the first."""
+        """Return the arguments, the first of each name, each with the includes that lead to it (None: declared here)."""
         found: _Found = []
         _collect(self.entities, conditional_inclusion, None, found)
         return found
@@ -81,7 +81,7 @@ def _collect(
 
     for entity in entities:
         if isinstance(entity, ResetLaunchConfigurations):
-            return  # what follows cannot be given from outside
+            return  # later arguments can't be given from outside
         if isinstance(entity, DeclareLaunchArgument):
             if all(entity.name != argument.name for argument, _ in found):
                 entity._conditionally_included = conditional or entity.condition is not None
@@ -89,8 +89,8 @@ def _collect(
             continue
         through = includes
         if isinstance(entity, IncludeLaunchDescription):
-            if any(entity._leads_to_where(include) for include in includes or ()):
-                continue  # a file that includes itself declares nothing new, and would be read without end
+            if any(entity._is_same_file(include) for include in includes or ()):
+                continue  # a file that includes itself declares nothing new, and would be read for ever
             through = [*(includes or []), entity]
         _collect(entity.describe_sub_entities(), False, through, found)
         for _, conditional_entities in entity.describe_conditional_sub_entities():

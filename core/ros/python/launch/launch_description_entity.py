@@ -1,4 +1,4 @@
-"""What a launch description consists of."""
+"""Entities, the elements of launch descriptions."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ if TYPE_CHECKING:
 
 
 class LaunchDescriptionEntity:
-    """Base of launch descriptions and actions. Launching visits an entity, then those that its visit returned."""
+    """Base of launch descriptions and actions. Launching visits an entity, then those that its visit returns."""
 
     def describe(self) -> str:
-        """Return what `ros2 launch --print` shows."""
+        """Return the text that `ros2 launch --print` shows."""
         return self.__repr__()
 
     def describe_sub_entities(self) -> Sequence[LaunchDescriptionEntity]:
-        """Return the entities that a visit will return for certain."""
+        """Return the entities that a visit always returns."""
         return []
 
     def describe_conditional_sub_entities(self) -> Sequence[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        """Return `(condition, entities)` for those that it may return."""
+        """Return `(condition, entities)` for those that it returns under a condition."""
         return []
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Do what the entity stands for; return what is to be visited next."""
+        """Execute the entity; returns the entities to visit next."""
         return None
 
     def get_asyncio_future(self) -> Future | None:
-        """Return a future that is done when the entity is, None if its visit was all."""
+        """Return a future that is done when the entity is, None if it is done with its visit."""
         return None

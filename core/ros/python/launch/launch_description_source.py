@@ -1,4 +1,4 @@
-"""Where a launch description comes from."""
+"""Sources of launch descriptions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 
 class LaunchDescriptionSource:
-    """A launch description, or a `location` from which it is loaded when it is needed."""
+    """A launch description, or the `location` from which it is loaded when it is needed."""
 
     def __init__(
         self,
@@ -26,19 +26,19 @@ class LaunchDescriptionSource:
         self.__method = method
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """Return the launch description; None if the location is not known before launching, or cannot be loaded."""
+        """Return the launch description; None if its location isn't known before launching, or can't be loaded."""
         if self.__launch_description is None:
             try:
                 return self._get_launch_description(perform_substitutions(LaunchContext(), self.__location))
             except Exception as error:
-                # It will be loaded again when it is visited, and then this is told.
+                # It is loaded again when it is visited, and the error is reported then.
                 logger = launch.logging.get_logger(__name__)
                 logger.debug(traceback.format_exc())
                 logger.debug(f"Failed to load the launch file without a context: {error}")
         return self.__launch_description
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
-        """Return the launch description, loaded at the first call."""
+        """Return the launch description; the first call loads it."""
         if self.__expanded_location is None:
             self.__expanded_location = perform_substitutions(context, self.__location)
         if self.__launch_description is None:
@@ -52,14 +52,14 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The path, or what it will be made of while it is not known."""
+        """The path; while it isn't known, the substitutions that it consists of."""
         if self.__expanded_location is None:
             return " + ".join(map(str, self.__location))
         return self.__expanded_location
 
     @property
     def described_location(self) -> str:
-        """The location as it is written, whether it is known or not: two that are equal lead to the same file."""
+        """The location as it was written, known or not: two equal ones lead to the same file."""
         return " + ".join(each.describe() for each in self.__location)
 
     @property

@@ -15,9 +15,10 @@ _STEP = 4
 
 
 class LaunchIntrospector:
-    """`format_launch_description` is what `ros2 launch --print` prints."""
+    """Formats launch descriptions for `ros2 launch --print`."""
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
+        """Return the tree of a launch description's entities."""
         lines: list[tuple[int, str]] = []
         for entity in launch_description.entities:
             lines += _entity_lines(entity, 1)
@@ -60,7 +61,7 @@ def _text(substitutions: Any) -> str:
 
 
 def _tree(lines: Iterable[tuple[int, str]]) -> list[str]:
-    """Draw the branches; a line is the last of its branch unless the next one goes on at its depth or deeper."""
+    """Draw the branches; a line is the last of its branch unless the next one is at its depth or deeper."""
     wanted = list(lines)
     drawn = []
     for number, (depth, text) in enumerate(wanted):

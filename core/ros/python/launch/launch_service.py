@@ -9,12 +9,11 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import launch.logging
-from launch import _host
-from launch._insistence import Insistence
 from launch._loop import Future, Loop
+from launch._signal_watchdog import SignalWatchdog
 from launch._subprocess import end_all
 from launch.event import Event
 from launch.event_handlers import OnIncludeLaunchDescription, OnShutdown
@@ -24,17 +23,20 @@ from launch.launch_description import LaunchDescription
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.utilities import visit_all_entities_and_collect_futures
 
+if TYPE_CHECKING:
+    from launch._host import Host
+
 _INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
 SAME_INTERRUPT = 0.5
 """Seconds in which a Ctrl-C may come both as a signal and from the host."""
 
 
 AFTERMATH = 1.0
-"""Seconds for events that lead to events once everything else has ended; then it is for ever."""
+"""How long events may go on causing events once everything else has ended; beyond that it counts as endless."""
 
 
 class _Cancelled(BaseException):
-    """The launch was told to stop at once. No `except Exception` of a launch file is in its way."""
+    """The launch must stop at once. No `except Exception` of a launch file catches this."""
 
 
 class LaunchService:
@@ -51,9 +53,9 @@ class LaunchService:
         self.__running = False
         self.__shutting_down = False
         self.__interrupted: float | None = None
-        self.__orders: deque[Callable[[], object]] = deque()
-        """What signals ask for; it comes before events, which may never come to an end."""
-        self.__insistence: Insistence | None = None
+        self.__signal_calls: deque[Callable[[], object]] = deque()
+        """Calls from signal handlers; they come before events, which may never come to an end."""
+        self.__watchdog: SignalWatchdog | None = None
         self.__aftermath: float | None = None
 
     @property
@@ -64,30 +66,34 @@ class LaunchService:
     def event_loop(self) -> Loop | None:
         return self.__loop if self.__running else None
 
+    def _run_programs_with(self, host: Host | None) -> None:
+        """Let the host that started this launch run our programs. Call it before `run`."""
+        self.__context._host = host
+
     def emit_event(self, event: Event) -> None:
         """Queue an event. May be called from any thread, and before `run`."""
         self.__context.emit_event_sync(event)
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Have a launch description visited. May be called from any thread."""
+        """Queue a launch description to be visited. May be called from any thread."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def shutdown(self, force_sync: bool = False) -> None:
-        """End the launched system; without effect while it does not run. May be called from any thread."""
+        """Shut the launched system down; no effect unless it runs. May be called from any thread."""
         if self.__running:
             self.__loop.call_soon(self._shutdown, "LaunchService.shutdown() called", False)
 
     # -- running -------------------------------------------------------------------------------------------------------
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run until everything has ended; 1 if there was an exception. RuntimeError outside of the main thread."""
+        """Run until everything has ended; returns 1 if there was an exception. Raises RuntimeError off the main thread."""
         if threading.current_thread() is not threading.main_thread():
             raise RuntimeError("LaunchService can only be run in the main thread.")
         with self.__signals():
             return self.__run(shutdown_when_idle)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """The same for a program that has an asyncio loop: runs in a thread, Ctrl-C is the program's."""
+        """Like `run`, for a program with an asyncio loop: runs in a thread and leaves Ctrl-C to the program."""
         import asyncio
 
         return await asyncio.get_running_loop().run_in_executor(None, self.__run, shutdown_when_idle)
@@ -112,27 +118,27 @@ class LaunchService:
                     end_all()
                     return 1
                 except Exception as error:
-                    if self.__orders:
-                        continue  # a signal was faster: what failed may have failed of it (a command, by the same Ctrl-C)
+                    if self.__signal_calls:
+                        continue  # a signal came first: it may have caused the failure (of a command, by the same Ctrl-C)
                     problem = f"Caught exception in launch (see debug for traceback): {error}"
                     self.__logger.debug(traceback.format_exc())
                     self.__logger.error(problem)
-                    self.__context._is_broken = True  # what was to start does not
+                    self.__context._is_broken = True  # processes that haven't started will not
                     self._shutdown(problem, False)
                     status = 1
                 else:
-                    if self.__goes_on_for_ever():
-                        self.__logger.error("events lead to events without end: they are left alone now")
+                    if self.__is_endless():
+                        self.__logger.error("events keep causing events: the remaining ones are ignored")
                         return 1
         finally:
             self.__running = self.__shutting_down = False
             self.__context._set_asyncio_loop(None)
 
     def __step(self, shutdown_when_idle: bool) -> bool:
-        """Process one event or run one call; False at the end. Events come first: what a process said before its end."""
+        """Process one event or run one call; returns False at the end. Events come first: a process's output before its end."""
         queue = self.__context._event_queue
-        while self.__orders:
-            self.__orders.popleft()()
+        while self.__signal_calls:
+            self.__signal_calls.popleft()()
         if self.__is_idle():
             if self.__shutting_down:
                 return self.__loop.run_next(wait=False)
@@ -146,8 +152,8 @@ class LaunchService:
             self.__loop.run_next()
         return True
 
-    def __goes_on_for_ever(self) -> bool:
-        """Whether nothing is left but events, for a while now, in a launch that has been told to end."""
+    def __is_endless(self) -> bool:
+        """Return whether a launch that is shutting down has had nothing but events for a while now."""
         if not (self.__shutting_down and self.__context._event_queue) or self.__pending:
             self.__aftermath = None
             return False
@@ -191,14 +197,14 @@ class LaunchService:
 
     @contextmanager
     def __interruptible(self) -> Iterator[None]:
-        if self.__insistence is None:
+        if self.__watchdog is None:
             yield
             return
-        self.__insistence.visiting = True
+        self.__watchdog.visiting = True
         try:
             yield
         finally:
-            self.__insistence.visiting = False
+            self.__watchdog.visiting = False
 
     # -- the end -------------------------------------------------------------------------------------------------------
 
@@ -231,32 +237,32 @@ class LaunchService:
 
     @contextmanager
     def __signals(self) -> Iterator[None]:
-        insistence = self.__insistence = Insistence(end_all)
+        watchdog = self.__watchdog = SignalWatchdog(end_all)
         signals_seen = 0
 
-        def order(action: Callable[..., object], argument: object) -> None:
-            def obey() -> None:
-                insistence.heard()
+        def enqueue(action: Callable[..., object], argument: object) -> None:
+            def call() -> None:
+                watchdog.mark_handled()
                 action(argument)
 
-            self.__orders.append(obey)
+            self.__signal_calls.append(call)
             self.__loop.call_soon(lambda: None)
 
         def interrupt(number: int, frame: object) -> None:
             nonlocal signals_seen
-            if not insistence.check():
+            if not watchdog.check():
                 signals_seen += 1
-                insistence.told(number, KeyboardInterrupt())
-                order(self.__interrupt, signals_seen > 1)
+                watchdog.received(number, KeyboardInterrupt())
+                enqueue(self.__interrupt, signals_seen > 1)
 
         def terminate(number: int, frame: object) -> None:
-            if not insistence.check():
-                insistence.told(number, KeyboardInterrupt())
-                order(self.__terminate, signal.Signals(number).name)
+            if not watchdog.check():
+                watchdog.received(number, KeyboardInterrupt())
+                enqueue(self.__terminate, signal.Signals(number).name)
 
         wanted: dict[str, Callable[[int, Any], None]] = {
             "SIGINT": interrupt,
-            "SIGBREAK": interrupt,  # how day6-tui says Ctrl-C on Windows
+            "SIGBREAK": interrupt,  # how day6-tui sends Ctrl-C on Windows
             "SIGTERM": terminate,
             "SIGQUIT": terminate,
         }
@@ -265,7 +271,7 @@ class LaunchService:
             for name, handler in wanted.items()
             if (number := getattr(signal, name, None)) is not None
         }
-        host = _host.host()
+        host = self.__context._host
         if host is not None:
             host.on_interrupt = lambda: self.__loop.call_soon(self.__interrupt, False)
         try:
@@ -275,8 +281,8 @@ class LaunchService:
                 host.on_interrupt = None
             for number, handler in before.items():
                 signal.signal(number, handler)
-            insistence.close()
-            self.__insistence = None
+            watchdog.close()
+            self.__watchdog = None
 
 
 def _each(entities: Any) -> list[LaunchDescriptionEntity]:

@@ -1,4 +1,4 @@
-"""What may stand where entities are expected: one or several."""
+"""The type of an argument that takes entities: one or several."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What may stand where a text is expected: a string, a substitution, or several of them in a row."""
+"""The type of an argument that takes a text: a string, a substitution, or a sequence of them."""
 
 from __future__ import annotations
 

@@ -12,9 +12,9 @@ class Substitution:
     """Base of all substitutions."""
 
     def describe(self) -> str:
-        """Return what `ros2 launch --print` shows."""
+        """Return the text that `ros2 launch --print` shows."""
         return self.__repr__()
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text as it is now."""
+        """Return the current text."""
         raise NotImplementedError(f"{type(self).__name__} has no perform()")

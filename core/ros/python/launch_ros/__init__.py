@@ -1,4 +1,7 @@
-"""Launching of ROS nodes: names, signatures and texts of ros2/launch_ros."""
+"""Launches ROS nodes, with the names, signatures and texts of ros2/launch_ros.
+
+It builds on launch, which imports it only by name (`launch/_entry_points`); rclpy is imported when it is needed.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parameters in a launch file that are more than a name and a value."""
+"""Descriptions of parameters: typed values, single parameters, files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class ParameterValue:
-    """A value of a wanted type (`int`, `List[float]` …); None for what YAML makes of the text."""
+    """A value with a type (`int`, `List[float]` …; None: as YAML reads the text)."""
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
         self.__value = normalize_typed_substitution(value, value_type)
@@ -37,7 +37,7 @@ class ParameterValue:
         return f"launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})"
 
     def evaluate(self, context: LaunchContext) -> Any:
-        """Return the value. Raises TypeError or ValueError if it is of another type."""
+        """Return the value. Raises TypeError or ValueError if it has another type."""
         self.__evaluated = perform_typed_substitution(context, self.value, self.value_type)
         return self.__evaluated
 
@@ -74,7 +74,7 @@ class Parameter:
 
 
 class ParameterFile:
-    """A file of parameters; with `allow_substs` it may have `$(…)` in it, and a copy without them is what the node gets."""
+    """A file of parameters; with `allow_substs` it may contain `$(…)`, and the node gets a copy with their values."""
 
     def __init__(
         self,
@@ -102,7 +102,7 @@ class ParameterFile:
         return f"launch_ros.description.ParameterFile(param_file={self.param_file}, allow_substs={self.allow_substs})"
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path. Raises OSError and SubstitutionFailure for a file with substitutions that has a mistake."""
+        """Return the path. With substitutions it raises OSError, or SubstitutionFailure for an invalid file."""
         if self.__evaluated is None:
             file = self.__param_file
             if isinstance(file, list):

@@ -1,4 +1,4 @@
-"""What may stand for the parameters of a node."""
+"""The types of arguments that take a node's parameters."""
 
 from __future__ import annotations
 

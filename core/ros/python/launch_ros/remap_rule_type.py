@@ -1,4 +1,4 @@
-"""What may stand for a remapping: a pair of texts."""
+"""The types of arguments that take remappings: pairs of texts."""
 
 from __future__ import annotations
 

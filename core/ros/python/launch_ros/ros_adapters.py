@@ -1,4 +1,4 @@
-"""The launch's own node, made when something needs it: lifecycle nodes, timers in ROS time."""
+"""The launch's own node, created on demand: for lifecycle nodes and timers in ROS time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _KEY = "ros_adapter"
 
 
 class ROSAdapter:
-    """A node `launch_ros_<pid>` in a ROS context of its own, spun by a thread."""
+    """A node `launch_ros_<pid>` in its own ROS context, spun by a thread."""
 
     def __init__(self, *, argv: Sequence[str] | None = None, autostart: bool = True) -> None:
         self.__argv = list(argv or ())
@@ -40,7 +40,7 @@ class ROSAdapter:
         return self.__executor
 
     def start(self) -> None:
-        """Make the node and spin it. RuntimeError if that was done already."""
+        """Create the node and spin it. Raises RuntimeError if it is running already."""
         if self.__ros_node is not None:
             raise RuntimeError("Cannot start a ROS adapter that is already running")
         import rclpy
@@ -65,7 +65,7 @@ class ROSAdapter:
             return
 
     def shutdown(self) -> None:
-        """Destroy the node. RuntimeError if there is none."""
+        """Destroy the node. Raises RuntimeError if there is none."""
         if self.__ros_node is None or self.__thread is None:
             raise RuntimeError("Cannot shutdown a ROS adapter that is not running")
         self.__context.try_shutdown()
@@ -75,14 +75,14 @@ class ROSAdapter:
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
-    """Return the launch's adapter; the first call makes it, the launch's end ends it."""
+    """Return the launch's adapter; the first call creates it, the launch's shutdown ends it."""
     adapter: ROSAdapter | None = context.get_locals_as_dict().get(_KEY)
     if adapter is None:
         from launch.event_handlers.on_shutdown import OnShutdown
 
-        made = adapter = ROSAdapter(argv=list(context.argv))
+        new_adapter = adapter = ROSAdapter(argv=list(context.argv))
         context.extend_globals({_KEY: adapter})
-        context.register_event_handler(OnShutdown(on_shutdown=lambda event, context: made.shutdown()))
+        context.register_event_handler(OnShutdown(on_shutdown=lambda event, context: new_adapter.shutdown()))
     return adapter
 
 

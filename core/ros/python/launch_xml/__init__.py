@@ -1,4 +1,4 @@
-"""Launch files in XML."""
+"""Launch files in XML. It builds on launch, which imports it only by name (`launch/_entry_points`)."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Entity(BaseEntity):
-    """Attributes are texts; `name-sep` says what separates the items of a list in `name`."""
+    """A tag with attributes, which are texts; `name-sep` is the separator of the list in `name`."""
 
     def __init__(self, xml_element: Element, *, parent: Entity | None = None) -> None:
         self.__element = xml_element

@@ -12,11 +12,11 @@ from launch_xml.entity import Entity
 
 
 class Parser(BaseParser):
-    """Makes entities of a launch file in XML."""
+    """Parses a launch file in XML to entities."""
 
     @classmethod
     def load(cls, file: Any) -> tuple[Entity, BaseParser]:
-        """Return the root tag of a file (path or open). ValueError for a DTD: no launch file needs entities of its own."""
+        """Return the root tag of a file (path or open). Raises ValueError for a DTD, which no launch file needs."""
         from xml.etree import ElementTree
         from xml.parsers import expat
 
@@ -33,7 +33,7 @@ class Parser(BaseParser):
 
 
 def _refuse_doctype(parser: Any, text: str) -> None:
-    """An entity may stand for a file, or for as much text as the memory has: what may declare one is not read at all."""
+    """Raise ValueError for a DTD: its entities could name any file, or expand to more text than fits into memory."""
 
     def refuse(*ignored: Any) -> None:
         raise ValueError("a launch file must not have a document type declaration")
@@ -44,4 +44,4 @@ def _refuse_doctype(parser: Any, text: str) -> None:
     try:
         parser.Parse(text, True)
     except ExpatError:
-        return  # ElementTree says it in the words that people know
+        return  # ElementTree reports it with the familiar text

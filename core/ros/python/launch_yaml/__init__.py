@@ -1,4 +1,4 @@
-"""Launch files in YAML."""
+"""Launch files in YAML. It builds on launch, which imports it only by name (`launch/_entry_points`)."""
 
 from __future__ import annotations
 

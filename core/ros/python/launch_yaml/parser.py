@@ -11,11 +11,11 @@ from launch_yaml.entity import Entity
 
 
 class Parser(BaseParser):
-    """Makes entities of a launch file in YAML."""
+    """Parses a launch file in YAML to entities."""
 
     @classmethod
     def load(cls, file: Any) -> tuple[Entity, BaseParser]:
-        """Return the root of a file (path or open), which has one key."""
+        """Return the root of a file (path or open). Raises RuntimeError unless it has exactly one key."""
         import yaml
 
         if isinstance(file, (str, bytes, os.PathLike)):

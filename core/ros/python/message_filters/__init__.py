@@ -1,4 +1,4 @@
-"""The ROS package message_filters: bring messages of several topics together by the time in their headers."""
+"""The ROS package message_filters: synchronizes messages of several topics by the times in their headers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _HEADERLESS = (
 
 
 def _stamp_of(message: Any, allow_headerless: bool, logger: str) -> Time | None:
-    """Return a message's time, for one without a header the time now; None (and a warning) if that is not allowed."""
+    """Return a message's stamp, without a header the current time; None, with a warning, if that isn't allowed."""
     if hasattr(message, "header") and hasattr(message.header, "stamp"):
         stamp = message.header.stamp
         return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)
@@ -34,13 +34,13 @@ def _stamp_of(message: Any, allow_headerless: bool, logger: str) -> Time | None:
 
 
 class SimpleFilter:
-    """Base of all filters: passes messages on to the callbacks registered with it."""
+    """Base of all filters: passes messages on to its registered callbacks."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
-        """Call `cb(message…, *args)` for every output of this filter. Returns the number of the connection."""
+        """Call `cb(message…, *args)` for every output of this filter. Returns the connection's number."""
         connection = len(self.callbacks)
         self.callbacks[connection] = (cb, args)
         return connection
@@ -52,7 +52,7 @@ class SimpleFilter:
 
 
 class Subscriber(SimpleFilter):
-    """A subscription as a filter: `Subscriber(node, message_class, topic, …)`, the rest as for `create_subscription`."""
+    """A subscription as a filter: `Subscriber(node, message_class, topic, …)`; the rest is as in `create_subscription`."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleFilter.__init__(self)
@@ -62,23 +62,23 @@ class Subscriber(SimpleFilter):
         self.sub = self.node.create_subscription(*args[1:], self.callback, **kwargs)
 
     def callback(self, msg: Any) -> None:
-        """Take a message of the topic."""
+        """Receive a message of the topic."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:
-        """Return the topic's name as it was given."""
+        """Return the topic's name as given."""
         topic: str = self.topic
         return topic
 
     def __getattr__(self, key: str) -> Any:
-        """Return what the subscription has under this name."""
+        """Return the subscription's attribute of this name."""
         if key == "sub":
             raise AttributeError(key)
         return getattr(self.sub, key)
 
 
 class Cache(SimpleFilter):
-    """Keeps the last `cache_size` messages of a filter, in the order of their arrival, for questions about times."""
+    """Keeps the last `cache_size` messages of a filter, in the order of their arrival, for lookups by time."""
 
     def __init__(self, f: SimpleFilter, cache_size: int = 1, allow_headerless: bool = False) -> None:
         SimpleFilter.__init__(self)
@@ -89,11 +89,11 @@ class Cache(SimpleFilter):
         self.allow_headerless = allow_headerless
 
     def connectInput(self, f: SimpleFilter) -> None:
-        """Take messages of a filter."""
+        """Connect to a filter's output."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Take a message and pass it on."""
+        """Store a message and pass it on."""
         stamp = _stamp_of(msg, self.allow_headerless, "message_filters_cache")
         if stamp is None:
             return
@@ -108,36 +108,36 @@ class Cache(SimpleFilter):
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if condition(time)]
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
-        """Return the messages between two times, both included."""
+        """Return the messages between two times, inclusive."""
         assert from_stamp <= to_stamp
         return self._where(lambda time: from_stamp <= time <= to_stamp)
 
     def getElemAfterTime(self, stamp: Time) -> Any:
-        """Return the first message at or after a time, None without one."""
+        """Return the first message at or after a time, None if there is none."""
         return next(iter(self._where(lambda time: time >= stamp)), None)
 
     def getElemBeforeTime(self, stamp: Time) -> Any:
-        """Return the last message at or before a time, None without one."""
+        """Return the last message at or before a time, None if there is none."""
         return next(reversed(self._where(lambda time: time <= stamp)), None)
 
     def getLastestTime(self) -> Time | None:
-        """Return the time of the last message, None without one."""
+        """Return the time of the last message, None if there is none."""
         return self.cache_times[-1] if self.cache_times else None
 
     def getOldestTime(self) -> Time | None:
-        """Return the time of the first message, None without one."""
+        """Return the time of the first message, None if there is none."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
-        """Return the last message, None without one."""
+        """Return the last message, None if there is none."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Calls `callback(msg1, … msgN)` when all N filters had a message of exactly the same time.
+    """Calls `callback(msg1, … msgN)` when all N filters have a message with exactly the same time.
 
-    `queue_size` is how many messages of each filter wait for the others.
+    `queue_size` is the number of messages of each filter that wait for the others.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int) -> None:
@@ -147,7 +147,7 @@ class TimeSynchronizer(SimpleFilter):
         self.lock = threading.Lock()
 
     def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
-        """Take messages of filters."""
+        """Connect to the filters' outputs."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
         self.input_connections = [
             each.registerCallback(self.add, queue, number)
@@ -155,7 +155,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
-        """Take a message of the filter whose queue `my_queue` is."""
+        """Receive a message of the filter with the queue `my_queue`."""
         with self.lock:
             self._keep(msg, Time.from_msg(msg.header.stamp), my_queue)
             common = set(self.queues[0]).intersection(*self.queues[1:])
@@ -171,7 +171,7 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Like TimeSynchronizer, but the times may differ by up to `slop` seconds. A message goes with the nearest ones."""
+    """Like TimeSynchronizer, but the times may differ by up to `slop` seconds. A message is matched with the nearest ones."""
 
     def __init__(
         self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False
@@ -181,7 +181,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
-        """Take a message of the filter whose queue `my_queue` is, the one with that index."""
+        """Receive a message of the filter with the queue `my_queue` and its index."""
         stamp = _stamp_of(msg, self.allow_headerless, "message_filters_approx")
         if stamp is None:
             return
@@ -194,7 +194,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
                     del queue[time]
 
     def _nearest(self, stamp: int, index: int | None) -> list[int] | None:
-        """Return a time (ns) for each queue that goes with `stamp` of the queue `index`, None if there is none."""
+        """Return for each queue the time (ns) that matches `stamp` of the queue `index`; None if there is no match."""
         slop = self.slop.nanoseconds
         candidates = []
         for number, queue in enumerate(self.queues):

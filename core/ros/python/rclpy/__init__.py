@@ -1,11 +1,12 @@
-"""ROS 2 client library for Python, as day6-tui provides it: the names of rclpy, on the graph of day6-tui.
+"""The ROS 2 client library for Python as day6-tui provides it: rclpy's names on the graph of day6-tui.
 
 A program initialises (`init`), makes nodes (`create_node` or a class derived from `rclpy.node.Node`), lets their callbacks
 run (`spin`, `spin_once`, `spin_until_future_complete`) and ends with `shutdown`.
 
-Modules without an underscore are those of real rclpy. Of the others `_node_*` are the parts of a node, `_rounds` and
-`_timer_heap` say what an executor runs next, `_handles` and `_endpoint_handles` lead to the graph, `_arguments` and
-`_parameter_files` read what ROS gives a program; `_rclpy_pybind11` has what programs expect from rclpy's C++ half.
+Modules without an underscore stand for the files of the same name in real rclpy (kilted). Of the others `_node_*` are the
+parts of a node, `_rounds` and `_timer_heap` decide what an executor runs next, `_handles` and `_endpoint_handles` refer to the
+graph, `_arguments` and `_parameter_files` read ROS arguments and parameter files; `_rclpy_pybind11` has the names of rclpy's
+C++ half. Programs import this package; it imports `core.graph` and `core.interfaces`, and `core.link` for the first node.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ def __getattr__(name: str) -> Any:
 
 
 class InitContextManager:
-    """What `init` returns: used with `with`, it shuts down at the end of the block."""
+    """Returned by `init`: as a context manager it shuts ROS down at the end of the block."""
 
     def __init__(
         self,
@@ -93,7 +94,7 @@ class InitContextManager:
         exc_val: BaseException | None,
         exc_tb: TracebackType | None,
     ) -> None:
-        # Naming no context makes room for a new default context.
+        # Without an explicit context a new default context is made.
         context = None if self.context is get_default_context() else self.context
         try_shutdown(context=context, uninstall_handlers=self.installed_signal_handlers)
 
@@ -109,7 +110,11 @@ def init(
 
     `args` are command line arguments (default `sys.argv`), `context` by default the default one, `domain_id` by default
     that of ROS_DOMAIN_ID. Signal handlers are installed for the default context unless `signal_handler_options` says
-    otherwise. Raises RuntimeError the second time, RCLError or UnknownROSArgsError for bad arguments.
+    otherwise.
+
+    Raises:
+        RuntimeError: the second time.
+        RCLError, UnknownROSArgsError: for bad arguments.
     """
     return InitContextManager(args, context, domain_id, signal_handler_options)
 
@@ -118,7 +123,7 @@ __executor: Executor | None = None
 
 
 def get_global_executor() -> Executor:
-    """Return the executor that the functions of this module use where none is named."""
+    """Return the executor that the functions of this module use by default."""
     global __executor
     if __executor is None:
         from rclpy.executors import SingleThreadedExecutor
@@ -144,8 +149,10 @@ def _also_uninstall(context: Context | None, uninstall_handlers: bool | None) ->
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
     """Shut a context down (default: the default one) and with it the global executor.
 
-    Signal handlers are removed with the default context unless `uninstall_handlers` says otherwise. RuntimeError if the
-    context never was initialised.
+    Signal handlers are removed with the default context unless `uninstall_handlers` says otherwise.
+
+    Raises:
+        RuntimeError: if the context was never initialised.
     """
     _shutdown(context=context)
     if _also_uninstall(context, uninstall_handlers):
@@ -153,7 +160,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
 
 def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """Do what `shutdown` does, if it has not been done."""
+    """Shut a context down as `shutdown` does, unless that has been done."""
     _try_shutdown(context=context)
     if _also_uninstall(context, uninstall_handlers):
         uninstall_signal_handlers()

@@ -1,4 +1,4 @@
-"""Command line arguments for ROS: what lies between `--ros-args` and `--` (rcl/arguments.c)."""
+"""Command line arguments for ROS: those between `--ros-args` and `--` (rcl/arguments.c)."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ _SWITCHES = frozenset(
 
 
 class RosArguments:
-    """What the ROS arguments say: remap rules, parameters by node pattern, log levels, switches."""
+    """The content of ROS arguments: remap rules, parameters by node pattern, log levels, switches."""
 
     def __init__(self) -> None:
         self.rules: list[RemapRule] = []
         self.parameters: dict[str, dict[str, Any]] = {}
-        """node pattern -> parameter name -> value; a later pattern goes before an earlier one"""
+        """node pattern -> parameter name -> value; a later pattern wins over an earlier one"""
         self.levels: list[tuple[str, int]] = []
         """logger name ('' for all) and level"""
         self.log_config_file = ""
         self.log_file_name = ""
-        """what the name of the log file begins with; '' for the name of the program"""
+        """prefix of the log file's name; '' for the name of the program"""
         self.enclave = "/"
         self.switches: dict[str, bool] = {}
         self.unknown: list[str] = []
 
     def parameters_of(self, full_name: str) -> dict[str, Any]:
-        """Return the parameters meant for the node of that full name."""
+        """Return the parameters for the node with that full name."""
         if not self.parameters:
             return {}
         from rclpy._parameter_files import matches
@@ -143,7 +143,7 @@ _FLAGS: dict[str, tuple[_Setter, str]] = {
     ),
     "--log-file-name": (
         RosArguments._name_log_file,
-        "flag. No file prefix provided., at /project/src/rcl/arguments.c:480",
+        "flag. No string prefix provided., at /project/src/rcl/arguments.c:480",
     ),
 }
 for _long, _short in (("--remap", "-r"), ("--param", "-p"), ("--enclave", "-e")):
@@ -157,20 +157,20 @@ def _refused(what: str, flag: str, text: str, reason: object, line: int) -> RCLE
     )
 
 
-_told_to: ContextVar[LoggingSettings | None] = ContextVar("_told_to", default=None)
+_log_target: ContextVar[LoggingSettings | None] = ContextVar("_log_target", default=None)
 
 
 def _log(severity: int, message: str) -> None:
     from rclpy._logging_settings import PROCESS
 
-    (_told_to.get() or PROCESS).emit(severity, "rcl", message, "", "", 0)
+    (_log_target.get() or PROCESS).emit(severity, "rcl", message, "", "", 0)
 
 
 def _check_texts(args: Sequence[str]) -> None:
     if not all(isinstance(arg, str) for arg in args):
         raise TypeError("bad argument type for built-in operation")
     for arg in args:
-        # Raises UnicodeEncodeError for what a wrong locale has made of an argument (PEP 383), as the real one does.
+        # Raises UnicodeEncodeError for an argument decoded with the wrong locale (PEP 383), as real rclpy does.
         arg.encode()
 
 
@@ -213,13 +213,13 @@ def _complain(flag: str, complaint: str) -> None:
 
 
 def _take_old_rule(found: RosArguments, word: str) -> None:
-    """Take `from:=to` outside of `--ros-args`, the syntax before ROS 2 Eloquent, which still works."""
+    """Read `from:=to` outside `--ros-args`, the syntax before ROS 2 Eloquent, which still works."""
     from rclpy._rule_lexer import RuleError, read_remap_rule
 
     try:
         found.rules.append(read_remap_rule(word))
     except RuleError:
-        # Then it is an argument of the program's own.
+        # Then it is one of the program's own arguments.
         return
     hint = f"This syntax is deprecated. Use '--ros-args --remap {word}' instead."
     _log(30, f"Found remap rule '{word}'. {hint}")
@@ -235,8 +235,8 @@ def parse_node_arguments(args: Sequence[str]) -> RosArguments:
 
 
 def parse_global_arguments(args: Sequence[str], logging: LoggingSettings | None = None) -> RosArguments:
-    """Read a process's arguments for init(); a failure is also logged (`logging`: where to), as rcl does."""
-    token = _told_to.set(logging)
+    """Read a process's arguments for init(); a failure is also logged (to `logging`), as in rcl."""
+    token = _log_target.set(logging)
     try:
         return parse_arguments(args)
     except RCLError as error:
@@ -244,11 +244,11 @@ def parse_global_arguments(args: Sequence[str], logging: LoggingSettings | None 
             _log(40, "Failed to parse global arguments")
         raise
     finally:
-        _told_to.reset(token)
+        _log_target.reset(token)
 
 
 def remove_ros_arguments(args: Sequence[str]) -> list[str]:
-    """Return arguments without those for ROS. Raises as `parse_arguments`."""
+    """Return the arguments without those for ROS. Raises as `parse_arguments`."""
     _check_texts(args)
     kept: list[str] = []
     inside = False

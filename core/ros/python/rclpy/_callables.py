@@ -1,4 +1,4 @@
-"""Questions about a program's callbacks, answered without importing `inspect` for plain functions and methods."""
+"""Properties of a program's callbacks, found without importing `inspect` for plain functions and methods."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _CO_COROUTINE = 0x80
 
 
 def is_coroutine_function(function: Any) -> bool:
-    """Say what `inspect.iscoroutinefunction` says."""
+    """Return what `inspect.iscoroutinefunction` returns."""
     plain = function.__func__ if isinstance(function, MethodType) else function
     if isinstance(plain, FunctionType):
         return bool(plain.__code__.co_flags & _CO_COROUTINE)
@@ -20,7 +20,7 @@ def is_coroutine_function(function: Any) -> bool:
 
 
 def lacks_self(function: Any) -> bool:
-    """Say whether this is a method that takes no argument at all, not even `self`; `inspect.signature` refuses it."""
+    """Return whether this is a method that takes no argument at all, not even `self`; `inspect.signature` refuses it."""
     plain = function.__func__ if isinstance(function, MethodType) else None
     return (
         isinstance(plain, FunctionType)
@@ -30,9 +30,9 @@ def lacks_self(function: Any) -> bool:
 
 
 def accepts(function: Any, arguments: int) -> bool:
-    """Say whether a function can be called with that many positional arguments.
+    """Return whether a function can be called with that many positional arguments.
 
-    As `inspect.signature` does, it raises ValueError for built-in functions that do not tell and for a method without `self`.
+    As `inspect.signature` does, it raises ValueError for built-in functions without a signature and for a method without `self`.
     """
     bound = isinstance(function, MethodType)
     plain = function.__func__ if bound else function
@@ -52,7 +52,7 @@ def accepts(function: Any, arguments: int) -> bool:
     except TypeError:
         return False
     except ValueError:
-        if function is print:  # which tells from Python 3.11 on, and is a favourite first callback
+        if function is print:  # has a signature from Python 3.11 on, and is a favourite first callback
             return True
         raise
     return True

@@ -1,4 +1,4 @@
-"""RCUTILS_CONSOLE_OUTPUT_FORMAT: what its `{tokens}` stand for."""
+"""Expands the `{tokens}` of RCUTILS_CONSOLE_OUTPUT_FORMAT."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _ESCAPE = re.compile(r"\\[abnrt]")
 
 
 def expand(form: str, severity: int, name: str, message: str, function: str, file: str, line: int, stamp: int) -> str:
-    """Return a console line by a format; unknown tokens stay as they are. `stamp` is epoch nanoseconds."""
+    """Return a console line in the format `form`; unknown tokens stay as they are. `stamp` is in epoch nanoseconds."""
     seconds, rest = divmod(stamp, 1_000_000_000)
 
     def value(match: re.Match[str]) -> str:

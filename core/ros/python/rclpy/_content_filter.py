@@ -1,4 +1,4 @@
-"""Content filters: the part of SQL that DDS has for saying which messages a subscription wants (DDS 1.4, annex B).
+"""Content filters: the SQL subset of DDS by which a subscription selects messages (DDS 1.4, annex B).
 
 `int32_value > %0 AND (name LIKE 'a%' OR NOT pose.x BETWEEN 1 AND 2)` becomes one function of a message.
 """
@@ -31,7 +31,7 @@ _WORDS = frozenset(("AND", "OR", "NOT", "BETWEEN", "LIKE", "MATCH", "TRUE", "FAL
 
 
 class FilterError(ValueError):
-    """The expression cannot be read, or does not fit the type of the messages."""
+    """The expression cannot be parsed, or does not fit the message type."""
 
 
 class _Token(NamedTuple):
@@ -42,14 +42,14 @@ class _Token(NamedTuple):
 class _Operand(NamedTuple):
     value: Value
     sample: Any
-    """A value as a message has it by default: says which operands can be compared."""
+    """A default value of its type, which shows with which operands it can be compared."""
     is_field: bool
 
 
 def compile_filter(expression: str, parameters: Sequence[str], msg_type: type[Any]) -> Test:
-    """Return the test an expression stands for. FilterError if there is anything wrong with it."""
+    """Compile an expression into a predicate on messages. FilterError if there is anything wrong with it."""
     parser = _Parser(_tokens(expression), parameters, msg_type())
-    test = parser.alternatives()
+    test = parser.condition()
     if parser.rest:
         raise FilterError(f"unexpected '{parser.rest[0].text}' in '{expression}'")
     return test
@@ -72,7 +72,7 @@ def _tokens(expression: str) -> list[_Token]:
 
 
 class _Parser:
-    """Recursive descent: OR, AND, NOT, parentheses, comparisons."""
+    """Recursive descent: AND and OR, NOT, parentheses, comparisons."""
 
     def __init__(self, tokens: list[_Token], parameters: Sequence[str], example: Any) -> None:
         self.rest = tokens
@@ -90,25 +90,19 @@ class _Parser:
             raise FilterError(f"expected {' or '.join(texts)} before '{self.rest[0].text if self.rest else 'the end'}'")
         return self._taken
 
-    def alternatives(self) -> Test:
-        """Read what OR joins."""
-        tests = [self._together()]
-        while self._take("OR"):
-            tests.append(self._together())
-        return tests[0] if len(tests) == 1 else lambda message: any(test(message) for test in tests)
-
-    def _together(self) -> Test:
-        tests = [self._single()]
-        while self._take("AND"):
-            tests.append(self._single())
-        return tests[0] if len(tests) == 1 else lambda message: all(test(message) for test in tests)
+    def condition(self) -> Test:
+        """Read conditions joined by AND and OR: from left to right, neither binds more tightly, as with Fast DDS."""
+        test = self._single()
+        while self._take("AND", "OR"):
+            test = _joined(self._taken, test, self._single())
+        return test
 
     def _single(self) -> Test:
         if self._take("NOT"):
             test = self._single()
             return lambda message: not test(message)
         if self._take("("):
-            inner = self.alternatives()
+            inner = self.condition()
             self._need(")")
             return inner
         return self._comparison()
@@ -171,6 +165,12 @@ class _Parser:
         return _Operand(value, sample, True)
 
 
+def _joined(word: str, one: Test, other: Test) -> Test:
+    if word == "AND":
+        return lambda message: one(message) and other(message)
+    return lambda message: one(message) or other(message)
+
+
 def _literal(text: str) -> _Operand:
     value: Any
     if text[:1] in "'`" and text[-1:] == "'" and len(text) > 1:
@@ -193,7 +193,7 @@ def _check_kinds(left: _Operand, right: _Operand) -> None:
         raise FilterError("a comparison needs a field of the message")
     samples = left.sample, right.sample
     if None in samples:
-        # An element of a sequence that is empty now.
+        # An element of a sequence that is empty at the moment.
         return
     texts = [isinstance(sample, str) for sample in samples]
     plain = [isinstance(sample, str) or hasattr(sample, "__float__") for sample in samples]
@@ -209,7 +209,8 @@ def _matching(sign: str, left: _Operand, right: _Operand) -> Test:
     pattern = right.sample
     if sign == "LIKE":
         wild = {"%": ".*", "*": ".*", "_": ".", "?": "."}
-        pattern = "".join(wild.get(letter, re.escape(letter)) for letter in pattern)
+        # The rest is a regular expression to Fast DDS, so `.` is any character here too.
+        pattern = "".join(wild.get(letter, letter) for letter in pattern)
     try:
         compiled = user_pattern(pattern, re.DOTALL)
     except re.error as error:

@@ -1,17 +1,16 @@
-"""The events of publishers and subscriptions, made ready only when they are needed.
+"""The events of a publisher or subscription, created only when they are needed.
 
-Every endpoint has default handlers that log incompatible QoS; nearly none ever runs, so they are made when something happens.
+Every endpoint has default handlers that log incompatible QoS; they hardly ever run, so they are made when an event occurs.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from day6_tui.core.graph.endpoints import Endpoint, EventKind
-from rclpy._entity import Scope
-from rclpy._node_endpoint import NodeEndpoint
 
 if TYPE_CHECKING:
+    from rclpy._entity import Scope
     from rclpy._handles import EndpointHandle
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
@@ -19,67 +18,69 @@ if TYPE_CHECKING:
 _TROUBLE = (EventKind.INCOMPATIBLE_QOS, EventKind.INCOMPATIBLE_TYPE)
 
 
-class EventSource(NodeEndpoint):
-    """What has event handlers: base of Publisher and Subscription."""
+class EndpointEvents:
+    """The event handlers of one endpoint. An executor runs them, but not the publisher itself."""
 
-    def _set_up_events(
+    __slots__ = ("_callbacks", "_default_class", "_group", "_handle", "_handlers", "_scope", "_topic")
+
+    def __init__(
         self,
         handle: EndpointHandle,
         callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks | None,
         group: CallbackGroup,
         topic: str,
-        default_class: Any,
+        default_class: str,
     ) -> None:
         self._handle = handle
-        self._event_callbacks = callbacks
-        self._event_group = group
-        self._event_topic = topic
-        self._default_callbacks = default_class
-        self._made_handlers: list[EventHandler] | None = None
+        self._callbacks = callbacks
+        self._group = group
+        self._topic = topic
+        self._default_class = default_class
+        self._handlers: list[EventHandler] | None = None
+        self._scope: Scope | None = None
         if callbacks is not None:
-            self._make_handlers()
+            self._handlers = callbacks.create_event_handlers(group, handle, topic)
         handle._endpoint.on_event = self._on_event
 
-    def _make_handlers(self) -> list[EventHandler]:
-        if self._made_handlers is None:
-            callbacks = self._event_callbacks
-            if callbacks is None:
-                from rclpy import event_handler
+    @property
+    def handlers(self) -> list[EventHandler]:
+        """The handlers; the first access makes the default ones."""
+        return self._made()
 
-                callbacks = getattr(event_handler, self._default_callbacks)()
-            handlers = callbacks.create_event_handlers(self._event_group, self._handle, self._event_topic)
-            self._made_handlers = handlers
+    @handlers.setter
+    def handlers(self, handlers: list[EventHandler]) -> None:
+        self._handlers = handlers
+
+    def _made(self) -> list[EventHandler]:
+        if self._handlers is None:
+            from rclpy import event_handler
+
+            callbacks = getattr(event_handler, self._default_class)()
+            handlers: list[EventHandler] = callbacks.create_event_handlers(self._group, self._handle, self._topic)
+            self._handlers = handlers
             if self._scope is not None:
                 for handler in handlers:
                     handler._enter(self._scope)
-        return self._made_handlers
-
-    @property
-    def event_handlers(self) -> list[EventHandler]:
-        """The handlers of the endpoint's events."""
-        return self._make_handlers()
-
-    @event_handlers.setter
-    def event_handlers(self, handlers: list[EventHandler]) -> None:
-        self._made_handlers = handlers
+        return self._handlers
 
     def _on_event(self, endpoint: Endpoint, kind: EventKind) -> None:
-        if self._made_handlers is None and kind not in _TROUBLE:
+        if self._handlers is None and kind not in _TROUBLE:
             return
-        for handler in self._make_handlers():
+        for handler in self._made():
             if handler._event_kind is kind:
                 handler._notify()
 
-    def _enter(self, scope: Scope) -> None:
-        super()._enter(scope)
-        if self._made_handlers is not None:
-            for handler in self._made_handlers:
-                handler._enter(scope)
+    def enter(self, scope: Scope) -> None:
+        """Join the node of `scope`, whose executor then runs the handlers."""
+        self._scope = scope
+        for handler in self._handlers or ():
+            handler._enter(scope)
         events = self._handle._endpoint.events
         if any(events[kind].total_count for kind in _TROUBLE):
-            self._make_handlers()
+            self._made()
 
-    def _destroy_events(self) -> None:
+    def destroy(self) -> None:
+        """Destroy the handlers that were made."""
         self._handle._endpoint.on_event = None
-        for handler in self._made_handlers or ():
+        for handler in self._handlers or ():
             handler.destroy()

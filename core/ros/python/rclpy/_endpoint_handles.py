@@ -1,7 +1,7 @@
 """The handles of publishers, subscriptions, services and clients: the classes `rclpy._rclpy_pybind11` has for them.
 
-`Node.create_publisher` and its like make them with a full, remapped name; made by a program of its own (a waitable, say),
-they find the full name themselves.
+`Node.create_publisher` and the like make them with a full, remapped name; when a program makes one itself (for a waitable,
+say), the handle resolves the name.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _BAD_FILTER = "create_contentfilteredtopic() failed to create contentfilteredtop
 
 
 class ServiceInfo(NamedTuple):
-    """When a request or response was sent and came (epoch ns), and whose it is (rmw_service_info_t)."""
+    """When a request or response was sent and received (epoch ns), and its request id (rmw_service_info_t)."""
 
     source_timestamp: int
     received_timestamp: int
@@ -39,7 +39,7 @@ def _type_of(interface: type[Any]) -> tuple[str, str]:
 
 
 def _refuse_unknown(qos: QoS, kind: str, line: int) -> None:
-    """Raise RCLError if a policy is UNKNOWN, which only what others offer can be (rmw_fastrtps, qos.cpp)."""
+    """Raise RCLError if a policy is UNKNOWN, which is valid only for discovered endpoints (rmw_fastrtps, qos.cpp)."""
     from day6_tui.core.graph.qos import Durability, History, Liveliness, Reliability
 
     for policy, unknown, name, place in (
@@ -92,7 +92,7 @@ class PublisherHandle(EndpointHandle):
         return count
 
     def wait_for_all_acked(self, timeout: Duration | Any) -> bool:
-        """Wait until every subscription has every message: they have it when `publish` returns."""
+        """Return at once: subscriptions have every message as soon as `publish` returns."""
         self.check_publisher("Failed to wait for all acknowledged")
         return True
 
@@ -132,7 +132,7 @@ class SubscriptionHandle(EndpointHandle):
                 ) from None
 
     def take_message(self, pymsg_type: Any, raw: bool) -> tuple[Any, dict[str, Any]] | None:
-        """Take the oldest message and what is known of it, None if there is none; with `raw` as CDR bytes."""
+        """Take the oldest message and its MessageInfo, None if there is none; with `raw` as CDR bytes."""
         sample = self._endpoint.take()
         if sample is None:
             return None
@@ -144,7 +144,7 @@ class SubscriptionHandle(EndpointHandle):
         return message, self.info(sample)
 
     def info(self, sample: Any) -> dict[str, Any]:
-        """Describe a sample of the endpoint as callbacks get it. Fast DDS does not number what is received."""
+        """Return the MessageInfo of a sample. Fast DDS does not number received messages."""
         info = self._endpoint.message_info(sample)
         return {
             "source_timestamp": info.source_timestamp,
@@ -161,14 +161,14 @@ class SubscriptionHandle(EndpointHandle):
         return count
 
     def is_cft_enabled(self) -> bool:
-        """Say whether a content filter works."""
+        """Return whether a content filter is active."""
         self.check()
         return self._filter is not None
 
     def set_content_filter(self, filter_expression: str, expression_parameters: Sequence[str]) -> None:
-        """Receive only messages for which an SQL-like expression is true; an empty one ends that.
+        """Receive only messages for which an SQL-like expression is true; an empty one removes the filter.
 
-        RCLError for an expression that cannot be read or does not fit the messages.
+        RCLError for an expression that cannot be parsed or does not fit the messages.
         """
         self.check()
         try:
@@ -184,7 +184,7 @@ class SubscriptionHandle(EndpointHandle):
             ) from None
 
     def _use_filter(self, options: tuple[str, list[str]]) -> None:
-        """Filter from now on, not at all if the expression is empty; ValueError for an expression that does not fit."""
+        """Filter from now on, or stop filtering if the expression is empty; ValueError for one that does not fit."""
         from rclpy._content_filter import FilterError, compile_filter
         from rclpy.subscription_content_filter_options import ContentFilterOptions
 
@@ -196,7 +196,7 @@ class SubscriptionHandle(EndpointHandle):
         try:
             self._endpoint.filter_by(compile_filter(expression, parameters, self._msg_type))
         except FilterError as error:
-            # Fast DDS tells the reason on the console alone.
+            # Fast DDS gives the reason only on the console.
             print(f"DDSSQLFILTER Error: {error}", file=sys.stderr)
             raise
         self._filter = ContentFilterOptions(expression, list(parameters))
@@ -226,7 +226,7 @@ class ServiceHandle(EndpointHandle):
         super().__init__(node, endpoint, is_topic=False)
 
     def service_take_request(self, pyrequest_type: Any) -> tuple[Any, ServiceInfo | None]:
-        """Take the oldest request and whose it is; (None, None) if there is none."""
+        """Take the oldest request and its ServiceInfo; (None, None) if there is none."""
         self.check()
         taken = self._endpoint.take()
         if taken is None:
@@ -236,7 +236,7 @@ class ServiceHandle(EndpointHandle):
         return request, ServiceInfo(now, now, request_id)
 
     def service_send_response(self, pyresponse: Any, header: RequestId) -> None:
-        """Answer a request."""
+        """Send the response to a request."""
         self.check()
         self._endpoint.send_response(header, pyresponse)
 
@@ -255,13 +255,13 @@ class ClientHandle(EndpointHandle):
         super().__init__(node, endpoint, is_topic=False)
 
     def send_request(self, pyrequest: Any) -> int:
-        """Ask; returns the number of the question."""
+        """Send a request; returns its sequence number."""
         self.check()
         number: int = self._endpoint.send_request(pyrequest)
         return number
 
     def take_response(self, pyresponse_type: Any) -> tuple[ServiceInfo | None, Any]:
-        """Take the oldest answer and to which question it belongs; (None, None) if there is none."""
+        """Take the oldest response and its ServiceInfo; (None, None) if there is none."""
         self.check()
         taken = self._endpoint.take()
         if taken is None:
@@ -271,7 +271,7 @@ class ClientHandle(EndpointHandle):
         return ServiceInfo(now, now, RequestId(self._endpoint.gid, number)), response
 
     def service_server_is_available(self) -> bool:
-        """Say whether somebody serves the service."""
+        """Return whether the service has a server."""
         self.check()
         ready: bool = self._endpoint.service_is_ready()
         return ready

@@ -1,8 +1,8 @@
-"""What executors run: entities of nodes, and the scope that says to which executor a node belongs just now.
+"""The entities of nodes, which executors run, and scopes, which link a node to its current executor.
 
-An entity that has something to do announces itself once (`_notify`, from any thread); it goes into its executor's inbox, or
-waits in its scope while the node has no executor. Whether there really is something to do is seen only when it is processed,
-so an announcement too many does no harm and none is lost.
+An entity with work to do announces itself once (`_notify`, from any thread); it goes into its executor's inbox, or waits in its
+scope while the node has no executor. Whether there really is work is checked only when the entity is processed, so a superfluous
+announcement does no harm and none is lost.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.executors import Executor
 
-# The order in which real rclpy's executor runs what is ready at the same time: first waitables of all nodes, then node by node.
+# The order in which real rclpy's executor runs entities that are ready together: first waitables of all nodes, then by node.
 WAITABLE = 0
 TIMER = 1
 SUBSCRIPTION = 2
@@ -24,23 +24,24 @@ CLIENT = 4
 SERVICE = 5
 
 NOTHING: Any = object()
-"""What `_process` returns when there was nothing to do after all."""
+"""Returned by `_process` when there was nothing to do after all."""
 
 _numbers = count()
 
 
 class Scope:
-    """One node as executors see it; all its entities share it, so that moving a node is one assignment."""
+    """An executor's view of one node; all entities of the node share it, so that moving a node is one assignment."""
 
     __slots__ = ("executor", "home", "number", "stash", "timed")
 
     def __init__(self) -> None:
         self.executor: Executor | None = None
         self.home: Executor | None = None
-        """The executor the node was in last; entities may still lie in its round."""
+        """The last executor of the node; entities may still be in its round."""
         self.stash: deque[Entity] = deque()
         self.timed: list[Any] = []
-        """What beside the node's timers the passing of time makes ready: events of deadlines and leases, timers of waitables."""
+        """Besides timers, what becomes ready by the passing of time: events of deadlines and leases, timers of waitables
+        and action servers."""
         self.number = next(_numbers)
 
     def put_aside(self, entity: Entity) -> None:
@@ -50,7 +51,7 @@ class Scope:
             self.hand_over()
 
     def hand_over(self) -> None:
-        """Move what was kept to the executor."""
+        """Move the kept entities to the executor."""
         executor = self.executor
         while executor is not None and self.stash:
             try:
@@ -66,12 +67,12 @@ class Entity:
     _kind: ClassVar[int] = WAITABLE
     _scope: Scope | None = None
     _queued = False
-    """True while it lies in an inbox, a round, a stash or waits for its callback group."""
+    """True while it is in an inbox, a round or a stash, or waits for its callback group."""
     _order: tuple[int, int, int, int] = (0, 0, 0, 0)
     callback_group: CallbackGroup | None
 
     def _enter(self, scope: Scope) -> None:
-        """Become an entity of the node whose scope that is."""
+        """Join the node of `scope`."""
         kind = self._kind
         self._order = (kind != WAITABLE, scope.number, kind, next(_numbers))
         self._scope = scope
@@ -79,7 +80,7 @@ class Entity:
             self._notify()
 
     def _notify(self, _endpoint: object = None) -> None:
-        """Say that there is something to do."""
+        """Announce that there is work to do."""
         scope = self._scope
         if scope is not None and not self._queued:
             self._queued = True
@@ -93,12 +94,12 @@ class Entity:
                 hook()
 
     def _pending(self) -> bool:
-        """Say whether there is something to do."""
+        """Return whether there is work to do."""
         return False
 
     def _process(self) -> Any:
-        """Do one piece of work: take what came, run the callback.
+        """Do one piece of work: take a message or the like and run the callback.
 
-        Returns NOTHING if there was nothing to do, a coroutine that remains to be awaited, or None.
+        Returns NOTHING if there was nothing to do, a coroutine that has to be awaited, or None.
         """
         raise NotImplementedError

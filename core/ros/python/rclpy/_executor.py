@@ -1,10 +1,10 @@
-"""What all executors have in common: their nodes, running what is ready (`rclpy._rounds`), spinning."""
+"""The base of all executors: their nodes, running ready entities (`rclpy._rounds`), spinning."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Coroutine, Iterator
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from rclpy._entity import NOTHING, Entity
 from rclpy._executor_timeouts import (
@@ -23,9 +23,11 @@ from rclpy.task import Future, Task
 if TYPE_CHECKING:
     from rclpy.node import Node
 
+T = TypeVar("T")
+
 
 class Executor(ExecutorRounds):
-    """Base of the executors: collects what is ready. A derived class says in `spin_once` who runs it.
+    """Base of the executors: collects ready entities. A derived class decides in `spin_once` which thread runs them.
 
     RuntimeError if the context is not initialised.
     """
@@ -37,7 +39,7 @@ class Executor(ExecutorRounds):
         self._context._executors.add(self)
         self._context.on_shutdown(self.wake)
 
-    # nodes
+    # -- nodes ---------------------------------------------------------------------------------------------------------
 
     @property
     def context(self) -> Context:
@@ -45,7 +47,7 @@ class Executor(ExecutorRounds):
         return self._context
 
     def add_node(self, node: Node) -> bool:
-        """Run the node's callbacks from now on; it leaves another executor. False if it was here already."""
+        """Run the node's callbacks from now on; it leaves its previous executor. False if it was already here."""
         with self._nodes_lock:
             if node in self._nodes:
                 return False
@@ -56,7 +58,7 @@ class Executor(ExecutorRounds):
         return True
 
     def remove_node(self, node: Node) -> None:
-        """Run the node's callbacks no longer."""
+        """Stop running the node's callbacks."""
         with self._nodes_lock:
             if node not in self._nodes:
                 return
@@ -72,10 +74,10 @@ class Executor(ExecutorRounds):
         with self._nodes_lock:
             return list(self._nodes)
 
-    # running
+    # -- running -------------------------------------------------------------------------------------------------------
 
     def _execute(self, entity: Entity) -> bool:
-        """Run one entity whose group is reserved. False if there was nothing to do. Exceptions come out."""
+        """Run one entity whose group is reserved. False if there was nothing to do. Exceptions are passed on."""
         coroutine = None
         try:
             coroutine = entity._process()
@@ -120,7 +122,15 @@ class Executor(ExecutorRounds):
         if hook is not None:
             hook()
 
-    def create_task(self, callback: Callable[..., Any], *args: Any, **kwargs: Any) -> Task[Any]:
+    @overload
+    def create_task(
+        self, callback: Callable[..., Coroutine[object, None, T]], *args: object, **kwargs: object
+    ) -> Task[T]: ...
+
+    @overload
+    def create_task(self, callback: Callable[..., T], *args: object, **kwargs: object) -> Task[T]: ...
+
+    def create_task(self, callback: Callable[..., Any], *args: object, **kwargs: object) -> Task[Any]:
         """Have a function or coroutine function called while the executor spins; returns its future."""
         task: Task[Any] = Task(callback, args, kwargs, executor=self)
         self._add_task(task)
@@ -131,14 +141,14 @@ class Executor(ExecutorRounds):
         return Future(executor=self)
 
     def wake(self) -> None:
-        """Make a waiting `spin_once` look again."""
+        """Make a waiting `spin_once` check again what is ready."""
         self._woken = True
         hook = self._hook
         if hook is not None:
             hook()
 
     def can_execute(self, entity: Entity) -> bool:
-        """Say whether the entity's callback may run now."""
+        """Return whether the entity's callback may run now."""
         group = entity.callback_group
         return group is not None and group.can_execute(entity)
 
@@ -147,8 +157,8 @@ class Executor(ExecutorRounds):
         timeout_sec: float | TimeoutObject | None = None,
         nodes: list[Node] | None = None,
         condition: Callable[[], bool] = NEVER_TRUE,
-    ) -> tuple[Task[Any], Entity | None, Node | None]:
-        """Return what a custom executor is to run next: a task to call, its entity and its node.
+    ) -> tuple[Task[None], Entity | None, Node | None]:
+        """Return the next work for a custom executor: a task to call, its entity and its node.
 
         Raises TimeoutException, ShutdownException, ConditionReachedException, ExternalShutdownException.
         """
@@ -160,7 +170,7 @@ class Executor(ExecutorRounds):
         if isinstance(item, Task):
             return item, None, None
         entity = item
-        node = next((each for each in self.get_nodes() if each._scope is entity._scope), None)
+        node = next((each for each in self.get_nodes() if each.handle.scope is entity._scope), None)
 
         async def handler() -> None:
             coroutine = None
@@ -179,7 +189,7 @@ class Executor(ExecutorRounds):
         nodes: list[Node] | None = None,
         condition: Callable[[], bool] = NEVER_TRUE,
     ) -> Iterator[tuple[Task[Any], Entity | None, Node | None]]:
-        """Yield what `wait_for_ready_callbacks` returns; executors derived from real rclpy's iterate over this."""
+        """Yield the results of `wait_for_ready_callbacks`; custom executors written for real rclpy iterate over this."""
         while True:
             yield self.wait_for_ready_callbacks(timeout_sec, nodes, condition)
 
@@ -222,10 +232,10 @@ class Executor(ExecutorRounds):
     ) -> None:
         raise NotImplementedError
 
-    # for the cooperative scheduler of day6-tui
+    # -- for the cooperative scheduler of day6-tui ---------------------------------------------------------------------
 
     def _run_ready(self) -> bool:
-        """Run, without waiting, everything that is ready now (one pass); True if anything ran. Exceptions come out."""
+        """Run, without waiting, everything that is ready now (one pass); True if anything ran. Exceptions are passed on."""
         if self._is_shutdown or not self._context._valid:
             return False
         if self._new_nodes:
@@ -253,7 +263,7 @@ class Executor(ExecutorRounds):
     def _next_deadline(self) -> int | None:
         """Return when the earliest timer is due (ns of the context's steady clock), None if there is none.
 
-        Something that is ready already counts as due now.
+        Anything that is already ready counts as due now.
         """
         if self._new_nodes:
             self._attach_new_nodes()
@@ -262,14 +272,14 @@ class Executor(ExecutorRounds):
         return self._timers.first_deadline()
 
     def _set_wake(self, callback: Callable[[], None] | None) -> None:
-        """Have `callback()` called, from any thread, whenever something became ready; None ends that."""
+        """Set the function called, from any thread, whenever an entity becomes ready (None: no function)."""
         self._wake_callback = callback
         self._hook = callback
 
-    # end
+    # -- end -----------------------------------------------------------------------------------------------------------
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Run nothing more; False if running callbacks did not end within `timeout_sec` (None: wait for ever)."""
+        """Stop running callbacks; False if running ones did not end within `timeout_sec` (None: wait for ever)."""
         self._is_shutdown = True
         self.wake()
         with self._nodes_lock:
@@ -294,4 +304,4 @@ class Executor(ExecutorRounds):
 
 
 def _do_nothing(_future: Future[Any]) -> None:
-    """Stand in for the done callback by which real rclpy wakes its executor."""
+    """Take the place of the done callback by which real rclpy wakes its executor."""

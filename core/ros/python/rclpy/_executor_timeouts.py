@@ -1,4 +1,4 @@
-"""How long an executor waits, and the exceptions that say why it waits no longer."""
+"""How long an executor waits, and the exceptions that end a wait."""
 
 from __future__ import annotations
 
@@ -30,20 +30,20 @@ class ExternalShutdownException(Exception):
 
 
 class ConditionReachedException(Exception):
-    """What was waited for has come true."""
+    """The condition of the wait became true."""
 
     __module__ = "rclpy.executors"
 
 
 class TimeoutObject:
-    """A timeout that can be changed while it is waited for."""
+    """A timeout that can be changed during the wait."""
 
     def __init__(self, timeout: float) -> None:
         self._timeout = timeout
 
     @property
     def timeout(self) -> float:
-        """Seconds."""
+        """The timeout in seconds."""
         return self._timeout
 
     @timeout.setter

@@ -1,4 +1,4 @@
-"""Handles: what `node.handle`, `publisher.handle` … return. They know the graph's object and whether it may still be used."""
+"""Handles, as `node.handle`, `publisher.handle` … return them: the object in the graph, and whether it is still usable."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ INVALID_PUBLISHER = "publisher's context is invalid, at /project/src/rcl/publish
 
 
 def rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
-    """Return the rules that count for topics or for services; `rostopic://` and `rosservice://` limit a rule."""
+    """Return the rules that apply to topics or to services; `rostopic://` and `rosservice://` limit a rule."""
     if not any("://" in rule.match for rule in rules):
         return rules
     wanted, other = ("rosservice://", "rostopic://") if is_service else ("rostopic://", "rosservice://")
@@ -33,7 +33,7 @@ def rules_for(rules: list[RemapRule], is_service: bool) -> list[RemapRule]:
 
 
 class NodeHandle(Destroyable):
-    """A node in the graph, with what its endpoints need of it."""
+    """A node in the graph, with everything its endpoints need."""
 
     def __init__(
         self, context: Context, node: GraphNode, rules: list[RemapRule], logger: RcutilsLogger, scope: Scope
@@ -46,11 +46,11 @@ class NodeHandle(Destroyable):
         self.rules = rules
         self.logger = logger
         self.scope = scope
-        self._keepers: list[Any] = []
-        """Action servers and clients: with one of them a destroyed node is still there, as in real ROS."""
+        self._users: list[Any] = []
+        """Action servers and clients: while one of them exists, a destroyed node stays in the graph, as in real ROS."""
 
     def __repr__(self) -> str:
-        # Part of the texts for arguments of a wrong type.
+        # Part of the error texts for arguments of the wrong type.
         return f"<rclpy._rclpy_pybind11.Node object at {id(self):#x}>"
 
     def check(self) -> None:
@@ -98,7 +98,7 @@ class NodeHandle(Destroyable):
         return full
 
     def claim_topic(self, topic: str, type_name: str, what: str, place: str) -> None:
-        """Note that the context uses a topic with a type; RCLError if it does so with another type already.
+        """Record that the context uses a topic with this type; RCLError if it already uses it with another type.
 
         Fast DDS has one type per topic and participant, and the participant is the context's.
         """
@@ -115,36 +115,36 @@ class NodeHandle(Destroyable):
         known[1] += 1
 
     def release_topic(self, topic: str) -> None:
-        """Take back what `claim_topic` noted."""
+        """Undo one `claim_topic`."""
         known = self.context._topic_types.get(topic)
         if known is not None:
             known[1] -= 1
             if known[1] <= 0:
                 del self.context._topic_types[topic]
 
-    def keep_for(self, keeper: Any) -> None:
-        """Stay in the graph, once destroyed, until `let_go` is called for all keepers or the context is shut down.
+    def add_user(self, user: Any) -> None:
+        """Keep the node in the graph, once destroyed, until every user is removed or the context is shut down.
 
-        A keeper has `endpoints`: those of the node that stay.
+        A user has `endpoints`: the ones of the node that stay with it.
         """
-        self._keepers.append(keeper)
+        self._users.append(user)
 
-    def let_go(self, keeper: Any) -> None:
-        """Stay for that keeper no longer."""
-        if keeper in self._keepers:
-            self._keepers.remove(keeper)
-            if self._destroyed and not self._keepers:
+    def remove_user(self, user: Any) -> None:
+        """Stop keeping the node for this user; a destroyed node leaves the graph with its last user."""
+        if user in self._users:
+            self._users.remove(user)
+            if self._destroyed and not self._users:
                 self.node.destroy()
 
     def destroy_when_not_in_use(self) -> None:
-        """Take the node out of the graph, or what of it nobody keeps."""
+        """Take the node out of the graph, or only the endpoints that no user needs."""
         if self._destroyed:
             return
         self._destroyed = True
-        if not self._keepers or not self.context._valid:
+        if not self._users or not self.context._valid:
             self.node.destroy()
             return
-        kept = {id(endpoint) for keeper in self._keepers for endpoint in keeper.endpoints}
+        kept = {id(endpoint) for user in self._users for endpoint in user.endpoints}
         for endpoint in self.node.endpoints:
             if id(endpoint) not in kept:
                 endpoint.destroy()
@@ -162,7 +162,7 @@ class EndpointHandle(Destroyable):
 
     @classmethod
     def _of(cls: type[_Handle], node: NodeHandle, endpoint: Any, *, is_topic: bool) -> _Handle:
-        """Return the handle of an endpoint that is there already."""
+        """Return the handle of an existing endpoint."""
         made = cls.__new__(cls)
         EndpointHandle.__init__(made, node, endpoint, is_topic=is_topic)
         return made

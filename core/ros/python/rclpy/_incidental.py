@@ -1,7 +1,7 @@
-"""Names that real rclpy's modules have only because they import them, and that programs import from there nevertheless.
+"""Names that real rclpy's modules have only because they import them, but that programs import from there.
 
-`from rclpy.node import ReentrantCallbackGroup` works in real ROS, so it works here; the modules themselves need not be loaded
-for it before somebody asks.
+`from rclpy.node import ReentrantCallbackGroup` works in real ROS, so it works here; the defining modules are loaded only when
+a name is used.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ _SOURCES = {
     "rclpy.node": "Node",
     "rclpy.parameter": "AllowableParameterValueT PARAMETER_SEPARATOR_STRING Parameter ParameterMsg ParameterType ParameterValue",
     "rclpy.qos": "QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSProfile QoSReliabilityPolicy "
-    "qos_profile_services_default",
+    "qos_profile_parameter_events qos_profile_services_default",
     "rclpy.qos_overriding_options": "QoSOverridingOptions",
     "rclpy.service": "Service",
     "rclpy.service_introspection": "ServiceIntrospectionState",
@@ -69,7 +69,7 @@ _SOURCE = {name: module for module, names in _SOURCES.items() for name in names.
 def also(module: str, names: str = "") -> Callable[[str], Any]:
     """Return a module's `__getattr__` that finds these names (separated by blanks) where they are defined.
 
-    It finds those of Python's own library too that the module has in real rclpy.
+    It also finds the names of Python's standard library that the module has in real rclpy.
     """
     known = frozenset(names.split())
 

@@ -1,4 +1,4 @@
-"""Service introspection: what a service or client tells on `<service>/_service_event`."""
+"""Service introspection: the events of a service or client on `<service>/_service_event`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Introspection:
         qos: QoSProfile,
         state: ServiceIntrospectionState,
     ) -> Introspection | None:
-        """Return the introspection that a new state asks for, in place of the current one."""
+        """Return the introspection for a new state, which replaces the current one (None for OFF)."""
         if current is not None:
             current.destroy()
         return None if state is ServiceIntrospectionState.OFF else cls(node, endpoint, srv_type, clock, qos, state)
@@ -69,21 +69,21 @@ class Introspection:
         self._publisher.publish(event)
 
     def request_sent(self, request: Any, number: int) -> None:
-        """A client has asked."""
+        """Publish that the client has sent a request."""
         self._publish(_REQUEST_SENT, self._gid, number, request=request)
 
     def request_received(self, request: Any, request_id: RequestId) -> None:
-        """A service was asked."""
+        """Publish that the service has received a request."""
         self._publish(_REQUEST_RECEIVED, request_id.client_gid, request_id.sequence_number, request=request)
 
     def response_sent(self, response: Any, request_id: RequestId) -> None:
-        """A service has answered."""
+        """Publish that the service has sent a response."""
         self._publish(_RESPONSE_SENT, request_id.client_gid, request_id.sequence_number, response=response)
 
     def response_received(self, response: Any, number: int) -> None:
-        """A client was answered."""
+        """Publish that the client has received a response."""
         self._publish(_RESPONSE_RECEIVED, self._gid, number, response=response)
 
     def destroy(self) -> None:
-        """Tell no more."""
+        """Destroy the publisher of the events."""
         self._publisher.destroy()

@@ -1,6 +1,6 @@
 """The log file of a process: `<program>_<pid>_<milliseconds>.log` in the logging directory (rcl_logging_spdlog).
 
-Each line is written at once, so that `tail -f` shows it; the real one keeps lines back for up to five seconds.
+Each line is written at once, so that `tail -f` shows it; the real one buffers lines for up to five seconds.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class LogFile:
 
     def __init__(self, program: str, pid: int, env: Mapping[str, str]) -> None:
         self.program = program
-        """What the name begins with."""
+        """The prefix of the file's name."""
         self.enabled = True
         self._pid = pid
         self._env = env
@@ -53,11 +53,11 @@ class LogFile:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether the user has said where log files are to be."""
+        """Whether the user has chosen the folder for log files."""
         return bool(self._env.get("ROS_LOG_DIR") or self._env.get("ROS_HOME"))
 
     def write(self, line: str) -> None:
-        """Write a line. A disk that is full or read-only must not end the program: it goes on without a file."""
+        """Write a line. A full or read-only disk must not end the program: it goes on without a file."""
         if not self.enabled:
             return
         try:
@@ -68,7 +68,7 @@ class LogFile:
             self.enabled = False
 
     def close(self) -> None:
-        """Close the file; another line begins another one."""
+        """Close the file; the next line starts a new one."""
         if self._descriptor is not None:
             descriptor, self._descriptor = self._descriptor, None
             try:

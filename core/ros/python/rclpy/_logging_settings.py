@@ -1,4 +1,4 @@
-"""Where log messages go and which of them: levels, console format, colours, /rosout (rcutils/logging.c, rcl/logging_rosout.c).
+"""Logging settings: levels, console format, colours, /rosout (rcutils/logging.c, rcl/logging_rosout.c).
 
 A process has one set of settings, as real ROS has; a program inside day6-tui has its own.
 """
@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rclpy._time_source import MACHINE_TIME, TimeSource
+from rclpy._time_base import MACHINE_TIME, TimeBase
 
 if TYPE_CHECKING:
     from rclpy._log_file import LogFile
@@ -26,7 +26,7 @@ _COLOURS = {10: "\033[32m", 20: _RESET, 30: "\033[33m", 40: "\033[31m", 50: "\03
 class LoggingSettings:
     """Levels and outputs. `write` takes whole lines; None is stderr (stdout with RCUTILS_LOGGING_USE_STDOUT=1)."""
 
-    def __init__(self, time_source: TimeSource = MACHINE_TIME, env: Mapping[str, str] | None = None) -> None:
+    def __init__(self, time_source: TimeBase = MACHINE_TIME, env: Mapping[str, str] | None = None) -> None:
         self.time = time_source
         self.write: Callable[[str], Any] | None = None
         self.file: LogFile | None = None
@@ -39,8 +39,6 @@ class LoggingSettings:
         self._effective: dict[str, int] = {}
         self._env = os.environ if env is None else env
         self._format: str | None = None
-
-    # levels
 
     def set_level(self, name: str, level: int) -> None:
         """Set the level of a logger; '' is the default of all."""
@@ -55,7 +53,7 @@ class LoggingSettings:
         return self.levels.get(name, 0) if name else self.default_level
 
     def effective_level(self, name: str) -> int:
-        """Return the level that counts for a logger: its own, else that of the nearest parent, else the default."""
+        """Return the effective level of a logger: its own, else that of the nearest parent, else the default."""
         level = self._effective.get(name)
         if level is None:
             level = self._effective[name] = self._find_level(name)
@@ -76,10 +74,8 @@ class LoggingSettings:
         self.default_level = INFO
         self._format = None
 
-    # output
-
     def emit(self, severity: int, name: str, message: str, function: str, file: str, line: int) -> None:
-        """Write one message to the console and hand it to /rosout; the level has been looked at."""
+        """Write one message to the console and publish it on /rosout; the caller has checked the level."""
         stamp = self.time.now_ns()
         if self.to_console or self.file is not None:
             text = self._line(severity, name, message, function, file, line, stamp)
@@ -133,7 +129,7 @@ class LoggingSettings:
 
 
 def _write_or_not(write: Callable[[str], object], text: str) -> None:
-    """Write to the console, as rcutils does: a full disk or a reader that has gone never ends the program that logs."""
+    """Write to the console, as rcutils does: a full disk or a closed pipe never ends the program."""
     try:
         write(text)
     except (OSError, ValueError):  # ValueError: the program has closed its sys.stderr

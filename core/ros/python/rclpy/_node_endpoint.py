@@ -1,4 +1,4 @@
-"""What a publisher, a subscription, a service and a client have in common: a handle, the logger of their node, an end."""
+"""The base of publishers, subscriptions, services and clients: their handle, the logger of their node, their destruction."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from rclpy._entity import Entity
 
 if TYPE_CHECKING:
+    from rclpy._endpoint_events import EndpointEvents
     from rclpy._handles import EndpointHandle
     from rclpy._introspection import Introspection
     from rclpy.clock import Clock
+    from rclpy.event_handler import EventHandler
     from rclpy.qos import QoSProfile
     from rclpy.service_introspection import ServiceIntrospectionState
 
 _Endpoint = TypeVar("_Endpoint", bound="NodeEndpoint")
 
 
-class NodeEndpoint(Entity):
+class NodeEndpoint:
     """An endpoint of a node; usable with `with`, which destroys it."""
 
     _handle: EndpointHandle
@@ -49,7 +51,33 @@ class NodeEndpoint(Entity):
         self.destroy()
 
 
-class ServiceEndpoint(NodeEndpoint):
+class TopicEndpoint(NodeEndpoint):
+    """A publisher or subscription."""
+
+    _events: EndpointEvents
+
+    @property
+    def topic_name(self) -> str:
+        """The full name of the topic."""
+        self._handle.check()
+        return self._handle.get_topic_name()
+
+    @property
+    def event_handlers(self) -> list[EventHandler]:
+        """The handlers of the endpoint's events."""
+        return self._events.handlers
+
+    @event_handlers.setter
+    def event_handlers(self, handlers: list[EventHandler]) -> None:
+        self._events.handlers = handlers
+
+    def destroy(self) -> None:
+        """Take it out of the graph; prefer the node's `destroy_…`."""
+        self._events.destroy()
+        self._handle.destroy_when_not_in_use()
+
+
+class ServiceEndpoint(NodeEndpoint, Entity):
     """One side of a service."""
 
     srv_type: Any
@@ -64,7 +92,7 @@ class ServiceEndpoint(NodeEndpoint):
     def configure_introspection(
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
-        """Publish requests and responses on `<service>/_service_event`: not at all, metadata only, or with contents."""
+        """Publish requests and responses on `<service>/_service_event`: not at all, only metadata, or with contents."""
         from rclpy._introspection import Introspection
 
         self._handle.check()

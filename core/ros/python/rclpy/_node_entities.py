@@ -1,197 +1,169 @@
-"""What is made on a node: publishers, subscriptions, services, clients, timers, guard conditions, rates."""
+"""The entities of a node: publishers, subscriptions, services, clients, timers, guard conditions, waitables."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from rclpy._endpoint_handles import ClientHandle, PublisherHandle, ServiceHandle, SubscriptionHandle
-from rclpy._entity import Scope
-from rclpy._node_names import NodeNames
+from rclpy._node_names import full_service_name, full_topic_name
+from rclpy._own_services import HASHES, copy_any
 from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
-from rclpy.clock import Clock
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
 from rclpy.publisher import Publisher
-from rclpy.qos import QoSProfile, qos_profile_services_default
+from rclpy.qos import QoSProfile
 from rclpy.service import Service
 from rclpy.subscription import Subscription
-from rclpy.timer import Rate, Timer
-from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from rclpy.timer import Timer
+from rclpy.type_support import MsgT, check_is_valid_msg_type, check_is_valid_srv_type
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
+    from rclpy._entity import Entity
+    from rclpy._handles import NodeHandle
+    from rclpy._parameter_store import ParameterStore
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
     from rclpy.context import Context
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
-    from rclpy.node import Node
+    from rclpy.guard_condition import GuardConditionCallbackType
     from rclpy.qos_overriding_options import QoSOverridingOptions
+    from rclpy.service import ServiceCallback
+    from rclpy.subscription import MessageCallback
     from rclpy.subscription_content_filter_options import ContentFilterOptions
+    from rclpy.timer import TimerCallbackType
 
 
-class NodeEntities(NodeNames):
-    """The part of `rclpy.node.Node` that makes and destroys what is on the node."""
+class Destroyed(Protocol):
+    """Anything a node can destroy."""
 
-    _context: Context
-    _default_callback_group: CallbackGroup
-    _clock: Clock
+    def destroy(self) -> None:
+        """Destroy it; InvalidHandle if it is already destroyed."""
 
-    def _set_up_entities(self) -> None:
-        self._publishers: list[Publisher[Any]] = []
-        self._subscriptions: list[Subscription[Any]] = []
-        self._clients: list[Client[Any, Any]] = []
-        self._services: list[Service[Any, Any]] = []
-        self._timers: list[Timer] = []
-        self._guards: list[GuardCondition] = []
-        self._waitables: list[Waitable[Any]] = []
-        self._hidden_timers: list[Timer] = []
-        """Timers of action servers, which are none of the node's `timers`."""
-        self._hidden_entities: list[Any] = []
-        self._default_callback_group = MutuallyExclusiveCallbackGroup()
-        self._rate_group = ReentrantCallbackGroup()
-        self._scope = Scope()
 
-    @property
-    def default_callback_group(self) -> CallbackGroup:
-        """The group of everything that is made without naming one: its callbacks exclude each other."""
-        return self._default_callback_group
+_Made = TypeVar("_Made", bound=Destroyed)
 
-    def _wake_executor(self) -> None:
+
+def profile_of(qos_or_depth: QoSProfile | int) -> QoSProfile:
+    """Return the given profile, or the default one with the given depth. TypeError and ValueError for anything else."""
+    if isinstance(qos_or_depth, QoSProfile):
+        return qos_or_depth
+    if isinstance(qos_or_depth, int):
+        if qos_or_depth < 0:
+            raise ValueError("history depth must be greater than or equal to zero")
+        return QoSProfile(depth=qos_or_depth)
+    raise TypeError(f"Expected QoSProfile or int, but received {type(qos_or_depth)!r}")
+
+
+class NodeEntities:
+    """Makes and destroys the entities of a node, which its executor runs.
+
+    QoS overrides are parameters, so they are declared in `parameters`.
+    """
+
+    def __init__(self, handle: NodeHandle, parameters: ParameterStore) -> None:
+        self.publishers: list[Publisher[Any]] = []
+        self.subscriptions: list[Subscription[Any]] = []
+        self.clients: list[Client[Any, Any]] = []
+        self.services: list[Service[Any, Any]] = []
+        self.timers: list[Timer] = []
+        self.guards: list[GuardCondition] = []
+        self.waitables: list[Waitable[Any]] = []
+        self._hidden: list[Publisher[Any]] = []
+        self._handle = handle
+        self._scope = handle.scope
+        self._parameters = parameters
+
+    # -- keeping -------------------------------------------------------------------------------------------------------
+
+    def _add(self, entity: Entity, group: CallbackGroup) -> None:
+        group.add_entity(entity)
+        entity._enter(self._scope)
+
+    def add_publisher(self, publisher: Publisher[Any]) -> None:
+        """Add a publisher that was made for this node."""
+        self.publishers.append(publisher)
+        publisher._events.enter(self._scope)
+
+    def hide(self, publisher: Publisher[Any]) -> None:
+        """Keep a publisher of the node, but not as one of its `publishers`: in real ROS it belongs to another object."""
+        self.publishers.remove(publisher)
+        self._hidden.append(publisher)
+
+    def add_waitable(self, waitable: Waitable[Any]) -> None:
+        """Let the executor run a waitable."""
+        self.waitables.append(waitable)
+        if isinstance(waitable, Waitable):
+            waitable._enter(self._scope)
+        self.wake_executor()
+
+    def remove_waitable(self, waitable: Waitable[Any]) -> None:
+        """Remove a waitable; ValueError if the node doesn't have it."""
+        self.waitables.remove(waitable)
+        self.wake_executor()
+
+    def wake_executor(self) -> None:
+        """Let the executor check the node's entities again."""
         executor = self._scope.executor
         if executor is not None:
             executor.wake()
 
-    def _add(self, entity: Any, entities: list[Any], group: CallbackGroup) -> None:
-        group.add_entity(entity)
-        entities.append(entity)
-        entity._enter(self._scope)
-
-    @property
-    def publishers(self) -> Iterator[Publisher[Any]]:
-        """The publishers made on this node."""
-        yield from self._publishers
-
-    @property
-    def subscriptions(self) -> Iterator[Subscription[Any]]:
-        """The subscriptions made on this node."""
-        yield from self._subscriptions
-
-    @property
-    def clients(self) -> Iterator[Client[Any, Any]]:
-        """The clients made on this node."""
-        yield from self._clients
-
-    @property
-    def services(self) -> Iterator[Service[Any, Any]]:
-        """The services made on this node."""
-        yield from self._services
-
-    @property
-    def timers(self) -> Iterator[Timer]:
-        """The timers made on this node."""
-        yield from self._timers
-
-    @property
-    def guards(self) -> Iterator[GuardCondition]:
-        """The guard conditions made on this node."""
-        yield from self._guards
-
-    @property
-    def waitables(self) -> Iterator[Waitable[Any]]:
-        """The waitables added to this node."""
-        yield from self._waitables
-
-    def _validate_qos_or_depth_parameter(self, qos_or_depth: QoSProfile | int) -> QoSProfile:
-        if isinstance(qos_or_depth, QoSProfile):
-            return qos_or_depth
-        if isinstance(qos_or_depth, int):
-            if qos_or_depth < 0:
-                raise ValueError("history depth must be greater than or equal to zero")
-            return QoSProfile(depth=qos_or_depth)
-        raise TypeError(f"Expected QoSProfile or int, but received {type(qos_or_depth)!r}")
-
-    # making
-
-    def add_waitable(self, waitable: Waitable[Any]) -> None:
-        """Have the executor look after a waitable."""
-        self._waitables.append(waitable)
-        if isinstance(waitable, Waitable):
-            waitable._enter(self._scope)
-        self._wake_executor()
-
-    def remove_waitable(self, waitable: Waitable[Any]) -> None:
-        """Let go of a waitable; ValueError if it is not there."""
-        self._waitables.remove(waitable)
-        self._wake_executor()
+    # -- making --------------------------------------------------------------------------------------------------------
 
     def create_publisher(
         self,
-        msg_type: type[Any],
+        msg_type: type[MsgT],
         topic: str,
         qos_profile: QoSProfile | int,
-        *,
-        callback_group: CallbackGroup | None = None,
-        event_callbacks: PublisherEventCallbacks | None = None,
-        qos_overriding_options: QoSOverridingOptions | None = None,
-        publisher_class: type[Publisher[Any]] = Publisher,
-    ) -> Publisher[Any]:
-        """Make a publisher of a topic; `qos_profile` may be a depth.
-
-        Raises InvalidTopicNameException, TypeError and ValueError for a bad QoS or type, InvalidHandle after destruction,
-        RCLError when the context was shut down or uses the topic with another type.
-        """
-        qos_profile = self._validate_qos_or_depth_parameter(qos_profile)
-        group = callback_group or self.default_callback_group
-        full = self._full_topic_name(topic)
+        group: CallbackGroup,
+        event_callbacks: PublisherEventCallbacks | None,
+        qos_overriding_options: QoSOverridingOptions | None,
+        publisher_class: type[Publisher[MsgT]],
+    ) -> Publisher[MsgT]:
+        """See `Node.create_publisher`."""
+        qos_profile = profile_of(qos_profile)
+        full = full_topic_name(self._handle, topic)
         if qos_overriding_options is not None:
             self._override_qos(Publisher, full, qos_profile, qos_overriding_options)
         check_is_valid_msg_type(msg_type)
-        endpoint_handle = PublisherHandle(self.handle, msg_type, full, qos_profile.get_c_qos_profile(), resolved=True)
+        handle = PublisherHandle(self._handle, msg_type, full, qos_profile.get_c_qos_profile(), resolved=True)
         try:
-            publisher = publisher_class(endpoint_handle, msg_type, topic, qos_profile, event_callbacks, group)
+            publisher = publisher_class(handle, msg_type, topic, qos_profile, event_callbacks, group)
         except Exception:
-            endpoint_handle.destroy_when_not_in_use()
+            handle.destroy_when_not_in_use()
             raise
-        self._publishers.append(publisher)
-        publisher._enter(self._scope)
+        self.add_publisher(publisher)
         return publisher
 
     def create_subscription(
         self,
-        msg_type: type[Any],
+        msg_type: type[MsgT],
         topic: str,
-        callback: Callable[..., Any],
+        callback: MessageCallback[MsgT],
         qos_profile: QoSProfile | int,
-        *,
-        callback_group: CallbackGroup | None = None,
-        event_callbacks: SubscriptionEventCallbacks | None = None,
-        qos_overriding_options: QoSOverridingOptions | None = None,
-        raw: bool = False,
-        content_filter_options: ContentFilterOptions | None = None,
-    ) -> Subscription[Any]:
-        """Make a subscription: `callback(message)` or `callback(message, info)` is called for each message.
-
-        With `raw` the message comes as CDR bytes. Raises as `create_publisher`, and RuntimeError for a callback that takes
-        neither one nor two arguments, RCLError for a content filter that does not fit.
-        """
-        qos_profile = self._validate_qos_or_depth_parameter(qos_profile)
-        group = callback_group or self.default_callback_group
-        full = self._full_topic_name(topic)
+        group: CallbackGroup,
+        event_callbacks: SubscriptionEventCallbacks | None,
+        qos_overriding_options: QoSOverridingOptions | None,
+        raw: bool,
+        content_filter_options: ContentFilterOptions | None,
+    ) -> Subscription[MsgT]:
+        """See `Node.create_subscription`."""
+        qos_profile = profile_of(qos_profile)
+        full = full_topic_name(self._handle, topic)
         if qos_overriding_options is not None:
             self._override_qos(Subscription, full, qos_profile, qos_overriding_options)
         check_is_valid_msg_type(msg_type)
-        endpoint_handle = SubscriptionHandle(
-            self.handle, msg_type, full, qos_profile.get_c_qos_profile(), content_filter_options, resolved=True
+        handle = SubscriptionHandle(
+            self._handle, msg_type, full, qos_profile.get_c_qos_profile(), content_filter_options, resolved=True
         )
         try:
-            subscription: Subscription[Any] = Subscription(
-                endpoint_handle, msg_type, topic, callback, group, qos_profile, raw, event_callbacks
-            )
+            subscription = Subscription(handle, msg_type, topic, callback, group, qos_profile, raw, event_callbacks)
         except Exception:
-            endpoint_handle.destroy_when_not_in_use()
+            handle.destroy_when_not_in_use()
             raise
-        self._add(subscription, self._subscriptions, group)
+        self.subscriptions.append(subscription)
+        self._add(subscription, group)
         return subscription
 
     def _override_qos(
@@ -199,102 +171,90 @@ class NodeEntities(NodeNames):
     ) -> None:
         from rclpy.qos_overriding_options import _declare_qos_parameters
 
-        _declare_qos_parameters(kind, cast("Node", self), topic, qos_profile, options)
+        _declare_qos_parameters(kind, self._parameters, topic, qos_profile, options)
 
     def create_client(
-        self,
-        srv_type: type[Any],
-        srv_name: str,
-        *,
-        qos_profile: QoSProfile = qos_profile_services_default,
-        callback_group: CallbackGroup | None = None,
+        self, context: Context, srv_type: type[Any], srv_name: str, qos_profile: QoSProfile, group: CallbackGroup
     ) -> Client[Any, Any]:
-        """Make a client of a service. Raises InvalidServiceNameException, AttributeError and RuntimeError for a wrong type."""
-        group = self.default_callback_group if callback_group is None else callback_group
+        """See `Node.create_client`."""
         check_is_valid_srv_type(srv_type)
-        full = self._service_name_for("Client", srv_type, srv_name, qos_profile)
-        handle = ClientHandle(self.handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
-        client: Client[Any, Any] = Client(self._context, handle, srv_type, srv_name, qos_profile, group)
-        self._add(client, self._clients, group)
+        full = self._service_name("Client", srv_type, srv_name, qos_profile)
+        handle = ClientHandle(self._handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
+        client: Client[Any, Any] = Client(context, handle, srv_type, srv_name, qos_profile, group)
+        self.clients.append(client)
+        self._add(client, group)
         return client
 
     def create_service(
         self,
         srv_type: type[Any],
         srv_name: str,
-        callback: Callable[[Any, Any], Any],
-        *,
-        qos_profile: QoSProfile = qos_profile_services_default,
-        callback_group: CallbackGroup | None = None,
+        callback: ServiceCallback[Any, Any],
+        qos_profile: QoSProfile,
+        group: CallbackGroup,
     ) -> Service[Any, Any]:
-        """Make a service: `callback(request, response)` returns the response. Raises as `create_client`."""
-        group = self.default_callback_group if callback_group is None else callback_group
+        """See `Node.create_service`."""
         check_is_valid_srv_type(srv_type)
-        full = self._service_name_for("Service", srv_type, srv_name, qos_profile)
-        handle = ServiceHandle(self.handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
-        service: Service[Any, Any] = Service(handle, srv_type, srv_name, callback, group, qos_profile)
-        self._add(service, self._services, group)
+        full = self._service_name("Service", srv_type, srv_name, qos_profile)
+        handle = ServiceHandle(self._handle, srv_type, full, qos_profile.get_c_qos_profile(), resolved=True)
+        return self._add_service(Service(handle, srv_type, srv_name, callback, group, qos_profile), group)
+
+    def create_own_service(
+        self, type_name: str, name: str, callback: ServiceCallback[Any, Any], qos: QoSProfile, group: CallbackGroup
+    ) -> None:
+        """Add one of the services every node has; its class is made at the first request."""
+        node = self._handle
+        srv_name = f"{node.name}/{name}"
+        full = full_service_name(node, srv_name)
+        endpoint = node.node.create_service(full, type_name, HASHES[type_name], qos.get_c_qos_profile(), copy_any)
+        handle = ServiceHandle._of(node, endpoint, is_topic=False)
+        self._add_service(Service(handle, type_name, srv_name, callback, group, qos), group)
+
+    def _add_service(self, service: Service[Any, Any], group: CallbackGroup) -> Service[Any, Any]:
+        self.services.append(service)
+        self._add(service, group)
         return service
 
-    def _service_name_for(self, kind: str, srv_type: Any, srv_name: Any, qos_profile: QoSProfile) -> str:
+    def _service_name(self, kind: str, srv_type: object, srv_name: object, qos_profile: QoSProfile) -> str:
         if not isinstance(srv_name, str):
             raise TypeError(
                 "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
                 f"    1. rclpy._rclpy_pybind11.{kind}(arg0: rclpy::Node, arg1: object, arg2: str, arg3: object)\n\n"
-                f"Invoked with: {self.handle!r}, {srv_type!r}, {srv_name!r}, "
+                f"Invoked with: {self._handle!r}, {srv_type!r}, {srv_name!r}, "
                 f"<rclpy._rclpy_pybind11.rmw_qos_profile_t object at {id(qos_profile):#x}>"
             )
-        return self._full_service_name(srv_name)
+        return full_service_name(self._handle, srv_name)
 
     def create_timer(
         self,
+        context: Context,
         timer_period_sec: float,
-        callback: Callable[..., Any] | None,
-        callback_group: CallbackGroup | None = None,
-        clock: Clock | None = None,
-        autostart: bool = True,
+        callback: TimerCallbackType | None,
+        group: CallbackGroup,
+        clock: Clock,
+        autostart: bool,
     ) -> Timer:
-        """Make a timer: `callback()` is called every `timer_period_sec` seconds, the first time after one period.
-
-        With `autostart=False` it waits for `reset()`. Raises TypeError and ValueError for what is no number, RCLError for a
-        negative period.
-        """
+        """See `Node.create_timer`."""
         period = int(float(timer_period_sec) * S_TO_NS)
-        group = self.default_callback_group if callback_group is None else callback_group
-        timer = Timer(
-            callback,
-            group,
-            period,
-            self._clock if clock is None else clock,
-            context=self._context,
-            autostart=autostart,
-        )
-        self._add(timer, self._timers, group)
+        timer = Timer(callback, group, period, clock, context=context, autostart=autostart)
+        self.timers.append(timer)
+        self._add(timer, group)
         timer._schedule()
         return timer
 
     def create_guard_condition(
-        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+        self, context: Context, callback: GuardConditionCallbackType, group: CallbackGroup
     ) -> GuardCondition:
-        """Make a guard condition: `callback()` is called after each `trigger()`."""
-        group = self.default_callback_group if callback_group is None else callback_group
-        guard = GuardCondition(callback, group, context=self._context)
-        self._add(guard, self._guards, group)
+        """See `Node.create_guard_condition`."""
+        guard = GuardCondition(callback, group, context=context)
+        self.guards.append(guard)
+        self._add(guard, group)
         return guard
 
-    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Make a rate: its `sleep()` ends `frequency` times a second while the node spins in another thread.
+    # -- destroying ----------------------------------------------------------------------------------------------------
 
-        ValueError unless the frequency is positive.
-        """
-        if frequency <= 0:
-            raise ValueError("frequency must be > 0")
-        timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
-        return Rate(timer, context=self._context)
-
-    # destroying
-
-    def _remove(self, entity: Any, entities: list[Any]) -> bool:
+    def destroy(self, entity: _Made, entities: list[_Made]) -> bool:
+        """Destroy one of these entities; False if it is not one of the node's or is already destroyed."""
         if entity not in entities:
             return False
         entities.remove(entity)
@@ -302,35 +262,20 @@ class NodeEntities(NodeNames):
             entity.destroy()
         except InvalidHandle:
             return False
-        self._wake_executor()
+        self.wake_executor()
         return True
 
-    def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
-        """Destroy a publisher of this node; False if it is none."""
-        return self._remove(publisher, self._publishers)
-
-    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
-        """Destroy a subscription of this node; False if it is none."""
-        return self._remove(subscription, self._subscriptions)
-
-    def destroy_client(self, client: Client[Any, Any]) -> bool:
-        """Destroy a client of this node; False if it is none."""
-        return self._remove(client, self._clients)
-
-    def destroy_service(self, service: Service[Any, Any]) -> bool:
-        """Destroy a service of this node; False if it is none."""
-        return self._remove(service, self._services)
-
-    def destroy_timer(self, timer: Timer) -> bool:
-        """Destroy a timer of this node; False if it is none."""
-        return self._remove(timer, self._timers)
-
-    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        """Destroy a guard condition of this node; False if it is none."""
-        return self._remove(guard, self._guards)
-
-    def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a rate of this node and its timer; False if it is none."""
-        success = self.destroy_timer(rate._timer)
-        rate.destroy()
-        return success
+    def destroy_all(self) -> None:
+        """Destroy everything except the waitables, which their owners destroy."""
+        made: tuple[list[Any], ...] = (
+            self.publishers,
+            self.subscriptions,
+            self.clients,
+            self.services,
+            self.timers,
+            self.guards,
+            self._hidden,
+        )
+        for entities in made:
+            while entities:
+                self.destroy(entities[0], entities)

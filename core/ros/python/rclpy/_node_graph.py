@@ -1,4 +1,4 @@
-"""What a node sees of the graph: nodes, topics, services, counts, endpoints."""
+"""A node's view of the graph: nodes, topics, services, counts, endpoints."""
 
 from __future__ import annotations
 
@@ -20,19 +20,17 @@ _GID_LENGTH = 16
 
 
 class NodeGraph:
-    """The graph part of `rclpy.node.Node`."""
+    """The graph as one node sees it: relative names belong to its namespace, and a destroyed node sees nothing."""
 
-    handle: NodeHandle
+    def __init__(self, handle: NodeHandle) -> None:
+        self._handle = handle
+        self._graph: Graph = handle.node.graph
 
-    @property
-    def _graph(self) -> Graph:
-        return self.handle.node.graph
-
-    # of one node
+    # -- of one node ---------------------------------------------------------------------------------------------------
 
     def _by_node(self, kind: EndpointKind, what: str, node_name: str, node_namespace: str) -> NamesAndTypes:
         failed = f"failed to get {what} names and types"
-        self.handle.check_valid(failed)
+        self._handle.check_valid(failed)
         for flaw, line in (
             (graph_names.flaw_of_namespace(node_namespace or "/"), 57),
             (graph_names.flaw_of_node_name(node_name), 69),
@@ -51,19 +49,19 @@ class NodeGraph:
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return what a node publishes. NodeNameNonExistentError if there is no such node, RCLError for bad names."""
+        """Return the topics a node publishes, with types. NodeNameNonExistentError if it is unknown, RCLError for bad names."""
         found = self._by_node(EndpointKind.PUBLISHER, "publisher", node_name, node_namespace)
         return self._mangled_by_node(found, "publisher", node_name, node_namespace) if no_demangle else found
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return what a node subscribes to; raises as `get_publisher_names_and_types_by_node`."""
+        """Return the topics a node subscribes to, with types; raises as `get_publisher_names_and_types_by_node`."""
         found = self._by_node(EndpointKind.SUBSCRIPTION, "subscriber", node_name, node_namespace)
         return self._mangled_by_node(found, "subscriber", node_name, node_namespace) if no_demangle else found
 
     def _mangled_by_node(self, topics: NamesAndTypes, what: str, name: str, namespace: str) -> NamesAndTypes:
-        """Return topics as DDS knows them; there services are topics too, one for requests and one for replies."""
+        """Return topics under their DDS names, where a service is two topics, one for requests and one for replies."""
         servers = self._by_node(EndpointKind.SERVICE, what, name, namespace)
         clients = self._by_node(EndpointKind.CLIENT, what, name, namespace)
         asking, answering = (clients, servers) if what == "publisher" else (servers, clients)
@@ -74,14 +72,14 @@ class NodeGraph:
         return self._by_node(EndpointKind.SERVICE, "service", node_name, node_namespace)
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services a node may ask; raises as `get_publisher_names_and_types_by_node`."""
+        """Return the services a node is a client of; raises as `get_publisher_names_and_types_by_node`."""
         return self._by_node(EndpointKind.CLIENT, "client", node_name, node_namespace)
 
-    # of all
+    # -- of all --------------------------------------------------------------------------------------------------------
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """Return all topics with their types."""
-        self.handle.check_valid("failed to get topic names and types")
+        self._handle.check_valid("failed to get topic names and types")
         found = self._graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
         if not no_demangle:
             return found
@@ -91,11 +89,11 @@ class NodeGraph:
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """Return all services with their types."""
-        self.handle.check_valid("failed to get service names and types")
+        self._handle.check_valid("failed to get service names and types")
         return self._graph.names_and_types(EndpointKind.SERVICE, EndpointKind.CLIENT)
 
     def _nodes(self) -> tuple[GraphNode, ...]:
-        self.handle.check_valid("Failed to get node names")
+        self._handle.check_valid("Failed to get node names")
         return self._graph.nodes
 
     def get_node_names(self) -> list[str]:
@@ -114,19 +112,14 @@ class NodeGraph:
         """Return (name, namespace, enclave) of all nodes."""
         return [(node.name, node.namespace, node.enclave) for node in self._nodes()]
 
-    def get_fully_qualified_name(self) -> str:
-        """Return this node's namespace and name."""
-        self.handle.check()
-        return self.handle.get_fully_qualified_name()
-
-    # counts
+    # -- counts --------------------------------------------------------------------------------------------------------
 
     def _count_endpoints(self, name: str, kind: EndpointKind, what: str) -> int:
-        self.handle.check()
-        full = expand_topic_name(name, self.handle.name, self.handle.namespace)
+        self._handle.check()
+        full = expand_topic_name(name, self._handle.name, self._handle.namespace)
         service = kind in (EndpointKind.CLIENT, EndpointKind.SERVICE)
         raise_for_topic(graph_names.flaw_of_full_topic_name(full), full, is_service=service)
-        self.handle.check_valid(f"Error in rcl_count_{what}")
+        self._handle.check_valid(f"Error in rcl_count_{what}")
         return len(self._graph.endpoints(kind, topic=full))
 
     def count_publishers(self, topic_name: str) -> int:
@@ -145,10 +138,10 @@ class NodeGraph:
         """Return the number of servers of a service."""
         return self._count_endpoints(service_name, EndpointKind.SERVICE, "services")
 
-    # endpoints
+    # -- endpoints -----------------------------------------------------------------------------------------------------
 
     def _infos(self, topic_name: str, no_mangle: bool, kind: EndpointKind, what: str) -> list[TopicEndpointInfo]:
-        handle = self.handle
+        handle = self._handle
         handle.check()
         topic = topic_name
         if no_mangle:
@@ -165,23 +158,23 @@ class NodeGraph:
         return infos
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return who publishes a topic: node, type, GID, QoS."""
+        """Return the publishers of a topic: node, type, GID, QoS."""
         return self._infos(topic_name, no_mangle, EndpointKind.PUBLISHER, "publishers")
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return who subscribes to a topic: node, type, GID, QoS."""
+        """Return the subscriptions of a topic: node, type, GID, QoS."""
         return self._infos(topic_name, no_mangle, EndpointKind.SUBSCRIPTION, "subscriptions")
 
-    # waiting
+    # -- waiting -------------------------------------------------------------------------------------------------------
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Block until a node exists, at most `timeout` seconds; says whether it does."""
+        """Block until a node exists, at most `timeout` seconds; returns whether it does."""
         name = fully_qualified_node_name
         if not name.startswith("/"):
             name = f"/{name}"
         if timeout <= 0:
             return False
-        return self.handle.context._wait_for_graph(lambda: name in self.get_fully_qualified_node_names(), timeout)
+        return self._handle.context._wait_for_graph(lambda: name in self.get_fully_qualified_node_names(), timeout)
 
 
 def _mangled(topics: NamesAndTypes) -> NamesAndTypes:
@@ -197,7 +190,7 @@ def _mangled_parts(services: NamesAndTypes, part: str) -> NamesAndTypes:
 
 
 def mangled_type(type_name: str) -> str:
-    """Return a type's name as DDS knows it: `std_msgs::msg::dds_::String_`."""
+    """Return a type's DDS name: `std_msgs::msg::dds_::String_`."""
     package, kind, name = type_name.split("/")
     return f"{package}::{kind}::dds_::{name}_"
 

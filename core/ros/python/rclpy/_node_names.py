@@ -1,4 +1,4 @@
-"""Names on a node: expansion, remapping, and the checks of what a program asks for."""
+"""Names on a node: expansion, remapping and validation."""
 
 from __future__ import annotations
 
@@ -19,54 +19,44 @@ _WRONG_NAME_TYPE = (
 )
 
 
-class NodeNames:
-    """The part of `rclpy.node.Node` that turns names into full ones."""
+def resolved_name(handle: NodeHandle, name: str, *, only_expand: bool, is_service: bool) -> str:
+    """Return the full name of a topic or service, remapped unless `only_expand`. RCLError for a bad name."""
+    handle.check()
+    if not isinstance(name, str):
+        require_text(name)
+        raise TypeError(_WRONG_NAME_TYPE.format(handle, name, only_expand, is_service))
+    return handle.resolve(name, is_service=is_service, only_expand=only_expand)
 
-    handle: NodeHandle
 
-    def _resolved(self, name: str, only_expand: bool, is_service: bool) -> str:
-        handle = self.handle
-        handle.check()
-        if not isinstance(name, str):
-            require_text(name)
-            raise TypeError(_WRONG_NAME_TYPE.format(handle, name, only_expand, is_service))
-        return handle.resolve(name, is_service=is_service, only_expand=only_expand)
-
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return the full name of a topic, remapped unless `only_expand`. RCLError for a bad name."""
-        return self._resolved(topic, only_expand, False)
-
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return the full name of a service, remapped unless `only_expand`. RCLError for a bad name."""
-        return self._resolved(service, only_expand, True)
-
-    def _full_topic_name(self, topic: str) -> str:
-        """Return the full, remapped name; raises what a student sees for a bad one."""
+def full_topic_name(handle: NodeHandle, topic: str) -> str:
+    """Return the full, remapped name of a topic; InvalidTopicNameException for a bad name."""
+    try:
+        return resolved_name(handle, topic, only_expand=False, is_service=False)
+    except RuntimeError:
         try:
-            return self.resolve_topic_name(topic)
-        except RuntimeError:
-            try:
-                self._validate_topic_or_service_name(topic)
-            except InvalidTopicNameException as error:
-                raise error from None
-            raise
+            _require_topic_name(handle, topic)
+        except InvalidTopicNameException as error:
+            raise error from None
+        raise
 
-    def _full_service_name(self, service: str) -> str:
-        handle = self.handle
-        handle.check()
-        raise_for_topic(names.flaw_of_topic_name(service), service, is_service=True)
-        full = expand(service, handle.name, handle.namespace)
-        if handle.rules:
-            full = names.remap_topic(full, handle.name, handle.namespace, rules_for(handle.rules, True))
-        raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=True)
-        return full
 
-    def _validate_topic_or_service_name(self, topic_or_service_name: str, *, is_service: bool = False) -> None:
-        self.handle.check()
-        require_text(topic_or_service_name)
-        raise_for_topic(names.flaw_of_topic_name(topic_or_service_name), topic_or_service_name, is_service=is_service)
-        full = expand(topic_or_service_name, self.handle.name, self.handle.namespace)
-        raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=is_service)
+def full_service_name(handle: NodeHandle, service: str) -> str:
+    """Return the full, remapped name of a service; InvalidServiceNameException for a bad one."""
+    handle.check()
+    raise_for_topic(names.flaw_of_topic_name(service), service, is_service=True)
+    full = expand(service, handle.name, handle.namespace)
+    if handle.rules:
+        full = names.remap_topic(full, handle.name, handle.namespace, rules_for(handle.rules, True))
+    raise_for_topic(names.flaw_of_full_topic_name(full), full, is_service=True)
+    return full
+
+
+def _require_topic_name(handle: NodeHandle, topic: str) -> None:
+    handle.check()
+    require_text(topic)
+    raise_for_topic(names.flaw_of_topic_name(topic), topic)
+    full = expand(topic, handle.name, handle.namespace)
+    raise_for_topic(names.flaw_of_full_topic_name(full), full)
 
 
 def checked_namespace(node_name: Any, namespace: Any, context: object, node: object) -> str:
@@ -85,7 +75,7 @@ def checked_namespace(node_name: Any, namespace: Any, context: object, node: obj
     try:
         _require_names(node_name, full)
     except ValueError:
-        # As in rclpy the exception that points at the character comes while rcl's is handled: a traceback shows both.
+        # As in rclpy the exception with the caret is raised while rcl's is handled: a traceback shows both.
         raise_for_node(node_name)
         raise_for_namespace(full)
     return full
@@ -104,7 +94,7 @@ def _require_names(node_name: str, namespace: str) -> None:
 
 
 def require_remapped(namespace: str) -> None:
-    """Raise RCLError for a namespace that a remap rule made and rmw refuses: one with a slash at its end."""
+    """Raise RCLError for a remapped namespace that rmw rejects: one with a slash at its end."""
     flaw = names.flaw_of_namespace(namespace)
     if flaw is not None:
         raise RCLError(

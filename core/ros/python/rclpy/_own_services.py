@@ -1,4 +1,4 @@
-"""The services every node has: their types, without making the classes before somebody asks.
+"""The services every node has: their types, without making the classes before they are used.
 
 The hashes are those of the real interfaces; tests compare them with computed ones.
 """
@@ -32,7 +32,7 @@ HASHES = {
 
 
 def copy_any(message: Any) -> Any:
-    """Copy a message, making the copy function of its class only now."""
+    """Copy a message; the copy function of its class is made on first use."""
     from day6_tui.core.interfaces import copy_message
 
     return copy_message(message)

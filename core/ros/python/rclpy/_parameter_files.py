@@ -26,17 +26,17 @@ Overrides = dict[str, dict[str, Any]]
 
 
 class ParameterTextError(ValueError):
-    """A text that the parser refuses; the message is what rcl puts after `Error: `."""
+    """A text that the parser rejects; the message is the one that rcl prints after `Error: `."""
 
     def __init__(self, message: str, line: int) -> None:
         super().__init__(f"{message}, at /project/src/{'parser' if line == 271 else 'parse'}.c:{line}")
 
 
 def add_override(parameters: dict[str, Any], name: str, value: Any) -> None:
-    """Note a value for a parameter that may have one already.
+    """Set the value of a parameter that may already have one.
 
-    rcl keeps one value of every type and later takes the first that is there: a new value counts if its type is the same
-    or comes earlier (rcl_yaml_param_parser, rcl_variant_t).
+    rcl keeps one value of every type and later takes the first that is set: a new value wins if its type is the same or comes
+    earlier (rcl_yaml_param_parser, rcl_variant_t).
     """
     known = parameters.get(name)
     if known is None or _rank(value) <= _rank(known):
@@ -51,7 +51,7 @@ def _rank(value: Any) -> int:
 
 
 def plain_value(text: str) -> Any:
-    """Return what an unquoted YAML scalar stands for: a bool, an int (C notation), a float or the text itself."""
+    """Return the value of an unquoted YAML scalar: a bool, an int (C notation), a float or the text itself."""
     if text in _TRUE:
         return True
     if text in _FALSE:
@@ -70,7 +70,7 @@ def plain_value(text: str) -> Any:
 
 
 def _floating_point(text: str) -> float | None:
-    """Return what C's strtod makes of a whole text; None for no number and for one that a double cannot hold."""
+    """Return the number that C's strtod reads from a whole text; None if there is none or a double cannot hold it."""
     lowered = text.lower()
     if lowered.lstrip("+-") in (".inf", ".nan"):
         return float(lowered.replace(".", ""))
@@ -98,7 +98,7 @@ def assigned_value(text: str) -> Any:
             if isinstance(event, (yaml.MappingStartEvent, yaml.AliasEvent)):
                 raise ParameterTextError("Unknown YAML event", 957)
             if isinstance(event, yaml.SequenceStartEvent):
-                # One within another: rcl forgets what it had read.
+                # A nested sequence or mapping: rcl forgets what it has read so far.
                 sequence = True
                 values = []
             elif isinstance(event, yaml.ScalarEvent):
@@ -113,7 +113,7 @@ def assigned_value(text: str) -> Any:
 
 
 def _scalar(event: Any) -> Any:
-    """Return a scalar's value; ParameterTextError where there is none."""
+    """Return a scalar's value; ParameterTextError if it has none."""
     if event.value == "" and event.style not in ("'", '"'):
         raise ParameterTextError(f"No value at line {event.start_mark.line + 1}", 258)
     if event.style is not None or event.tag == "tag:yaml.org,2002:str":
@@ -159,7 +159,7 @@ def _events(yaml: Any, text: str) -> Iterator[Any]:
 
 @cache
 def _loader() -> Any:
-    """Return PyYAML's loader with libyaml's view of tabs: they separate, except where a line's indentation is."""
+    """Return PyYAML's loader with libyaml's treatment of tabs: they separate tokens, except in a line's indentation."""
     import yaml
 
     class Loader(yaml.SafeLoader):
@@ -173,7 +173,7 @@ def _loader() -> Any:
 
 
 class _FileReader:
-    """Walks through the events of a parameter file."""
+    """Reads the YAML events of a parameter file."""
 
     def __init__(self, events: Iterator[Any]) -> None:
         self._events = events
@@ -226,7 +226,7 @@ class _FileReader:
         self._parameters(self._found.setdefault(node, {}), "")
 
     def _parameters(self, found: dict[str, Any], prefix: str) -> bool:
-        """Read the parameters of one mapping; says whether there were any."""
+        """Read the parameters of one mapping; return whether there were any."""
         any_found = False
         while True:
             kind, event, line = self._next()
@@ -265,8 +265,9 @@ class _FileReader:
 def _check_node_pattern(name: str) -> None:
     from day6_tui.core.graph import names
 
-    if "//" in name:
-        raise ParameterTextError("// contains repeated forward slash", 557)
+    before, slashes, _ = name.partition("//")
+    if slashes:
+        raise ParameterTextError(f"{before}// contains repeated forward slash", 557)
     for part in name.removeprefix("/").split("/"):
         flaw = None if part in ("*", "**") else names.flaw_of_node_name(part)
         if flaw is not None:
@@ -274,7 +275,7 @@ def _check_node_pattern(name: str) -> None:
 
 
 def matches(pattern: str, full_name: str) -> bool:
-    """Say whether a node pattern (`talker`, `/ns/talker`, `/*`, `/**/talker`) means the node of that full name."""
+    """Return whether a node pattern (`talker`, `/ns/talker`, `/*`, `/**/talker`) matches the node with that full name."""
     if not pattern.startswith("/"):
         pattern = f"/{pattern}"
     expression = "".join(
@@ -286,7 +287,7 @@ def matches(pattern: str, full_name: str) -> bool:
 def parameters_of_nodes(
     path: str, use_wildcard: bool, target_nodes: list[str] | None, namespace: str
 ) -> dict[str, Any]:
-    """Do the work of `rclpy.parameter.parameter_dict_from_yaml_file`."""
+    """See `rclpy.parameter.parameter_dict_from_yaml_file`."""
     import yaml
 
     with open(path, encoding="utf-8") as file:
@@ -311,7 +312,7 @@ def parameters_of_nodes(
 
 
 def _keys(mapping: Any) -> Any:
-    """Return the keys; AttributeError for a file that is no mapping, as a user of rclpy sees it too."""
+    """Return the keys; AttributeError for a file that isn't a mapping, as in real rclpy."""
     return mapping.keys()
 
 

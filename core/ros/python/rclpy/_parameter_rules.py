@@ -1,4 +1,4 @@
-"""What a parameter's descriptor allows: its type, its range and steps. The texts are rclpy's."""
+"""Checks of a parameter against its descriptor: its type, its range and steps. The texts are rclpy's."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ if TYPE_CHECKING:
 
 
 def accepted() -> SetParametersResult:
-    """Return the result of a parameter that may be set."""
+    """Return the result for a parameter that may be set."""
     from rcl_interfaces.msg import SetParametersResult
 
     return SetParametersResult(successful=True)
 
 
 def refused(reason: str) -> SetParametersResult:
-    """Return the result of a parameter that may not be set."""
+    """Return the result for a parameter that may not be set."""
     from rcl_interfaces.msg import SetParametersResult
 
     return SetParametersResult(successful=False, reason=reason)
 
 
 def refusal_of_type(parameter: Parameter[Any], descriptor: ParameterDescriptor, declared: bool) -> str | None:
-    """Return why a parameter has the wrong type, None if it has not; dynamic typing takes the type over."""
+    """Return why a parameter's type is wrong, None if it is right; with dynamic typing the descriptor takes on its type."""
     type_ = parameter.type_
     if descriptor.dynamic_typing:
         descriptor.type = type_.value
@@ -39,7 +39,7 @@ def refusal_of_type(parameter: Parameter[Any], descriptor: ParameterDescriptor, 
 
 
 def refusal_of_range(parameter: Parameter[Any], descriptor: ParameterDescriptor, rel_tol: float) -> str | None:
-    """Return why a number is out of its range or between two steps, None if it is not."""
+    """Return why a number is out of range or between two steps, None if it is valid."""
     if parameter.type_ == Parameter.Type.INTEGER and descriptor.integer_range:
         return _refusal_of_integer(parameter, descriptor.integer_range[0])
     if parameter.type_ == Parameter.Type.DOUBLE and descriptor.floating_point_range:

@@ -1,4 +1,4 @@
-"""Whether two QoS profiles fit together: rmw_dds_common's answer and its texts."""
+"""Compatibility of two QoS profiles, with the results and texts of rmw_dds_common."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")
 
 
 def check(publisher: QoSProfile, subscription: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Return OK, WARNING or ERROR and all reasons of that weight in one line."""
+    """Return OK, WARNING or ERROR and all reasons of that severity in one line."""
     errors = list(_errors(publisher, subscription))
     if errors:
         return QoSCompatibility.ERROR, "".join(f"ERROR: {text};" for text in errors)
@@ -51,7 +51,7 @@ def _errors(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
 
 
 def _warnings(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
-    # Per policy: the weaker offer, the stronger wish, and the texts for a wish or an offer that is still open.
+    # Per policy: the weaker offer, the stronger request, and the texts for a side whose policy is still open.
     # "durabilty" is how real ROS spells it.
     yield from _open(
         publisher.reliability,
@@ -83,11 +83,17 @@ def _warnings(publisher: QoSProfile, subscription: QoSProfile) -> Iterator[str]:
 
 
 def _open(
-    offer: QoSPolicyEnum, wish: QoSPolicyEnum, weak: str, strong: str, both: str, weak_offer: str, strong_wish: str
+    offered: QoSPolicyEnum,
+    requested: QoSPolicyEnum,
+    weak: str,
+    strong: str,
+    both_open: str,
+    weak_offered: str,
+    strong_requested: str,
 ) -> Iterator[str]:
-    if offer.name in _OPEN and wish.name in _OPEN:
-        yield both.format(offer.short_key, wish.short_key)
-    elif offer.name == weak and wish.name in _OPEN:
-        yield weak_offer.format(wish.short_key)
-    elif offer.name in _OPEN and wish.name == strong:
-        yield strong_wish.format(offer.short_key)
+    if offered.name in _OPEN and requested.name in _OPEN:
+        yield both_open.format(offered.short_key, requested.short_key)
+    elif offered.name == weak and requested.name in _OPEN:
+        yield weak_offered.format(requested.short_key)
+    elif offered.name in _OPEN and requested.name == strong:
+        yield strong_requested.format(offered.short_key)

@@ -1,4 +1,4 @@
-"""What programs expect from rclpy's C++ half: its exceptions, enumerations and a few constants.
+"""The names of rclpy's C++ half that programs use: its exceptions, enumerations and a few constants.
 
 In real ROS this module is compiled; here the graph (`day6_tui.core.graph`) does its work. Exceptions keep their module name,
 because it is part of every traceback a student sees.
@@ -11,12 +11,14 @@ from enum import Enum
 from importlib import import_module
 from typing import Any
 
-RCL_DEFAULT_DOMAIN_ID = 18446744073709551615
-RMW_DURATION_INFINITE = 9223372036854775807
-RMW_QOS_DEADLINE_BEST_AVAILABLE = 9223372036854775806
-RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = 9223372036854775806
+from day6_tui.core.graph.qos import BEST_AVAILABLE_NS, INFINITE_NS, PolicyKind
 
-# What needs more of rclpy than exceptions is found where it is, when somebody asks.
+RCL_DEFAULT_DOMAIN_ID = 18446744073709551615
+RMW_DURATION_INFINITE = INFINITE_NS
+RMW_QOS_DEADLINE_BEST_AVAILABLE = BEST_AVAILABLE_NS
+RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = BEST_AVAILABLE_NS
+
+# Names that need more of rclpy than its exceptions are imported from their modules on first use.
 _ELSEWHERE = {
     "rclpy._endpoint_handles": {
         "Client": "ClientHandle",
@@ -80,7 +82,7 @@ class RCLInvalidROSArgsError(RCLError):
 
 
 class UnknownROSArgsError(RuntimeError):
-    """Something between `--ros-args` and `--` is no ROS argument."""
+    """Something between `--ros-args` and `--` isn't a ROS argument."""
 
 
 class NodeNameNonExistentError(RCLError):
@@ -96,7 +98,7 @@ class TimerCancelledError(RCLError):
 
 
 class NotImplementedError(RCLError, builtins.NotImplementedError):  # noqa: A001
-    """The middleware does not offer this."""
+    """The middleware does not support this."""
 
 
 class RCUtilsError(RuntimeError):
@@ -112,7 +114,7 @@ class InvalidHandle(RuntimeError):
 
 
 class _NumberedEnum(Enum):
-    """An enumeration as pybind11 makes them: members are no integers, but equal one and can be turned into one."""
+    """An enumeration like those of pybind11: members aren't integers, but equal one and can be converted to one."""
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, int):
@@ -197,16 +199,16 @@ class ServiceIntrospectionState(_NumberedEnum):
 class rmw_qos_policy_kind_t(_NumberedEnum):
     """The QoS policy an incompatible-QoS event names."""
 
-    RMW_QOS_POLICY_INVALID = 1
-    RMW_QOS_POLICY_DURABILITY = 2
-    RMW_QOS_POLICY_DEADLINE = 4
-    RMW_QOS_POLICY_LIVELINESS = 8
-    RMW_QOS_POLICY_RELIABILITY = 16
-    RMW_QOS_POLICY_HISTORY = 32
-    RMW_QOS_POLICY_LIFESPAN = 64
-    RMW_QOS_POLICY_DEPTH = 128
-    RMW_QOS_POLICY_LIVELINESS_LEASE_DURATION = 256
-    RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS = 512
+    RMW_QOS_POLICY_INVALID = PolicyKind.INVALID.value
+    RMW_QOS_POLICY_DURABILITY = PolicyKind.DURABILITY.value
+    RMW_QOS_POLICY_DEADLINE = PolicyKind.DEADLINE.value
+    RMW_QOS_POLICY_LIVELINESS = PolicyKind.LIVELINESS.value
+    RMW_QOS_POLICY_RELIABILITY = PolicyKind.RELIABILITY.value
+    RMW_QOS_POLICY_HISTORY = PolicyKind.HISTORY.value
+    RMW_QOS_POLICY_LIFESPAN = PolicyKind.LIFESPAN.value
+    RMW_QOS_POLICY_DEPTH = PolicyKind.DEPTH.value
+    RMW_QOS_POLICY_LIVELINESS_LEASE_DURATION = PolicyKind.LIVELINESS_LEASE_DURATION.value
+    RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS = PolicyKind.AVOID_ROS_NAMESPACE_CONVENTIONS.value
 
 
 class rcl_publisher_event_type_t(_NumberedEnum):
@@ -246,14 +248,14 @@ class rcl_time_point_t:
 
 
 class Destroyable:
-    """A handle: usable until destruction was asked for; entering a destroyed one raises InvalidHandle."""
+    """A handle: usable until it is destroyed; entering a destroyed one raises InvalidHandle."""
 
     def __init__(self) -> None:
         self._destroyed = False
 
     @property
     def pointer(self) -> int:
-        """A number that is this handle's alone while it lives."""
+        """A number that is unique to this handle while it exists."""
         return id(self)
 
     def __enter__(self) -> None:

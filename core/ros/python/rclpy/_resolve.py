@@ -1,4 +1,4 @@
-"""Names as nodes use them: expansion, remapping and the exceptions for bad ones."""
+"""Expansion of names, and the exceptions for bad ones."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def expand(name: str, node_name: str, namespace: str) -> str:
 
 
 def require_text(name: object) -> None:
-    """Raise what rclpy raises for a topic name that is None."""
+    """Raise RCLError, as rclpy does, for a topic name that is None."""
     if name is None:
         raise RCLError(
             "failed to validate name: topic_name argument is null, at /project/src/rcl/validate_topic_name.c:35"

@@ -1,6 +1,6 @@
 """/rosout: every node's log messages as a topic.
 
-A Log message is made only for a subscriber (or the link); what is kept for late joiners stays a plain record.
+A Log message is made only for a subscription (or the link); the records kept for late joiners stay plain tuples.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class LogRecord(NamedTuple):
 
 
 def to_message(record: LogRecord) -> Any:
-    """Make a Log message of a record."""
+    """Convert a record to a Log message."""
     from builtin_interfaces.msg import Time
     from rcl_interfaces.msg import Log
 
@@ -45,7 +45,7 @@ def to_message(record: LogRecord) -> Any:
 
 
 class RosoutPublisher(Publisher):
-    """The publisher of one node's log messages; `is_valid` says whether the node's context is."""
+    """The publisher of one node's log messages; `is_valid` returns whether the node's context is valid."""
 
     def __init__(self, node: Node, type_hash: str, qos: QoS, is_valid: Callable[[], bool]) -> None:
         copy: Callable[[Any], Any] = to_message
@@ -55,7 +55,7 @@ class RosoutPublisher(Publisher):
     def log(
         self, stamp: int, severity: int, name: str, message: str, file: str, function: str, line: int
     ) -> str | None:
-        """Send one message. Returns why that cannot be done, None if it was."""
+        """Send one message. Returns the reason if that failed, else None."""
         if not self._is_valid():
             return INVALID_PUBLISHER
         if not self.destroyed:
@@ -63,7 +63,7 @@ class RosoutPublisher(Publisher):
         return None
 
     def publish(self, message: Any) -> None:
-        """Deliver a record; other processes get a message."""
+        """Deliver a record here, and a message to other processes."""
         graph = self.node.graph
         source_timestamp = graph.now_ns()
         number = next(self._numbers)
@@ -72,14 +72,14 @@ class RosoutPublisher(Publisher):
             graph.transport.publish(self, to_message(message), source_timestamp, number)
 
     def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
-        """Keep the record, hand messages to the subscriptions of this process."""
+        """Keep the record, and deliver messages to the subscriptions of this process."""
         if self.cache is not None:
             self.cache.append((message, source_timestamp, number))
         for subscription in self.matched:
             subscription.receive((to_message(message), source_timestamp, number, self))
 
     def replay(self, subscription: Subscription) -> None:
-        """Give a late joiner what was kept."""
+        """Deliver the kept records to a late joiner."""
         if self.cache is None or subscription.qos.durability != Durability.TRANSIENT_LOCAL:
             return
         for record, source_timestamp, number in self.kept()[-subscription.qos.capacity :]:

@@ -1,7 +1,7 @@
-"""The rounds of an executor: what became ready, and what of it is run next.
+"""The rounds of an executor: which entities became ready, and which of them is run next.
 
-What is ready announces itself (`rclpy._entity`) and lies in the executor's inbox; nothing is polled. As in real rclpy work
-comes in rounds: what is ready together runs in a fixed order, each entity once, before the executor looks again.
+Ready entities announce themselves (`rclpy._entity`) in the executor's inbox; nothing is polled. As in real rclpy work comes in
+rounds: entities that are ready together run in a fixed order, each once, before the executor checks again.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._entity import Entity, Scope
 from rclpy._executor_timeouts import ExternalShutdownException
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_source import LONGEST_WAIT_S
+from rclpy._time_base import LONGEST_WAIT_S
 from rclpy._timer_heap import TimerHeap
 from rclpy.constants import S_TO_NS
 from rclpy.context import Context
@@ -37,7 +37,7 @@ _LONGEST_WAIT_NS = int(LONGEST_WAIT_S * S_TO_NS)
 
 
 class ExecutorRounds:
-    """Collects what is ready of some nodes, and waits for more. RuntimeError if the context is not initialised."""
+    """Collects the ready entities of some nodes, and waits for more. RuntimeError if the context is not initialised."""
 
     def __init__(self, context: Context | None) -> None:
         self._context = get_default_context() if context is None else context
@@ -50,7 +50,7 @@ class ExecutorRounds:
         self._nodes_lock = threading.RLock()
         self._new_nodes: deque[Node] = deque()
         self._inbox: deque[Entity] = deque()
-        """What became ready since the round was put together."""
+        """Entities that became ready since the round was collected."""
         self._round: deque[Entity | Task[Any]] = deque()
         self._tasks: deque[Task[Any]] = deque()
         self._timers = TimerHeap(self)
@@ -61,35 +61,35 @@ class ExecutorRounds:
         self._wake_callback: Callable[[], None] | None = None
         self._hook: Callable[[], None] | None = None
         """Called when something becomes ready: while a thread waits here it opens the gate."""
-        self._asked: tuple[Any, Any] | None = None
-        """Timeout and condition of the `spin_once` that the round was put together for."""
+        self._spin_arguments: tuple[Any, Any] | None = None
+        """Timeout and condition of the `spin_once` that the round was collected for."""
         self._waiting = 0
-        """Threads that wait here: two where a program spins one executor twice."""
+        """Number of waiting threads: two if a program spins one executor twice."""
 
-    # nodes come and go
+    # -- nodes come and go ---------------------------------------------------------------------------------------------
 
     def _attach_new_nodes(self) -> None:
-        """Take over what became ready before the node was here.
+        """Take over entities that became ready before the node was added.
 
-        Real rclpy asks a node for its entities only when it spins, so that is where something that is no node fails.
+        Real rclpy reads a node's entities only when it spins, so that is where an object that isn't a node fails.
         """
         with self._nodes_lock:
             while self._new_nodes:
                 node = self._new_nodes[0]
-                iter(node.subscriptions)
-                scope = node._scope
+                next(iter(node.subscriptions), None)
+                scope = node.handle.scope
                 if scope.home is not None and scope.home is not self:
                     scope.home._give_up(scope, scope.home._round)
                 scope.executor = scope.home = self  # type: ignore[assignment]  # an Executor: nothing else derives from this
                 self._new_nodes.popleft()
-                for timer in (*node._timers, *node._hidden_timers, *scope.timed):
+                for timer in (*node.timers, *scope.timed):
                     timer._schedule()
                 if scope.stash:
                     scope.hand_over()
 
     def _detach(self, node: Node) -> None:
-        # What lies in the round stays there: a node that is added again before the next spin goes on where it was.
-        scope = node._scope
+        # Entities in the round stay there: a node that is added again before the next spin continues where it was.
+        scope = node.handle.scope
         scope.executor = None
         self._give_up(scope, self._inbox)
 
@@ -106,14 +106,14 @@ class ExecutorRounds:
                 queue.append(item)
 
     def _start_anew(self) -> None:
-        """Take a round apart that was put together for another kind of `spin_once`; real rclpy looks anew then."""
+        """Put the round back, which was collected for another kind of `spin_once`; real rclpy collects anew, too."""
         entities = [item for item in self._round if isinstance(item, Entity)]
         tasks = [item for item in self._round if isinstance(item, Task)]
         self._round.clear()
         self._inbox.extendleft(reversed(entities))
         self._tasks.extendleft(reversed(tasks))
 
-    # what is ready
+    # -- what is ready -------------------------------------------------------------------------------------------------
 
     def _enqueue(self, entity: Entity) -> None:
         self._inbox.append(entity)
@@ -128,7 +128,7 @@ class ExecutorRounds:
                 hook()
 
     def _collect(self) -> bool:
-        """Put together the next round; False if nothing is ready."""
+        """Collect the next round; False if nothing is ready."""
         inbox, round_ = self._inbox, self._round
         if self._timers.entries:
             self._timers.move_due(self._steady_ns, round_)
@@ -139,19 +139,19 @@ class ExecutorRounds:
         return bool(round_)
 
     def _next(
-        self, timeout_ns: int, condition: Callable[[], bool], asked: tuple[Any, Any]
+        self, timeout_ns: int, condition: Callable[[], bool], spin_arguments: tuple[Any, Any]
     ) -> Entity | Task[Any] | None:
-        """Return what is to be run next, its callback group reserved; None when time is up or `condition` is true.
+        """Return the next item to run, its callback group reserved; None when time is up or `condition` is true.
 
-        `asked` are timeout and condition as the program gave them. Raises ExternalShutdownException when the context was
-        shut down by somebody else.
+        `spin_arguments` are timeout and condition as the program gave them. Raises ExternalShutdownException when the
+        context was shut down elsewhere.
         """
-        if asked != self._asked:
-            self._asked = asked
+        if spin_arguments != self._spin_arguments:
+            self._spin_arguments = spin_arguments
             if self._round:
                 self._start_anew()
         elif self._waiting:
-            # Two threads spin one executor. Real rclpy shares one generator between them, which says:
+            # Two threads spin one executor. Real rclpy shares one generator between them, which raises:
             raise ValueError("generator already executing")
         until: int | None = None
         tasks_had_their_turn = False
@@ -196,7 +196,7 @@ class ExecutorRounds:
             waited = True
 
     def _wait(self, until: int | None) -> None:
-        """Block until something is ready, the next timer is due or `until` (ns, steady) has come."""
+        """Block until something is ready, the next timer is due or the time `until` (ns, steady) is reached."""
         self._waiting += 1
         self._hook = self._open_gate
         try:
@@ -216,7 +216,7 @@ class ExecutorRounds:
                 self._leave_to_others()
 
     def _leave_to_others(self) -> None:
-        """Keep awake for another thread that waits here too what would have woken both."""
+        """Pass a wake-up on to another waiting thread, which only this one has received."""
         self._hook = self._open_gate
         if self._inbox or self._tasks or self._woken or self._new_nodes or not self._context._valid:
             self._open_gate()

@@ -1,6 +1,6 @@
 """Reads remap rules and parameter assignments as rcl does, with its error texts (rcl/lexer.c, rcl/arguments.c).
 
-Numbers in the texts are rcl's lexeme types; they are part of what a user of real ROS sees.
+Numbers in the texts are rcl's lexeme types; users of real ROS see them too.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _LEXEMES: tuple[tuple[int, re.Pattern[str]], ...] = tuple(
 
 
 class RuleError(ValueError):
-    """A rule that rcl would refuse; the text is what it puts after `Error: `, `warning` what it logs before that."""
+    """A rule that rcl would reject; the text is the one it prints after `Error: `, `warning` the one it logs before that."""
 
     def __init__(self, message: str, warning: str = "") -> None:
         super().__init__(message)
@@ -102,7 +102,7 @@ class _Reader:
         raise RuleError(f"{message}, at /project/src/rcl/lexer_lookahead.c:243")
 
     def node_prefix(self) -> str | None:
-        """Take `node:` if the rule begins so."""
+        """Take `node:` if the rule begins with it."""
         if self.peek().kind == TOKEN and self.peek(1).kind == COLON:
             name = self.expect(TOKEN)
             self.expect(COLON)
@@ -114,7 +114,7 @@ class _Reader:
             self._refuse_wildcard((1215, 1218, 1221))
 
     def parameter_token(self) -> None:
-        """Take what stands between two dots of a parameter's name: tokens and slashes in any order."""
+        """Take the part between two dots of a parameter's name: tokens and slashes in any order."""
         if self.accept(TOKEN, FORWARD_SLASH) is None:
             self._refuse_wildcard((1321, 1324, 1327))
         while self.accept(TOKEN, FORWARD_SLASH) is not None:
@@ -163,7 +163,7 @@ def read_remap_rule(text: str) -> RemapRule:
         namespace = text[reader.place :]
         with _warning(f"Namespace not remapped to a fully qualified name (found: {namespace})"):
             reader.expect(FORWARD_SLASH)
-            # A slash at the end passes here; the name is refused when a node is made.
+            # A slash at the end is accepted here; the name is rejected when a node is made.
             while reader.accept(TOKEN) is not None and reader.accept(FORWARD_SLASH) is not None:
                 pass
             reader.expect(EOF)

@@ -68,7 +68,7 @@ _OTHERS = {
 
 
 def standard_name(module: str, name: str) -> Any:
-    """Return what `module` of real rclpy has under that name from Python's library; AttributeError if nothing."""
+    """Return the object from Python's library that `module` of real rclpy has under that name; AttributeError if none."""
     if name in _OF_TYPING.get(module, "").split():
         return getattr(import_module("typing"), name)
     for path in _OTHERS.get(module, "").split():

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class TimerHeap:
-    """A heap of deadlines (ns of the steady clock). Entries that are no longer true are skipped, not removed."""
+    """A heap of deadlines (ns of the steady clock). Outdated entries are skipped, not removed."""
 
     __slots__ = ("_executor", "_numbers", "entries")
 
@@ -25,7 +25,7 @@ class TimerHeap:
         self.entries: list[tuple[int, int, Timer | EventHandler]] = []
 
     def add(self, timer: Timer | EventHandler) -> bool:
-        """Note the timer's next call; says whether it is the earliest of all."""
+        """Add the timer's next call; returns whether it is the earliest of all."""
         deadline = timer._next
         if timer._heap is self and timer._heap_deadline == deadline:
             return False
@@ -48,7 +48,7 @@ class TimerHeap:
         return None
 
     def move_due(self, now: Callable[[], int], ready: deque[Any]) -> None:
-        """Append to `ready` the timers whose time has come and that are not announced yet."""
+        """Append to `ready` the timers that are due and not queued yet."""
         read: int | None = None
         while True:
             deadline = self.first_deadline()

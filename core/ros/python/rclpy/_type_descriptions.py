@@ -1,4 +1,4 @@
-"""Answers of `~/get_type_description`: the description of a type a node uses, found by its hash."""
+"""Responses of `~/get_type_description`: the description of a type that a node uses, found by its hash."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 _HASH_LENGTH = len("RIHS01_") + 64
 
 
-def answer(node: NodeHandle, request: Any, response: Any) -> Any:
+def fill_response(node: NodeHandle, request: Any, response: Any) -> Any:
     """Fill the response for a request to a node."""
     if not request.type_hash.startswith("RIHS01_") or len(request.type_hash) != _HASH_LENGTH:
         response.failure_reason = "Failed to parse type hash"
@@ -46,6 +46,6 @@ def _source(name: str) -> Any:
 
     base = base_name(name)
     if base != name:
-        # A part of a service or action has no text of its own.
+        # The messages of a service or action have no definition text of their own.
         return TypeSource(type_name=name, encoding="implicit")
     return TypeSource(type_name=name, encoding=name.split("/")[1], raw_file_contents=definition_text(name))

@@ -1,19 +1,22 @@
-"""Types that only annotations of programs name; they are found in the modules where real rclpy has them.
+"""Types that programs use only in annotations; the modules of real rclpy that have them find them here.
 
-All annotations here are texts, so nothing is imported for them.
+All annotations here are strings, so nothing is imported for them.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypedDict, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Literal, Protocol, TypedDict, TypeVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from action_msgs.msg import GoalStatusArray
+    from action_msgs.srv import CancelGoal
     from builtin_interfaces.msg import Time
     from service_msgs.msg import ServiceEventInfo
     from unique_identifier_msgs.msg import UUID
 
+    from day6_tui.core.graph import RequestId
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock, ClockChange
     from rclpy.context import Context
@@ -28,13 +31,18 @@ FeedbackT = TypeVar("FeedbackT")
 _GoalIn = TypeVar("_GoalIn")
 _ResultIn = TypeVar("_ResultIn")
 _FeedbackIn = TypeVar("_FeedbackIn")
+_Request = TypeVar("_Request")
+_Response = TypeVar("_Response")
+_Goal = TypeVar("_Goal")
+_Result = TypeVar("_Result")
+_Feedback = TypeVar("_Feedback")
 
 
-# rclpy.type_support
+# -- rclpy.type_support ------------------------------------------------------------------------------------------------
 
 
 class PyCapsule(Protocol):
-    """What stands for something of C; there is none here."""
+    """A C object in Python's C API; there are none here."""
 
 
 class CommonMsgSrvMetaClass(type(Protocol)):  # type: ignore[misc]
@@ -54,6 +62,12 @@ class MsgMetaClass(CommonMsgSrvMetaClass):
 class Msg(Protocol, metaclass=MsgMetaClass):
     """A message."""
 
+    if TYPE_CHECKING:
+        # Services and actions don't have this method, so a type checker doesn't take them for messages.
+        @classmethod
+        def get_fields_and_field_types(cls) -> dict[str, str]:
+            """Return the names of the fields with rosidl's texts for their types."""
+
 
 class Srv(Protocol, metaclass=CommonMsgSrvMetaClass):
     """A service: a class with Request, Response and Event."""
@@ -72,67 +86,82 @@ class Action(Protocol, metaclass=CommonMsgSrvMetaClass):
     Impl: type[Any]
 
 
+class ServiceType(Srv, Protocol[_Request, _Response]):
+    """A service's class, from which a type checker infers the types of requests and responses."""
+
+    Request: type[_Request]
+    Response: type[_Response]
+
+
+class ActionType(Action, Protocol[_Goal, _Result, _Feedback]):
+    """An action's class, from which a type checker infers the types of goals, results and feedback."""
+
+    Goal: type[_Goal]
+    Result: type[_Result]
+    Feedback: type[_Feedback]
+
+
 class EventMessage(Msg, Protocol):
-    """What introspection tells of a service."""
+    """An event of service introspection."""
 
     info: ServiceEventInfo
 
 
 class SendGoalServiceRequest(Msg, Protocol[_GoalIn]):
-    """The request to take a goal."""
+    """The request to accept a goal."""
 
     goal_id: UUID
     goal: _GoalIn
 
 
 class SendGoalServiceResponse(Msg, Protocol):
-    """Whether a goal was taken, and when."""
+    """Whether a goal was accepted, and when."""
 
     accepted: bool
     stamp: Time
 
 
 class SendGoalService(Protocol, metaclass=CommonMsgSrvMetaClass):
-    """The service that takes goals."""
+    """The service that accepts goals."""
 
     Request: type[Any]
     Response: type[Any]
 
 
 class GetResultServiceRequest(Msg, Protocol):
-    """The question for a result."""
+    """The request for a result."""
 
     goal_id: UUID
 
 
 class GetResultServiceResponse(Msg, Protocol[_ResultIn]):
-    """A result, and how the goal ended."""
+    """A result, and the final status of the goal."""
 
     status: int
     result: _ResultIn
 
 
 class GetResultService(Protocol, metaclass=CommonMsgSrvMetaClass):
-    """The service that gives results."""
+    """The service that returns results."""
 
     Request: type[Any]
     Response: type[Any]
 
 
 class FeedbackMessage(Msg, Protocol[_FeedbackIn]):
-    """Feedback, and of which goal."""
+    """Feedback, and the id of its goal."""
 
     goal_id: UUID
     feedback: _FeedbackIn
 
 
-# rclpy.impl.rcutils_logger
+# -- rclpy.impl.rcutils_logger -----------------------------------------------------------------------------------------
 
 SupportedFilters = Literal["throttle", "skip_first", "once"]
 
 
 class LoggingFilterArgs(TypedDict, total=False):
-    """What a call to a logger may say about when to log."""
+    """The arguments of a logging call that filter it."""
 
     once: bool
     throttle_duration_sec: float
@@ -141,7 +170,7 @@ class LoggingFilterArgs(TypedDict, total=False):
 
 
 class LoggingFilterParams(TypedDict, total=False):
-    """The same, of a filter."""
+    """The arguments of a filter."""
 
     once: bool | None
     throttle_duration_sec: float | None
@@ -150,13 +179,13 @@ class LoggingFilterParams(TypedDict, total=False):
 
 
 class LoggingArgs(LoggingFilterArgs, total=False):
-    """What a call to a logger may have beside the message."""
+    """The arguments of a logging call besides the message."""
 
     name: str
 
 
 class RcutilsLoggerContext(TypedDict):
-    """What is remembered of one place that logs."""
+    """The state of one logging call."""
 
     name: str
     severity: LoggingSeverity
@@ -164,13 +193,13 @@ class RcutilsLoggerContext(TypedDict):
 
 
 class OnceContext(RcutilsLoggerContext):
-    """What `once` remembers."""
+    """The state of `once`."""
 
     has_been_logged_once: bool
 
 
 class ThrottleContext(RcutilsLoggerContext):
-    """What `throttle_duration_sec` remembers."""
+    """The state of `throttle_duration_sec`."""
 
     throttle_duration_sec: float
     throttle_time_source_type: Clock
@@ -178,12 +207,12 @@ class ThrottleContext(RcutilsLoggerContext):
 
 
 class SkipFirstContext(RcutilsLoggerContext):
-    """What `skip_first` remembers."""
+    """The state of `skip_first`."""
 
     first_has_been_skipped: bool
 
 
-# elsewhere
+# -- elsewhere ---------------------------------------------------------------------------------------------------------
 
 
 class TimeJumpDictionary(TypedDict):
@@ -193,15 +222,43 @@ class TimeJumpDictionary(TypedDict):
     delta: int
 
 
-class SendGoalKWargs(TypedDict):
-    """What `ActionClient.send_goal` takes beside the goal."""
+if TYPE_CHECKING:
 
-    feedback_callback: Callable[[Any], None] | None
-    goal_uuid: UUID | None
+    class ClientTaken(TypedDict, Generic[_ResultIn, _FeedbackIn], total=False):
+        """Data taken together by an action client: responses with the numbers of their requests, and messages."""
+
+        goal: tuple[SendGoalServiceResponse, int]
+        cancel: tuple[CancelGoal.Response, int]
+        result: tuple[GetResultServiceResponse[_ResultIn], int]
+        feedback: tuple[FeedbackMessage[_FeedbackIn], object]
+        status: tuple[GoalStatusArray, object]
+
+    class ServerTaken(TypedDict, Generic[_GoalIn], total=False):
+        """Data taken together by an action server: requests with their ids."""
+
+        goal: tuple[SendGoalServiceRequest[_GoalIn], RequestId]
+        cancel: tuple[CancelGoal.Request, RequestId]
+        result: tuple[GetResultServiceRequest, RequestId]
+
+    FeedbackCallback = Callable[[FeedbackMessage[_FeedbackIn]], object]
+
+    class SendGoalKWargs(TypedDict, Generic[_FeedbackIn], total=False):
+        """Keyword arguments of `ActionClient.send_goal` besides the goal."""
+
+        feedback_callback: FeedbackCallback[_FeedbackIn] | None
+        goal_uuid: UUID | None
+
+else:
+    # A generic TypedDict needs Python 3.11.
+    class SendGoalKWargs(TypedDict):
+        """Keyword arguments of `ActionClient.send_goal` besides the goal."""
+
+        feedback_callback: Callable[[Any], None] | None
+        goal_uuid: UUID | None
 
 
 class LifecycleNodeArgs(TypedDict, total=False):
-    """What a lifecycle node takes beside its name."""
+    """Keyword arguments of a lifecycle node besides its name."""
 
     context: Context | None
     cli_args: list[str] | None
@@ -216,7 +273,7 @@ class LifecycleNodeArgs(TypedDict, total=False):
 
 
 class CreateLifecyclePublisherArgs(TypedDict, total=False):
-    """What `create_lifecycle_publisher` takes beside type, topic and QoS."""
+    """Keyword arguments of `create_lifecycle_publisher` besides type, topic and QoS."""
 
     callback_group: CallbackGroup | None
     event_callbacks: PublisherEventCallbacks | None

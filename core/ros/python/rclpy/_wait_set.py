@@ -1,4 +1,4 @@
-"""A stand-in for rcl's wait set: entities a program or a waitable adds by their handles, and whether they are ready."""
+"""A replacement for rcl's wait set: entities that a program or a waitable adds by their handles, and whether they are ready."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._entity import NOTHING
 from rclpy._rclpy_pybind11 import Destroyable, RCLError
-from rclpy._time_source import Gate
+from rclpy._time_base import AutoResetEvent
 from rclpy.constants import S_TO_NS
 from rclpy.timer import Timer
 
@@ -27,10 +27,10 @@ _FULL = {
 
 
 class WaitSet(Destroyable):
-    """Entities to wait for; the numbers say how many of each kind there may be.
+    """Entities to wait for; the numbers limit the entities of each kind.
 
-    `wait` is rcl's: after it `is_ready` tells what was ready at its end. The wait set of a waitable (`_of_waitable`) is not
-    waited with; the executor is told when an entity becomes ready.
+    After `wait`, as in rcl, `is_ready` returns what was ready at its end. `wait` is not called on the wait set of a waitable
+    (`_of_waitable`); the executor is notified when an entity becomes ready.
     """
 
     def __init__(
@@ -53,8 +53,8 @@ class WaitSet(Destroyable):
             number_of_events,
         )
         self._limits: dict[str, int] | None = dict(zip(_KINDS, numbers, strict=True))
-        self._changed = Gate()
-        self._announce: Callable[..., None] = lambda *_: self._changed.open()
+        self._changed = AutoResetEvent()
+        self._announce: Callable[..., None] = lambda *_: self._changed.set()
         self._members: dict[str, list[Any]] = {kind: [] for kind in _KINDS}
         self._ready: dict[str, list[bool]] | None = None
         self._scope: Scope | None = None
@@ -68,7 +68,7 @@ class WaitSet(Destroyable):
         made._scope = scope
         return made
 
-    # adding
+    # -- adding --------------------------------------------------------------------------------------------------------
 
     def _add(self, kind: str, handle: Any) -> int:
         members = self._members[kind]
@@ -116,15 +116,15 @@ class WaitSet(Destroyable):
         return index
 
     def clear_entities(self) -> None:
-        """Remove all."""
+        """Remove all entities."""
         for members in self._members.values():
             members.clear()
         self._ready = None
 
-    # looking
+    # -- looking -------------------------------------------------------------------------------------------------------
 
     def wait(self, timeout_nsec: int) -> None:
-        """Block until something is ready or the time is over; negative for ever, 0 not at all."""
+        """Block until an entity is ready or `timeout_nsec` nanoseconds are over (negative: for ever, 0: not at all)."""
         end = None
         steady = _steady_ns()
         if timeout_nsec >= 0:
@@ -143,7 +143,7 @@ class WaitSet(Destroyable):
             self._changed.wait(min(left) / S_TO_NS if left else None)
 
     def is_ready(self, kind: str, index: int) -> bool:
-        """Say whether an entity is ready; `kind` is subscription, guard_condition, timer, client, service or event."""
+        """Return whether an entity is ready; `kind` is subscription, guard_condition, timer, client, service or event."""
         members = self._members_of(kind)
         if not 0 <= index < len(members):
             raise IndexError("wait set index too big")
@@ -152,7 +152,7 @@ class WaitSet(Destroyable):
         return _is_ready(kind, members[index])
 
     def get_ready_entities(self, kind: str) -> list[int]:
-        """Return the `pointer`s of those that were ready at the end of `wait`."""
+        """Return the `pointer`s of the entities that were ready at the end of `wait`."""
         members = self._members_of(kind)
         ready = [] if self._ready is None else self._ready[kind]
         return [each.pointer for each, is_ready in zip(members, ready, strict=False) if is_ready]
@@ -164,12 +164,12 @@ class WaitSet(Destroyable):
         return members
 
     def reset(self) -> None:
-        """Forget that guard conditions were triggered, as each wait of rcl does."""
+        """Reset triggered guard conditions, as each wait of rcl does."""
         for guard in self._members["guard_condition"]:
             guard._entity()._executor_triggered = False
 
     def rearm(self) -> None:
-        """Look at timers again, and announce what is ready still."""
+        """Schedule timers again, and announce entities that are still ready."""
         for alarm in self._alarms:
             alarm._schedule()
         if any(handle._endpoint.queue for kind in _ENDPOINTS for handle in self._members[kind]):
@@ -191,7 +191,7 @@ def _steady_ns() -> int:
 
 
 class _Alarm(Timer):
-    """Wakes a waitable when a timer of its is due; the waitable itself calls the timer."""
+    """Wakes a waitable when one of its timers is due; the waitable itself calls the timer."""
 
     def __init__(self, watched: Timer, announce: Callable[..., None]) -> None:
         self._watched = watched
@@ -220,4 +220,4 @@ class _Alarm(Timer):
 
 
 _POLL_NS = 10_000_000
-"""How often a waitable's timer on simulated time is looked at."""
+"""Nanoseconds between checks of a waitable's timer on simulated time."""

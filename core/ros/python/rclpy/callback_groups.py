@@ -29,11 +29,11 @@ class CallbackGroup:
         self.entities.add(weakref.ref(entity))
 
     def has_entity(self, entity: Entity) -> bool:
-        """Say whether an entity belongs to the group."""
+        """Return whether an entity belongs to the group."""
         return weakref.ref(entity) in self.entities
 
     def can_execute(self, entity: Entity) -> bool:
-        """Say whether the entity's callback may run now."""
+        """Return whether the entity's callback may run now."""
         raise NotImplementedError
 
     def beginning_execution(self, entity: Entity) -> bool:
@@ -69,7 +69,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         self._lock = Lock()
 
     def can_execute(self, entity: Entity) -> bool:
-        """Say whether no callback of the group is running."""
+        """Return whether no callback of the group is running."""
         return self._active_entity is None
 
     def beginning_execution(self, entity: Entity) -> bool:

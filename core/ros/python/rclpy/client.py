@@ -10,28 +10,28 @@ from rclpy._handles import INVALID_NODE
 from rclpy._incidental import also
 from rclpy._node_endpoint import ServiceEndpoint
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_source import wait_interruptibly
+from rclpy._time_base import wait_interruptibly
 from rclpy.qos import QoSProfile
 from rclpy.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from rclpy.task import Future
+from rclpy.type_support import SrvRequestT, SrvResponseT
 
 if TYPE_CHECKING:
     from rclpy._handles import EndpointHandle
+    from rclpy._typing_names import ServiceType
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
 
 __getattr__ = also(__name__, "Srv CallbackGroup Clock Context")
 
 
-SrvRequestT = TypeVar("SrvRequestT")
-SrvResponseT = TypeVar("SrvResponseT")
 SrvType = TypeVar("SrvType")
 SrvTypeRequest = TypeVar("SrvTypeRequest")
 SrvTypeResponse = TypeVar("SrvTypeResponse")
 
 
 class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
-    """Asks a service; made by `Node.create_client`."""
+    """Sends requests to a service; made by `Node.create_client`."""
 
     _kind = CLIENT
 
@@ -39,7 +39,7 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
         self,
         context: Context,
         client_impl: EndpointHandle,
-        srv_type: Any,
+        srv_type: type[ServiceType[SrvRequestT, SrvResponseT]],
         srv_name: str,
         qos_profile: QoSProfile,
         callback_group: CallbackGroup,
@@ -50,7 +50,7 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
         self.srv_type = srv_type
         self.srv_name = srv_name
         self.qos_profile = qos_profile
-        self._pending_requests: dict[int, Future[Any]] = {}
+        self._pending_requests: dict[int, Future[SrvResponseT]] = {}
         self.callback_group = callback_group
         self._executor_event = False
         self._lock = threading.Lock()
@@ -77,10 +77,12 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
             future.set_result(response)
         return None
 
-    def call(self, request: SrvRequestT, timeout_sec: float | None = None) -> Any:
-        """Ask and block until the answer is there; another thread has to spin the node.
+    def call(self, request: SrvRequestT, timeout_sec: float | None = None) -> SrvResponseT | None:
+        """Send a request and block until the response arrives; another thread has to spin the node.
 
-        TypeError for what is no request of the service's type, TimeoutError after `timeout_sec` seconds.
+        Raises:
+            TypeError: for anything that isn't a request of the service's type.
+            TimeoutError: after `timeout_sec` seconds.
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError
@@ -92,12 +94,16 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
             raise TimeoutError
         return future.result()
 
-    def call_async(self, request: SrvRequestT) -> Future[Any]:
-        """Ask and return the future of the answer. TypeError for what is no request of the service's type."""
+    def call_async(self, request: SrvRequestT) -> Future[SrvResponseT]:
+        """Send a request; return the future of the response.
+
+        Raises:
+            TypeError: for anything that isn't a request of the service.
+        """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError
         self._handle.check()
-        future: Future[Any] = Future()
+        future: Future[SrvResponseT] = Future()
         with self._lock:
             number = self._endpoint.send_request(request)
             self._pending_requests[number] = future
@@ -106,13 +112,17 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
             self._introspection.request_sent(request, number)
         return future
 
-    def get_pending_request(self, sequence_number: int) -> Future[Any]:
-        """Return the future of a request; KeyError if it is not pending."""
+    def get_pending_request(self, sequence_number: int) -> Future[SrvResponseT]:
+        """Return the future of a request by its sequence number.
+
+        Raises:
+            KeyError: if it is not pending.
+        """
         with self._lock:
             return self._pending_requests[sequence_number]
 
-    def remove_pending_request(self, future: Future[Any]) -> None:
-        """Wait no longer for the answer of that future."""
+    def remove_pending_request(self, future: Future[SrvResponseT]) -> None:
+        """Stop waiting for the response of that future."""
         with self._lock:
             for number, pending in self._pending_requests.items():
                 if pending is future:
@@ -120,7 +130,7 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
                     return
 
     def service_is_ready(self) -> bool:
-        """Say whether somebody serves the service."""
+        """Return whether the service has a server."""
         self._handle.check()
         if not self.context._valid:
             raise RCLError(f"failed to check service availability: {INVALID_NODE}")
@@ -128,7 +138,7 @@ class Client(ServiceEndpoint, Generic[SrvRequestT, SrvResponseT]):
         return ready
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Block until somebody serves the service, or `timeout_sec` is over; says whether somebody does."""
+        """Block until the service has a server, at most `timeout_sec` seconds (None: no limit); returns whether it does."""
         if not self.service_is_ready():
             self.context._wait_for_graph(self._endpoint.service_is_ready, timeout_sec)
         return self.service_is_ready()

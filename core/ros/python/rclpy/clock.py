@@ -1,16 +1,16 @@
-"""Clocks: what time it is, and callbacks when time jumps."""
+"""Clocks: reading the time, sleeping, and callbacks for time jumps."""
 
 from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import ClockChange as ClockChange
 from rclpy._rclpy_pybind11 import Destroyable
-from rclpy._time_source import MACHINE_TIME, Gate, TimeSource
+from rclpy._time_base import MACHINE_TIME, AutoResetEvent, TimeBase
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
@@ -18,6 +18,7 @@ from rclpy.exceptions import NotInitializedException
 from rclpy.time import Time
 
 if TYPE_CHECKING:
+    from rclpy._typing_names import TimeJumpDictionary
     from rclpy.context import Context
     from rclpy.timer import Timer
 
@@ -25,9 +26,10 @@ __getattr__ = also(__name__, "TimeJumpDictionary Context get_default_context")
 
 
 class JumpThreshold:
-    """Which jumps are worth a callback: forward by at least `min_forward`, backward by `min_backward` (negative).
+    """The jumps that trigger a callback: forward by at least `min_forward`, backward by `min_backward` (negative).
 
-    ValueError if a duration has the wrong sign, or if none is given and changes of the clock do not count either.
+    Raises:
+        ValueError: if a duration has the wrong sign, or if none is given and clock changes do not trigger either.
     """
 
     def __init__(
@@ -72,7 +74,7 @@ class TimeJump:
 
 
 class JumpHandle:
-    """Keeps callbacks for jumps of a clock registered; `unregister` (or the end of `with`) ends that."""
+    """Registration of callbacks for jumps of a clock; `unregister` (or the end of `with`) removes it."""
 
     def __init__(
         self,
@@ -80,7 +82,7 @@ class JumpHandle:
         clock: Clock,
         threshold: JumpThreshold,
         pre_callback: Callable[[], None] | None,
-        post_callback: Callable[[Any], None] | None,
+        post_callback: Callable[[TimeJumpDictionary], None] | None,
     ) -> None:
         if pre_callback is None and post_callback is None:
             raise ValueError("One of pre_callback or post_callback must be callable")
@@ -95,7 +97,7 @@ class JumpHandle:
         clock._jump_handles.append(self)
 
     def unregister(self) -> None:
-        """Stop calling."""
+        """Remove the callbacks."""
         if self._clock is not None:
             if self in self._clock._jump_handles:
                 self._clock._jump_handles.remove(self)
@@ -117,14 +119,19 @@ class _ClockHandle(Destroyable):
 
 
 class Clock:
-    """A clock; `Clock(clock_type=ClockType.ROS_TIME)` makes a ROSClock. TypeError for anything that is no ClockType."""
+    """A clock; `Clock(clock_type=ClockType.ROS_TIME)` makes a ROSClock.
+
+    Raises:
+        TypeError: for anything that isn't a ClockType.
+    """
 
     _clock_type: ClockType
-    _time: TimeSource = MACHINE_TIME
+    _time: TimeBase = MACHINE_TIME
     _handle: Destroyable
     _jump_handles: list[JumpHandle]
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
+        """Make a clock of this type; a ROSClock for ROS_TIME, as rclpy/clock.py."""
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
@@ -139,8 +146,8 @@ class Clock:
 
     if not TYPE_CHECKING:
 
-        def __init__(self, **_kwargs: Any) -> None:
-            """Everything was done in __new__, which may have chosen another class."""
+        def __init__(self, **_kwargs: object) -> None:
+            """Do nothing: `__new__` has done everything, as it may have chosen another class."""
 
     @property
     def clock_type(self) -> ClockType:
@@ -171,11 +178,11 @@ class Clock:
         pre_callback: Callable[[], None] | None = None,
         post_callback: Callable[[TimeJump], None] | None = None,
     ) -> JumpHandle:
-        """Call back before and after jumps beyond `threshold`. Returns the handle that keeps it so."""
+        """Call functions before and after jumps beyond `threshold`, until the returned handle is unregistered."""
         post = None
         if callable(post_callback):
 
-            def post(jump: dict[str, Any]) -> None:
+            def post(jump: TimeJumpDictionary) -> None:
                 post_callback(TimeJump(jump["clock_change"], Duration(nanoseconds=jump["delta"])))
 
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post)
@@ -183,8 +190,11 @@ class Clock:
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Block until this clock reads `until`.
 
-        Returns False when a shutdown of the context, or a switch to or from simulated time, ended the sleep.
-        NotInitializedException without a valid context, ValueError for a time of another kind of clock.
+        Returns False if a shutdown of the context, or a switch to or from simulated time, ended the sleep.
+
+        Raises:
+            NotInitializedException: without a valid context.
+            ValueError: for a time of another kind of clock.
         """
         from rclpy.utilities import get_default_context
 
@@ -193,16 +203,16 @@ class Clock:
             raise NotInitializedException
         if until.clock_type is not self._clock_type:
             raise ValueError("until's clock type does not match this clock's type")
-        woken = Gate()
+        woken = AutoResetEvent()
         source_changed = False
 
         def on_jump(jump: TimeJump) -> None:
             nonlocal source_changed
             if jump.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
                 source_changed = True
-            woken.open()
+            woken.set()
 
-        stop_watching = context._watch_end(woken.open)
+        stop_watching = context._watch_end(woken.set)
         threshold = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=None, on_clock_change=True)
         with self.create_jump_callback(threshold, post_callback=on_jump):
             while context.ok() and not source_changed:
@@ -214,7 +224,7 @@ class Clock:
         return context.ok() and not source_changed and self._now_ns() >= until.nanoseconds
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
-        """Block for a time by this clock; see `sleep_until`."""
+        """Block for a duration by this clock; see `sleep_until`."""
         return self.sleep_until(self.now() + rel_time, context)
 
     def _is_simulated(self) -> bool:
@@ -225,6 +235,7 @@ class ROSClock(Clock):
     """The clock of a node: system time, or the time published on /clock when `use_sim_time` is set."""
 
     def __new__(cls) -> ROSClock:
+        """Make a clock of type ROS_TIME."""
         self = Clock.__new__(Clock, clock_type=ClockType.ROS_TIME)
         assert isinstance(self, ROSClock)
         return self
@@ -261,11 +272,11 @@ class ROSClock(Clock):
 
     def _exceeding(
         self, handles: list[JumpHandle], change: ClockChange, apply: Callable[[], None], before: int
-    ) -> list[tuple[JumpHandle, dict[str, Any]]]:
-        """Call the pre-callbacks of those whose threshold the jump exceeds, make the jump, return those handles."""
+    ) -> list[tuple[JumpHandle, TimeJumpDictionary]]:
+        """Call the pre-callbacks whose threshold the jump exceeds, make the jump, return the handles of those."""
         active, override = self._active, self._override
         apply()
-        # Another source of the time is no jump by so and so much (rcl/time.c).
+        # A change of the time source isn't a jump by some duration (rcl/time.c).
         delta = self._now_ns() - before if change is ClockChange.ROS_TIME_NO_CHANGE else 0
         after_active, after_override = self._active, self._override
         concerned = [handle for handle in handles if handle._threshold._exceeded_by(change, delta)]
@@ -287,7 +298,11 @@ class ROSClock(Clock):
         self._jump(ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED, apply)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set the simulated time. TypeError for anything that is no Time."""
+        """Set the simulated time.
+
+        Raises:
+            TypeError: for anything that isn't a Time.
+        """
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
         if not self._active:

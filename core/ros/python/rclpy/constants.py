@@ -1,3 +1,3 @@
-"""Numbers used all over rclpy."""
+"""Numbers used throughout rclpy."""
 
 S_TO_NS = 1000 * 1000 * 1000

@@ -1,8 +1,7 @@
-"""Contexts: what lies between init() and shutdown()."""
+"""Contexts: one use of ROS, from init() to shutdown()."""
 
 from __future__ import annotations
 
-import atexit
 import os
 import sys
 import threading
@@ -20,7 +19,7 @@ from day6_tui.core.graph.domain import DomainError, domain_from_text
 from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy._rclpy_pybind11 import RCL_DEFAULT_DOMAIN_ID, Destroyable, RCLError
-from rclpy._time_source import MACHINE_TIME, Gate, TimeSource
+from rclpy._time_base import MACHINE_TIME, AutoResetEvent, TimeBase
 
 if TYPE_CHECKING:
     from rclpy._arguments import RosArguments
@@ -38,23 +37,22 @@ _WRONG_ARGUMENTS = (
 )
 
 _living: weakref.WeakSet[Context]
-_linked: list[Graph] = []
 
 
 class _ContextHandle(Destroyable):
-    """What `Context.handle` returns once the context was initialised."""
+    """The handle of an initialised context."""
 
     def __init__(self, context: Context) -> None:
         super().__init__()
         self._context = weakref.ref(context)
 
     def ok(self) -> bool:
-        """Say whether the context was not shut down."""
+        """Return whether the context has not been shut down."""
         context = self._context()
         return context is not None and context.ok()
 
     def get_domain_id(self) -> int:
-        """Return the domain the context's nodes live in."""
+        """Return the domain of the context's nodes."""
         context = self._context()
         return 0 if context is None else context.get_domain_id()
 
@@ -80,15 +78,16 @@ class Context:
         self._arguments: RosArguments | None = None
         self._topic_types: dict[str, list[Any]] = {}
         """topic -> [type name, number of endpoints] of this context: one participant has one type per topic"""
-        self._time: TimeSource = MACHINE_TIME
+        self._time: TimeBase = MACHINE_TIME
         self._logging: LoggingSettings = PROCESS
         self._uses_link = True
+        self._has_joined = False
 
     @classmethod
     def _for_session(
         cls,
         graph: Graph,
-        time_source: TimeSource,
+        time_source: TimeBase,
         args: list[str] | None = None,
         env: Mapping[str, str] | None = None,
         write: Callable[[str], Any] | None = None,
@@ -96,9 +95,9 @@ class Context:
     ) -> Context:
         """Return an initialised context on `graph` whose clocks read `time_source`; it has no link and touches no signal.
 
-        `args` are its global arguments (default: none), `env` the environment its logging looks at (default: this
-        process's), `write` takes its log lines, those about wrong arguments too (default: stderr), and so does `log_file`
-        (default: none). Its log levels and its logging output are its own.
+        `args` are its global arguments (default: none), `env` the environment for its logging (default: this process's).
+        `write` gets its log lines, including those about wrong arguments (default: stderr), and so does `log_file`
+        (default: none). It has its own log levels and logging output.
         """
         context = cls()
         context._graph = graph
@@ -112,7 +111,7 @@ class Context:
 
     @property
     def _log_write(self) -> Callable[[str], Any] | None:
-        """Where log lines of this context's nodes go; None is stderr."""
+        """The function that writes log lines of this context's nodes; None is stderr."""
         return self._logging.write
 
     @_log_write.setter
@@ -125,7 +124,7 @@ class Context:
         return self._handle
 
     def destroy(self) -> None:
-        """Give the handle up."""
+        """Destroy the handle."""
         if self._handle is not None:
             self._handle.destroy_when_not_in_use()
 
@@ -135,7 +134,10 @@ class Context:
         """Initialise the context.
 
         `args` are command line arguments, by default `sys.argv`; `domain_id` by default that of ROS_DOMAIN_ID, else 0.
-        Raises RuntimeError for a second call or a negative domain, RCLError and UnknownROSArgsError for bad arguments.
+
+        Raises:
+            RuntimeError: for a second call or a negative domain.
+            RCLError, UnknownROSArgsError: for bad arguments.
         """
         from rclpy._arguments import parse_global_arguments
 
@@ -176,7 +178,7 @@ class Context:
                     return
 
     def ok(self) -> bool:
-        """Say whether the context is initialised and not shut down."""
+        """Return whether the context is initialised and not shut down."""
         return self._valid
 
     def _invalidate(self) -> None:
@@ -188,7 +190,7 @@ class Context:
             watcher()
 
     def _watch_end(self, watcher: _Callback) -> _Callback:
-        """Call `watcher()`, from any thread, when the context becomes invalid; returns the function that ends that."""
+        """Call `watcher()`, from any thread, when the context becomes invalid; returns the function that removes it."""
         self._end_watchers.append(watcher)
 
         def remove() -> None:
@@ -198,13 +200,13 @@ class Context:
         return remove
 
     def _wait_for_graph(self, condition: Callable[[], bool], timeout_sec: float | None) -> bool:
-        """Block until a condition on the graph is true, the context is invalid or time is up; says whether it is true."""
+        """Block until a condition on the graph is true, the context is invalid or time is up; return the condition."""
         if condition():
             return True
-        changed = Gate()
+        changed = AutoResetEvent()
         assert self._graph is not None
-        end_of_changes = self._graph.add_listener(lambda _event: changed.open())
-        end_of_watch = self._watch_end(changed.open)
+        end_of_changes = self._graph.add_listener(lambda _event: changed.set())
+        end_of_watch = self._watch_end(changed.set)
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         try:
             while self._valid and not condition():
@@ -231,7 +233,7 @@ class Context:
                 node.destroy_node()
         if self._ended:
             raise RuntimeError("Context already shutdown.")
-        # After a signal the context is invalid, but it can still be shut down as often as one likes.
+        # After a signal the context is invalid, but it can still be shut down any number of times.
         self._ended = self._valid
         self._invalidate()
         self._call_on_shutdown_callbacks()
@@ -239,14 +241,18 @@ class Context:
             _leave(self._graph)
 
     def shutdown(self) -> None:
-        """Shut the context down: destroy its nodes, call the shutdown callbacks. RuntimeError before init()."""
+        """Shut the context down: destroy its nodes, call the shutdown callbacks.
+
+        Raises:
+            RuntimeError: before init().
+        """
         if self._handle is None:
             raise RuntimeError("Context must be initialized before it can be shutdown")
         with self._lock:
             self._cleanup()
 
     def try_shutdown(self) -> None:
-        """Shut the context down unless that was done, or init() never was."""
+        """Shut the context down unless it already was, or was never initialised."""
         if self._handle is None:
             return
         with self._lock:
@@ -258,7 +264,7 @@ class Context:
             self._callbacks.remove(callback)
 
     def on_shutdown(self, callback: _Callback) -> None:
-        """Call `callback` at shutdown, or now if that has been. Methods are held weakly."""
+        """Call `callback` at shutdown, or now if that has happened. Methods are referenced weakly."""
         if not callable(callback):
             raise TypeError("callback should be a callable, got {}", type(callback))
         with self._lock:
@@ -270,23 +276,27 @@ class Context:
                 self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
-        """Return the ROS domain; RuntimeError before init()."""
+        """Return the ROS domain.
+
+        Raises:
+            RuntimeError: before init().
+        """
         if self._handle is None:
             raise RuntimeError("Context must be initialized before it can have a domain id")
         return self._domain_id
 
     def _join_link(self) -> None:
-        """Join the graph with those of other processes; called for the first node of a context."""
+        """Join the graphs of other processes; called for the first node of a context."""
         graph = self._graph
-        if not self._uses_link or graph is None or graph in _linked or os.environ.get("DAY6_LINK") == "off":
+        if not self._uses_link or self._has_joined or graph is None or os.environ.get("DAY6_LINK") == "off":
             return
-        _linked.append(graph)
+        self._has_joined = True
         try:
             from day6_tui.core.link import join
 
             join(graph)
         except Exception as error:
-            # The program is worth more than the connection: it runs alone, and says so.
+            # The program matters more than the connection: it runs alone and logs that.
             print(f"day6-tui: no link to other programs ({type(error).__name__}: {error})", file=sys.stderr)
 
     def __enter__(self) -> Context:
@@ -326,7 +336,7 @@ def _domain_from_environment() -> int:
 def _open_log_file(arguments: RosArguments) -> None:
     """Give this process its log file, once.
 
-    RCLError for a configuration file, and if the folder cannot be made that the user has named; else there is no file.
+    RCLError for a configuration file, and if the folder that the user has chosen cannot be made; any other failure means no file.
     """
     from rclpy._log_file import of_process
 
@@ -352,17 +362,6 @@ def _open_log_file(arguments: RosArguments) -> None:
 
 
 def _leave(graph: Graph) -> None:
-    if graph in _linked:
-        _linked.remove(graph)
-        try:
-            from day6_tui.core.link import leave
-        except ImportError:
-            # Joining failed for the same reason and said so.
-            return
-        leave(graph)
-
-
-@atexit.register
-def _leave_all() -> None:
-    for graph in list(_linked):
-        _leave(graph)
+    link = sys.modules.get("day6_tui.core.link")
+    if link is not None:  # else nobody has joined
+        link.leave(graph)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMW_DURATION_INFINITE
@@ -19,7 +19,8 @@ __getattr__ = also(__name__)
 class Duration:
     """A span of time, possibly negative, held as nanoseconds (64 bits).
 
-    Raises OverflowError when the sum of `seconds` and `nanoseconds` does not fit.
+    Raises:
+        OverflowError: when the sum of `seconds` and `nanoseconds` does not fit.
     """
 
     __slots__ = ("__weakref__", "_nanoseconds")
@@ -90,7 +91,7 @@ class Duration:
         return NotImplemented
 
     def to_msg(self) -> builtin_interfaces.msg.Duration:
-        """Return it as a builtin_interfaces/Duration message."""
+        """Return the duration as a builtin_interfaces/Duration message."""
         import builtin_interfaces.msg
 
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
@@ -98,15 +99,19 @@ class Duration:
 
     @classmethod
     def from_msg(cls, msg: builtin_interfaces.msg.Duration) -> Duration:
-        """Make one of a builtin_interfaces/Duration message; anything else raises TypeError."""
+        """Convert a builtin_interfaces/Duration message.
+
+        Raises:
+            TypeError: for anything else.
+        """
         import builtin_interfaces.msg
 
         if not isinstance(msg, builtin_interfaces.msg.Duration):
             raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
 
-    def get_c_duration(self) -> Any:
-        """Return something with the attribute `nanoseconds`, as rclpy's C++ half wants it."""
+    def get_c_duration(self) -> Duration:
+        """Return an object with the attribute `nanoseconds`, as rclpy's C++ half expects it."""
         return self
 
 

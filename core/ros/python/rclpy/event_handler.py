@@ -1,4 +1,4 @@
-"""Events of publishers and subscriptions: QoS that does not fit, matches, and so on."""
+"""Events of publishers and subscriptions: incompatible QoS, matched endpoints, and so on."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class QoSRequestedDeadlineMissedInfo(_Info):
 
 
 class QoSLivelinessChangedInfo:
-    """Publishers of a subscription came to life or died."""
+    """Publishers of a subscription gained or lost liveliness."""
 
     __slots__ = ("alive_count", "alive_count_change", "not_alive_count", "not_alive_count_change")
 
@@ -70,7 +70,7 @@ class QoSMessageLostInfo(_Info):
 
 
 class QoSRequestedIncompatibleQoSInfo(_Info):
-    """Endpoints of a topic do not fit together; `last_policy_kind` names the policy that did not fit last."""
+    """Endpoints of a topic have incompatible QoS; `last_policy_kind` is the latest incompatible policy."""
 
     __slots__ = ("last_policy_kind",)
 
@@ -97,7 +97,7 @@ class QoSOfferedDeadlineMissedInfo(_Info):
 
 
 class QoSLivelinessLostInfo(_Info):
-    """A publisher did not show in time that it lives."""
+    """A publisher did not assert its liveliness in time."""
 
     __slots__ = ()
 
@@ -159,7 +159,7 @@ class _EventHandle(Destroyable):
     def take_event(self) -> Any:
         """Return the counters; their changes are those since the last time."""
         status, seen = self._endpoint.status(self._kind), self._seen
-        # Several handles may look at the same counters, so each has its own idea of what is new.
+        # Several handles may read the same counters, so each remembers what it has reported.
         status.total_count_change = status.total_count - seen.total_count
         status.current_count_change = status.current_count - seen.current_count
         status.not_alive_count_change = status.not_alive_count - seen.not_alive_count
@@ -168,13 +168,18 @@ class _EventHandle(Destroyable):
 
 
 class EventHandler(Waitable[Any]):
-    """Calls a function when one kind of event happens to a publisher or subscription.
+    """Calls a function when one kind of event occurs on a publisher or subscription.
 
     `parent_impl` is the handle of the publisher or subscription.
     """
 
     def __init__(
-        self, *, callback_group: CallbackGroup, callback: Callable[..., Any], event_type: Any, parent_impl: Any
+        self,
+        *,
+        callback_group: CallbackGroup,
+        callback: Callable[..., object],
+        event_type: QoSPublisherEventType | QoSSubscriptionEventType,
+        parent_impl: EndpointHandle,
     ) -> None:
         super().__init__(callback_group)
         self.event_type = event_type
@@ -182,7 +187,7 @@ class EventHandler(Waitable[Any]):
         self._event = _EventHandle(parent_impl, event_type)
         self._event_kind = self._event._kind
         self._timed = self._event_kind in self._event._endpoint.watches
-        # What the executor's heap of deadlines asks of a timer.
+        # The attributes that the executor's heap of deadlines needs.
         self._heap: TimerHeap | None = None
         self._heap_deadline = self._next = 0
         self._canceled = False
@@ -194,7 +199,7 @@ class EventHandler(Waitable[Any]):
             self._schedule()
 
     def _schedule(self) -> None:
-        """Have the executor look here when the passing of time raises the event."""
+        """Schedule a check for the time at which the event may occur."""
         executor = None if self._scope is None else self._scope.executor
         wait = self._event._due_in()
         if wait is None or executor is None or self._canceled:
@@ -224,11 +229,11 @@ class EventHandler(Waitable[Any]):
         pass
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return one event."""
+        """Return the number of entities: one event."""
         return NumberOfEntities(num_events=1)
 
     def destroy(self) -> None:
-        """Call back no more."""
+        """Stop calling the callback."""
         self._canceled = True
         self._event.destroy_when_not_in_use()
         if self._timed and self._scope is not None and self in self._scope.timed:
@@ -244,7 +249,7 @@ class QoSEventHandler(EventHandler):
 
 
 class SubscriptionEventCallbacks:
-    """What to call when something happens to a subscription. By default incompatible QoS and types are logged."""
+    """The callbacks for events of a subscription. By default incompatible QoS and types are logged."""
 
     def __init__(
         self,
@@ -266,7 +271,7 @@ class SubscriptionEventCallbacks:
         self.use_default_callbacks = use_default_callbacks
 
     def create_event_handlers(
-        self, callback_group: CallbackGroup, subscription: Any, topic_name: str
+        self, callback_group: CallbackGroup, subscription: EndpointHandle, topic_name: str
     ) -> list[EventHandler]:
         """Make the handlers of a subscription, given by its handle."""
         types = rcl_subscription_event_type_t
@@ -293,7 +298,7 @@ class SubscriptionEventCallbacks:
 
 
 class PublisherEventCallbacks:
-    """What to call when something happens to a publisher. By default incompatible QoS and types are logged."""
+    """The callbacks for events of a publisher. By default incompatible QoS and types are logged."""
 
     def __init__(
         self,
@@ -313,7 +318,7 @@ class PublisherEventCallbacks:
         self.use_default_callbacks = use_default_callbacks
 
     def create_event_handlers(
-        self, callback_group: CallbackGroup, publisher: Any, topic_name: str
+        self, callback_group: CallbackGroup, publisher: EndpointHandle, topic_name: str
     ) -> list[EventHandler]:
         """Make the handlers of a publisher, given by its handle."""
         types = rcl_publisher_event_type_t
@@ -348,7 +353,7 @@ def _warn(parent: EndpointHandle, text: str) -> None:
 
 def _qos_warning(parent: Any, text: str) -> Callable[[QoSRequestedIncompatibleQoSInfo], None]:
     def warn(event: QoSRequestedIncompatibleQoSInfo) -> None:
-        _warn(parent, text + qos_policy_name_from_kind(event.last_policy_kind))
+        _warn(parent, text + qos_policy_name_from_kind(int(event.last_policy_kind)))
 
     return warn
 

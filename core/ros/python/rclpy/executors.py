@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import warnings
 from collections import deque
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Awaitable, Callable
+from typing import Any, TypeVar, overload
 
 from rclpy._callables import is_coroutine_function
 from rclpy._entity import Entity
@@ -30,7 +30,18 @@ __getattr__ = also(
 )
 
 
-async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+T = TypeVar("T")
+
+
+@overload
+async def await_or_execute(callback: Callable[..., Awaitable[T]], *args: object) -> T: ...
+
+
+@overload
+async def await_or_execute(callback: Callable[..., T], *args: object) -> T: ...
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: object) -> Any:
     """Call a function, awaiting it if it is a coroutine function."""
     if is_coroutine_function(callback):
         return await callback(*args)
@@ -44,10 +55,10 @@ class SingleThreadedExecutor(Executor):
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE
     ) -> None:
         timeout_ns = FOREVER if timeout_sec is None else nanoseconds(timeout_sec)
-        asked = (timeout_sec, wait_condition)
+        spin_arguments = (timeout_sec, wait_condition)
         until: int | None = None
         while True:
-            item = self._next(timeout_ns, wait_condition, asked)
+            item = self._next(timeout_ns, wait_condition, spin_arguments)
             if item is None:
                 return
             if item.__class__ is Task:
@@ -55,7 +66,7 @@ class SingleThreadedExecutor(Executor):
                 return
             if self._execute(item):  # type: ignore[arg-type]
                 return
-            # A false alarm is no work: go on with the time that is left.
+            # A false alarm doesn't count: go on with the time that is left.
             if timeout_ns > 0:
                 now = self._steady_ns()
                 until = now + timeout_ns if until is None else until
@@ -74,7 +85,10 @@ class SingleThreadedExecutor(Executor):
 class MultiThreadedExecutor(Executor):
     """Runs callbacks in a pool of threads.
 
-    `num_threads` is by default the number of processors this process may use. ValueError for less than one.
+    `num_threads` is by default the number of processors this process may use.
+
+    Raises:
+        ValueError: for less than one.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
@@ -90,7 +104,7 @@ class MultiThreadedExecutor(Executor):
                 stacklevel=1,
             )
         self._failed: deque[Future[Any]] = deque()
-        """what callbacks raised and nobody has been told"""
+        """Futures with exceptions of callbacks that have not been raised yet."""
         self._executor = ThreadPoolExecutor(num_threads)
 
     def _work_on(self, item: Entity | Task[Any]) -> None:
@@ -100,7 +114,7 @@ class MultiThreadedExecutor(Executor):
             else:
                 self._execute(item)
         except Exception as error:
-            # Others, as SystemExit, are lost in the pool, as with the real one.
+            # Others, such as SystemExit, are lost in the pool, as in real rclpy.
             failed: Future[Any] = Future()
             failed.set_exception(error)
             self._failed.append(failed)
@@ -125,7 +139,7 @@ class MultiThreadedExecutor(Executor):
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Hand one callback to a thread, or wait for one until `timeout_sec`.
 
-        Raises then what an earlier callback raised: as in real rclpy that stays unseen until the next callback is due.
+        Then raises the exception of an earlier callback: as in real rclpy it stays hidden until the next callback is due.
         """
         self._spin_once_impl(timeout_sec)
 
@@ -135,7 +149,7 @@ class MultiThreadedExecutor(Executor):
         self._spin_once_impl(timeout_sec, future.done)
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
-        """Run nothing more; by default wait for the threads. False if callbacks did not end within `timeout_sec`."""
+        """Stop running callbacks; by default wait for the threads. False if callbacks did not end within `timeout_sec`."""
         success = super().shutdown(timeout_sec)
         self._executor.shutdown(wait=wait_for_threads)
         return success

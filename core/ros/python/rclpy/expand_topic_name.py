@@ -5,7 +5,11 @@ from rclpy._resolve import expand
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the full form of a relative, private or absolute name; ValueError if a name is bad."""
+    """Return the full form of a relative, private or absolute name.
+
+    Raises:
+        ValueError: if a name is bad.
+    """
     if not isinstance(topic_name, str) or not isinstance(node_name, str) or not isinstance(node_namespace, str):
         raise TypeError(
             "rclpy_expand_topic_name(): incompatible function arguments. The following argument types are supported:\n"

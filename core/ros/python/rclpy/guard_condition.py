@@ -23,7 +23,7 @@ GuardConditionCallbackType = Callable[[], Coroutine[None, None, None] | None]
 
 
 class _GuardHandle(Destroyable):
-    """The handle of a guard condition, and one by itself: made with a context's handle, waited for in a wait set."""
+    """The handle of a guard condition. A program can make one with a context's handle and add it to a wait set."""
 
     def __init__(self, context: Any, entity: GuardCondition | None = None) -> None:
         super().__init__()
@@ -38,7 +38,11 @@ class _GuardHandle(Destroyable):
         return self._own if self._owner is None else self._owner()
 
     def trigger_guard_condition(self) -> None:
-        """Make it ready; InvalidHandle after destruction."""
+        """Make the guard condition ready.
+
+        Raises:
+            InvalidHandle: after destruction.
+        """
         entity = self._entity()
         if self._destroyed or entity is None:
             raise InvalidHandle(DESTROYED)
@@ -48,7 +52,8 @@ class _GuardHandle(Destroyable):
 class GuardCondition(Entity):
     """Runs its callback in the executor each time it was triggered; made by `Node.create_guard_condition`.
 
-    RuntimeError if the context is not initialised.
+    Raises:
+        RuntimeError: if the context is not initialised.
     """
 
     _kind = GUARD
@@ -75,7 +80,11 @@ class GuardCondition(Entity):
         self._executor_triggered = False
 
     def trigger(self) -> None:
-        """Make the executor run the callback soon; InvalidHandle after `destroy`."""
+        """Make the executor run the callback soon.
+
+        Raises:
+            InvalidHandle: after `destroy`.
+        """
         if self._handle._destroyed:
             raise InvalidHandle(DESTROYED)
         self._executor_triggered = True

@@ -17,34 +17,42 @@ _root_logger = RcutilsLogger()
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """Return a logger by name; parts of the name are separated by dots. ValueError for an empty name."""
+    """Return a logger by name; parts of the name are separated by dots.
+
+    Raises:
+        ValueError: for an empty name.
+    """
     if not name:
         raise ValueError("Logger name must not be empty.")
     return _root_logger.get_child(name)
 
 
 def initialize() -> None:
-    """Make logging ready (it always is)."""
+    """Do nothing: logging is always ready."""
 
 
 def shutdown() -> None:
-    """Forget the levels that were set."""
+    """Clear the levels that were set."""
     PROCESS.reset()
 
 
 def clear_config() -> None:
-    """Put levels and format back to what they were at the start."""
+    """Reset levels and format to their initial values."""
     shutdown()
     initialize()
 
 
 def set_logger_level(name: str, level: int | LoggingSeverity, detailed_error: bool = False) -> None:
-    """Set a logger's level. ValueError for a number that is no level."""
+    """Set a logger's level.
+
+    Raises:
+        ValueError: for a number that isn't a level.
+    """
     PROCESS.set_level(name, int(LoggingSeverity(level)))
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """Return the level that counts for a logger, its own or that of a parent."""
+    """Return the effective level of a logger, its own or that of a parent."""
     return LoggingSeverity(PROCESS.effective_level(name))
 
 
@@ -54,7 +62,11 @@ def get_logger_level(name: str) -> LoggingSeverity:
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the level of a name in any case; RuntimeError if there is none."""
+    """Return the level with this name (in any case).
+
+    Raises:
+        RuntimeError: if there is none.
+    """
     if not isinstance(log_severity, str):
         raise TypeError(
             "rclpy_logging_severity_level_from_string(): incompatible function arguments. "

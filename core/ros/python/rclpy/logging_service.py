@@ -1,4 +1,4 @@
-"""The services by which other programs see and set a node's log levels."""
+"""The services by which other programs read and set a node's log levels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __getattr__ = also(__name__, "TOPIC_SEPARATOR_STRING GetLoggerLevels LoggerLevel
 
 
 class LoggingService:
-    """Answers `~/get_logger_levels` and `~/set_logger_levels`."""
+    """Serves `~/get_logger_levels` and `~/set_logger_levels`."""
 
     def __init__(self, node: Node) -> None:
         from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels

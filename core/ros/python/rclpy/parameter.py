@@ -5,7 +5,7 @@ from __future__ import annotations
 import array
 from collections.abc import Iterable
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Generic, Literal, TypeVar, overload
 
 from rclpy._incidental import also
 
@@ -28,10 +28,31 @@ __all__ = [
     "parameter_value_to_python",
 ]
 
-AllowableParameterValue = Any
-AllowableParameterValueT = TypeVar("AllowableParameterValueT")
+if TYPE_CHECKING:
+    AllowableParameterValue = (
+        bool
+        | int
+        | float
+        | str
+        | list[bytes]
+        | tuple[bytes, ...]
+        | list[bool]
+        | tuple[bool, ...]
+        | list[int]
+        | tuple[int, ...]
+        | array.array[int]
+        | list[float]
+        | tuple[float, ...]
+        | array.array[float]
+        | list[str]
+        | tuple[str, ...]
+        | None
+    )
+else:
+    AllowableParameterValue = Any
+AllowableParameterValueT = TypeVar("AllowableParameterValueT", bound="AllowableParameterValue")
 
-# Made when asked for, so that a program that needs no message of them is spared the work.
+# Made on first use, as many programs never need these messages.
 _MESSAGES = {"ParameterMsg": "Parameter", "ParameterType": "ParameterType", "ParameterValue": "ParameterValue"}
 
 _also = also(__name__)
@@ -49,8 +70,11 @@ def __getattr__(name: str) -> Any:
 class Parameter(Generic[AllowableParameterValueT]):
     """A named value of a node.
 
-    `type_` is found from `value` if it is not given. Raises TypeError for a value no parameter can have, ValueError if value
-    and type do not fit.
+    `type_` is inferred from `value` if it is not given.
+
+    Raises:
+        TypeError: for a value no parameter can have.
+        ValueError: if value and type do not match.
     """
 
     class Type(IntEnum):
@@ -68,8 +92,12 @@ class Parameter(Generic[AllowableParameterValueT]):
         STRING_ARRAY = 9
 
         @classmethod
-        def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
-            """Return the type of a Python value; TypeError if there is none. An empty list is a BYTE_ARRAY."""
+        def from_parameter_value(cls, parameter_value: object) -> Parameter.Type:
+            """Return the type of a Python value. An empty list is a BYTE_ARRAY.
+
+            Raises:
+                TypeError: if there is none.
+            """
             if parameter_value is None:
                 return cls.NOT_SET
             for python_type, type_ in _SCALARS:
@@ -82,8 +110,8 @@ class Parameter(Generic[AllowableParameterValueT]):
                     return cls(type_)
             raise TypeError(f"The given value is not a list of one of the allowed types '{parameter_value}'.")
 
-        def check(self, parameter_value: Any) -> bool:
-            """Say whether a Python value can be a parameter of this type."""
+        def check(self, parameter_value: object) -> bool:
+            """Return whether a Python value can be a parameter of this type."""
             if self == Parameter.Type.NOT_SET:
                 return parameter_value is None
             for python_type, type_ in _SCALARS:
@@ -93,17 +121,27 @@ class Parameter(Generic[AllowableParameterValueT]):
             numeric = self in (Parameter.Type.INTEGER_ARRAY, Parameter.Type.DOUBLE_ARRAY)
             if not isinstance(parameter_value, (list, tuple, array.array) if numeric else (list, tuple)):
                 return False
-            single_bytes = self != Parameter.Type.BYTE_ARRAY or all(len(each) == 1 for each in parameter_value)
-            return _all(parameter_value, element) and single_bytes
+            if not _all(parameter_value, element):
+                return False
+            return self != Parameter.Type.BYTE_ARRAY or all(len(each) == 1 for each in parameter_value)
 
     @classmethod
     def from_parameter_msg(cls, param_msg: ParameterMsg) -> Parameter[Any]:
-        """Make a parameter of an rcl_interfaces/Parameter message."""
+        """Convert an rcl_interfaces/Parameter message."""
         type_ = Parameter.Type(param_msg.value.type)
         field = _FIELDS.get(type_)
         return cls(param_msg.name, type_, None if field is None else getattr(param_msg.value, field))
 
-    def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
+    @overload
+    def __init__(self: Parameter[None], name: str, type_: Literal[Parameter.Type.NOT_SET] | None = None) -> None: ...
+
+    @overload
+    def __init__(self, name: str, type_: Parameter.Type | None = None, *, value: AllowableParameterValueT) -> None: ...
+
+    @overload
+    def __init__(self, name: str, type_: Parameter.Type | None, value: AllowableParameterValueT) -> None: ...
+
+    def __init__(self, name: str, type_: Parameter.Type | None = None, value: AllowableParameterValue = None) -> None:
         if type_ is None:
             type_ = Parameter.Type.from_parameter_value(value)
         if not isinstance(type_, Parameter.Type):
@@ -112,7 +150,7 @@ class Parameter(Generic[AllowableParameterValueT]):
             raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
         self._type_ = type_
         self._name = name
-        self._value = value
+        self._value: AllowableParameterValueT = value  # type: ignore[assignment]
 
     @property
     def name(self) -> str:
@@ -125,7 +163,7 @@ class Parameter(Generic[AllowableParameterValueT]):
         return self._type_
 
     @property
-    def value(self) -> Any:
+    def value(self) -> AllowableParameterValueT:
         """The value; None for NOT_SET."""
         return self._value
 
@@ -166,7 +204,7 @@ def _all(values: Iterable[Any], python_type: type) -> bool:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Return the value a text stands for when YAML reads it; what is no parameter's value stays a string."""
+    """Return the value that YAML reads from a text; anything that can't be a parameter's value stays a string."""
     import yaml
     from rcl_interfaces.msg import ParameterValue
 
@@ -186,8 +224,12 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     return ParameterValue(type=type_, **{_FIELDS[Parameter.Type(type_)]: value})
 
 
-def parameter_value_to_python(parameter_value: ParameterValue) -> Any:
-    """Return the Python value of an rcl_interfaces/ParameterValue message; RuntimeError for a type there is not."""
+def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParameterValue:
+    """Return the Python value of an rcl_interfaces/ParameterValue message.
+
+    Raises:
+        RuntimeError: for an unknown type.
+    """
     try:
         type_ = Parameter.Type(parameter_value.type)
     except ValueError:
@@ -206,8 +248,10 @@ def parameter_dict_from_yaml_file(
 ) -> dict[str, ParameterMsg]:
     """Read a parameter file and return the parameters (as messages, by name) of some nodes.
 
-    `use_wildcard` adds those under `/**`; `namespace` is put before every name. RuntimeError if the file has nothing for
-    these nodes or is no parameter file.
+    `use_wildcard` adds those under `/**`; `namespace` is put before every name.
+
+    Raises:
+        RuntimeError: if the file has nothing for these nodes or isn't a parameter file.
     """
     from rclpy._parameter_files import parameters_of_nodes
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rclpy._incidental import also
@@ -12,12 +12,20 @@ from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_serv
 from rclpy.task import Future
 
 if TYPE_CHECKING:
+    from rcl_interfaces import srv
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+    from rcl_interfaces.msg import ParameterEvent
+
+    from rclpy._typing_names import ServiceType
     from rclpy.callback_groups import CallbackGroup
     from rclpy.client import Client
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
     from rclpy.qos_overriding_options import QoSOverridingOptions
-    from rclpy.subscription import Subscription
+    from rclpy.subscription import MessageCallback, Subscription
+    from rclpy.type_support import SrvRequestT, SrvResponseT
+
+    _Given = Sequence[Parameter[Any] | ParameterMsg]
 
 __getattr__ = also(
     __name__,
@@ -27,11 +35,8 @@ __getattr__ = also(
 )
 
 
-_Done = Callable[[Future[Any]], None]
-
-
 class AsyncParameterClient:
-    """Asks the parameter services of a node. Every method returns the future of the service's response."""
+    """A client of a node's parameter services. Methods that call one return the future of its response."""
 
     def __init__(
         self,
@@ -45,7 +50,9 @@ class AsyncParameterClient:
         self.remote_node_name = remote_node_name
         self.node = node
 
-        def client(srv_type: Any, name: str) -> Client[Any, Any]:
+        def client(
+            srv_type: type[ServiceType[SrvRequestT, SrvResponseT]], name: str
+        ) -> Client[SrvRequestT, SrvResponseT]:
             return node.create_client(
                 srv_type, f"{remote_node_name}/{name}", qos_profile=qos_profile, callback_group=callback_group
             )
@@ -68,79 +75,124 @@ class AsyncParameterClient:
         )
 
     def services_are_ready(self) -> bool:
-        """Say whether all six services exist."""
+        """Return whether all six services exist."""
         return all(client.service_is_ready() for client in self._clients())
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Block until all six services exist, at most `timeout_sec` seconds; says whether they do."""
+        """Block until all six services exist, at most `timeout_sec` seconds (None: no limit); returns whether they do."""
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         for client in self._clients():
             client.wait_for_service(None if end is None else max(0.0, end - time.monotonic()))
         return self.services_are_ready()
 
     @staticmethod
-    def _call(client: Client[Any, Any], callback: _Done | None, **fields: Any) -> Future[Any]:
-        future = client.call_async(client.srv_type.Request(**fields))
+    def _call(
+        client: Client[SrvRequestT, SrvResponseT],
+        callback: Callable[[Future[SrvResponseT]], object] | None,
+        request: SrvRequestT,
+    ) -> Future[SrvResponseT]:
+        future = client.call_async(request)
         if callback is not None:
             future.add_done_callback(callback)
         return future
 
     def list_parameters(
-        self, prefixes: list[str] | None = None, depth: int | None = None, callback: _Done | None = None
-    ) -> Future[Any]:
-        """Ask for the names below some prefixes down to a depth."""
-        return self._call(self._list_parameter_client, callback, prefixes=prefixes or [], depth=depth or 0)
+        self,
+        prefixes: list[str] | None = None,
+        depth: int | None = None,
+        callback: Callable[[Future[srv.ListParameters.Response]], object] | None = None,
+    ) -> Future[srv.ListParameters.Response]:
+        """Request the names below some prefixes down to a depth."""
+        from rcl_interfaces.srv import ListParameters
 
-    def get_parameters(self, names: list[str], callback: _Done | None = None) -> Future[Any]:
-        """Ask for values."""
-        return self._call(self._get_parameter_client, callback, names=names)
+        return self._call(
+            self._list_parameter_client, callback, ListParameters.Request(prefixes=prefixes or [], depth=depth or 0)
+        )
 
-    def set_parameters(self, parameters: list[Any], callback: _Done | None = None) -> Future[Any]:
+    def get_parameters(
+        self, names: list[str], callback: Callable[[Future[srv.GetParameters.Response]], object] | None = None
+    ) -> Future[srv.GetParameters.Response]:
+        """Request values."""
+        from rcl_interfaces.srv import GetParameters
+
+        return self._call(self._get_parameter_client, callback, GetParameters.Request(names=names))
+
+    def set_parameters(
+        self, parameters: _Given, callback: Callable[[Future[srv.SetParameters.Response]], object] | None = None
+    ) -> Future[srv.SetParameters.Response]:
         """Set parameters, given as `Parameter` or as messages."""
-        return self._call(self._set_parameter_client, callback, parameters=_messages(parameters))
+        from rcl_interfaces.srv import SetParameters
 
-    def describe_parameters(self, names: list[str], callback: _Done | None = None) -> Future[Any]:
-        """Ask for descriptors."""
-        return self._call(self._describe_parameters_client, callback, names=names)
+        return self._call(self._set_parameter_client, callback, SetParameters.Request(parameters=_messages(parameters)))
 
-    def get_parameter_types(self, names: list[str], callback: _Done | None = None) -> Future[Any]:
-        """Ask for types."""
-        return self._call(self._get_parameter_types_client, callback, names=names)
+    def describe_parameters(
+        self, names: list[str], callback: Callable[[Future[srv.DescribeParameters.Response]], object] | None = None
+    ) -> Future[srv.DescribeParameters.Response]:
+        """Request descriptors."""
+        from rcl_interfaces.srv import DescribeParameters
 
-    def set_parameters_atomically(self, parameters: list[Any], callback: _Done | None = None) -> Future[Any]:
+        return self._call(self._describe_parameters_client, callback, DescribeParameters.Request(names=names))
+
+    def get_parameter_types(
+        self, names: list[str], callback: Callable[[Future[srv.GetParameterTypes.Response]], object] | None = None
+    ) -> Future[srv.GetParameterTypes.Response]:
+        """Request types."""
+        from rcl_interfaces.srv import GetParameterTypes
+
+        return self._call(self._get_parameter_types_client, callback, GetParameterTypes.Request(names=names))
+
+    def set_parameters_atomically(
+        self,
+        parameters: _Given,
+        callback: Callable[[Future[srv.SetParametersAtomically.Response]], object] | None = None,
+    ) -> Future[srv.SetParametersAtomically.Response]:
         """Set all parameters or none."""
-        return self._call(self._set_parameters_atomically_client, callback, parameters=_messages(parameters))
+        from rcl_interfaces.srv import SetParametersAtomically
 
-    def delete_parameters(self, names: list[str], callback: _Done | None = None) -> Future[Any]:
+        return self._call(
+            self._set_parameters_atomically_client,
+            callback,
+            SetParametersAtomically.Request(parameters=_messages(parameters)),
+        )
+
+    def delete_parameters(
+        self, names: list[str], callback: Callable[[Future[srv.SetParameters.Response]], object] | None = None
+    ) -> Future[srv.SetParameters.Response]:
         """Undeclare parameters (a node allows that only for dynamically typed ones)."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
     def load_parameter_file(
-        self, parameter_file: str, use_wildcard: bool = False, callback: _Done | None = None
-    ) -> Future[Any]:
-        """Set what a parameter file says for the node; raises as `parameter_dict_from_yaml_file`."""
+        self,
+        parameter_file: str,
+        use_wildcard: bool = False,
+        callback: Callable[[Future[srv.SetParameters.Response]], object] | None = None,
+    ) -> Future[srv.SetParameters.Response]:
+        """Set the node's parameters from a parameter file; raises as `parameter_dict_from_yaml_file`."""
         return self.set_parameters(self._from_file(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
-        self, parameter_file: str, use_wildcard: bool = False, callback: _Done | None = None
-    ) -> Future[Any]:
-        """Set all a parameter file says for the node or nothing; raises as `parameter_dict_from_yaml_file`."""
+        self,
+        parameter_file: str,
+        use_wildcard: bool = False,
+        callback: Callable[[Future[srv.SetParametersAtomically.Response]], object] | None = None,
+    ) -> Future[srv.SetParametersAtomically.Response]:
+        """Set the node's parameters from a parameter file, all or none; raises as `parameter_dict_from_yaml_file`."""
         return self.set_parameters_atomically(self._from_file(parameter_file, use_wildcard), callback)
 
-    def _from_file(self, parameter_file: str, use_wildcard: bool) -> list[Any]:
+    def _from_file(self, parameter_file: str, use_wildcard: bool) -> _Given:
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[self.remote_node_name])
         return list(found.values())
 
     def on_parameter_event(
         self,
-        callback: Callable[[Any], None],
+        callback: MessageCallback[ParameterEvent],
         qos_profile: QoSProfile = qos_profile_parameter_events,
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
-    ) -> Subscription[Any]:
+    ) -> Subscription[ParameterEvent]:
         """Call `callback(event)` for the parameter events of all nodes; returns the subscription."""
         from rcl_interfaces.msg import ParameterEvent
 
@@ -156,5 +208,5 @@ class AsyncParameterClient:
         )
 
 
-def _messages(parameters: list[Any]) -> list[Any]:
+def _messages(parameters: _Given) -> list[ParameterMsg]:
     return [each.to_parameter_msg() if isinstance(each, Parameter) else each for each in parameters]

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from itertools import chain
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rclpy._incidental import also
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
+    from rcl_interfaces.msg import Parameter, ParameterEvent
+
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
@@ -27,7 +29,7 @@ _MISSING = "Callback doesn't exist"
 class ParameterCallbackHandle:
     """A callback for one parameter of one node."""
 
-    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Any], None]) -> None:
+    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Parameter], object]) -> None:
         self.parameter_name = parameter_name
         self.node_name = node_name
         self.callback = callback
@@ -37,24 +39,24 @@ class ParameterCallbackHandle:
 class ParameterEventCallbackHandle:
     """A callback for all parameter events."""
 
-    def __init__(self, callback: Callable[[Any], None]) -> None:
+    def __init__(self, callback: Callable[[ParameterEvent], object]) -> None:
         self.callback = callback
         self.mutex = Lock()
 
 
 class ParameterEventHandler:
-    """Listens to /parameter_events and calls who asked for it; the last added comes first."""
+    """Subscribes to /parameter_events and calls the added callbacks, the last added first."""
 
     class Callbacks:
-        """Who is to be called for what."""
+        """The added callbacks."""
 
         def __init__(self) -> None:
             self.parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
             self.event_callbacks: list[ParameterEventCallbackHandle] = []
             self.mutex = Lock()
 
-        def event_callback(self, event: Any) -> None:
-            """Call everybody an event concerns."""
+        def event_callback(self, event: ParameterEvent) -> None:
+            """Call every callback that an event concerns."""
             with self.mutex:
                 for (name, node), handles in self.parameter_callbacks.items():
                     parameter = ParameterEventHandler.get_parameter_from_event(event, name, node)
@@ -67,7 +69,7 @@ class ParameterEventHandler:
                         each.callback(event)
 
         def add_parameter_callback(
-            self, parameter_name: str, node_name: str, callback: Callable[[Any], None]
+            self, parameter_name: str, node_name: str, callback: Callable[[Parameter], object]
         ) -> ParameterCallbackHandle:
             """Add a callback for one parameter."""
             handle = ParameterCallbackHandle(parameter_name, node_name, callback)
@@ -76,7 +78,11 @@ class ParameterEventHandler:
             return handle
 
         def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-            """Forget a callback; RuntimeError if it is not there."""
+            """Remove a callback.
+
+            Raises:
+                RuntimeError: if it was not added.
+            """
             key = (handle.parameter_name, handle.node_name)
             with self.mutex:
                 handles = self.parameter_callbacks.get(key, [])
@@ -86,7 +92,9 @@ class ParameterEventHandler:
                 if not handles:
                     del self.parameter_callbacks[key]
 
-        def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
+        def add_parameter_event_callback(
+            self, callback: Callable[[ParameterEvent], object]
+        ) -> ParameterEventCallbackHandle:
             """Add a callback for all events."""
             handle = ParameterEventCallbackHandle(callback)
             with self.mutex:
@@ -94,7 +102,11 @@ class ParameterEventHandler:
             return handle
 
         def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-            """Forget a callback; RuntimeError if it is not there."""
+            """Remove a callback.
+
+            Raises:
+                RuntimeError: if it was not added.
+            """
             with self.mutex:
                 if handle not in self.event_callbacks:
                     raise RuntimeError(_MISSING)
@@ -126,12 +138,12 @@ class ParameterEventHandler:
         )
 
     def destroy(self) -> None:
-        """Listen no more."""
+        """Destroy the subscription."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     @staticmethod
-    def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
-        """Return the message of a new or changed parameter, None if the event has none of that name and node."""
+    def get_parameter_from_event(event: ParameterEvent, parameter_name: str, node_name: str) -> Parameter | None:
+        """Return the message of a new or changed parameter, None if the event has none with that name and node."""
         if event.node == node_name:
             for parameter in chain(event.new_parameters, event.changed_parameters):
                 if parameter.name == parameter_name:
@@ -139,26 +151,36 @@ class ParameterEventHandler:
         return None
 
     @staticmethod
-    def get_parameters_from_event(event: Any) -> Iterator[Any]:
+    def get_parameters_from_event(event: ParameterEvent) -> Iterator[Parameter]:
         """Return the messages of all new and changed parameters."""
         yield from chain(event.new_parameters, event.changed_parameters)
 
     def add_parameter_callback(
-        self, parameter_name: str, node_name: str, callback: Callable[[Any], None]
+        self, parameter_name: str, node_name: str, callback: Callable[[Parameter], object]
     ) -> ParameterCallbackHandle:
         """Call `callback(parameter message)` when that parameter of that node changes."""
         return self._callbacks.add_parameter_callback(parameter_name, self._resolve_path(node_name), callback)
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Forget a callback; RuntimeError if it is not there."""
+        """Remove a callback.
+
+        Raises:
+            RuntimeError: if it was not added.
+        """
         self._callbacks.remove_parameter_callback(handle)
 
-    def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
+    def add_parameter_event_callback(
+        self, callback: Callable[[ParameterEvent], object]
+    ) -> ParameterEventCallbackHandle:
         """Call `callback(event)` for every parameter event."""
         return self._callbacks.add_parameter_event_callback(callback)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Forget a callback; RuntimeError if it is not there."""
+        """Remove a callback.
+
+        Raises:
+            RuntimeError: if it was not added.
+        """
         self._callbacks.remove_parameter_event_callback(handle)
 
     def _resolve_path(self, node_path: str | None = None) -> str:

@@ -1,4 +1,4 @@
-"""The six services by which other programs see and set a node's parameters."""
+"""The six services by which other programs read and set a node's parameters."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 TOPIC_SEPARATOR_STRING = "/"
 
-# Programs import the service classes from here too; they are made when asked for.
+# Programs import the service classes from here too; they are made on first use.
 _CLASSES = {
     "DescribeParameters",
     "GetParameterTypes",
@@ -39,13 +39,15 @@ def __getattr__(name: str) -> Any:
 
 
 class ParameterService:
-    """Answers the parameter services of a node."""
+    """Serves the parameter services of a node."""
 
     def __init__(self, node: Node) -> None:
         self._node_weak_ref = weakref.ref(node)
         for name, type_name in PARAMETER_SERVICES:
-            answer = getattr(self, f"_{name}_callback")
-            node._create_own_service(type_name, name, answer, qos_profile_parameters)
+            callback = getattr(self, f"_{name}_callback")
+            node._rclpy_entities.create_own_service(
+                type_name, name, callback, qos_profile_parameters, node.default_callback_group
+            )
 
     def _get_node(self) -> Node:
         node = self._node_weak_ref()

@@ -19,25 +19,25 @@ __getattr__ = also(__name__)
 class QoSPolicyKind(IntEnum):
     """The policies; numbers of rmw_qos_policy_kind_t."""
 
-    INVALID = 1 << 0
-    DURABILITY = 1 << 1
-    DEADLINE = 1 << 2
-    LIVELINESS = 1 << 3
-    RELIABILITY = 1 << 4
-    HISTORY = 1 << 5
-    LIFESPAN = 1 << 6
-    DEPTH = 1 << 7
-    LIVELINESS_LEASE_DURATION = 1 << 8
-    AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
+    INVALID = graph_qos.PolicyKind.INVALID
+    DURABILITY = graph_qos.PolicyKind.DURABILITY
+    DEADLINE = graph_qos.PolicyKind.DEADLINE
+    LIVELINESS = graph_qos.PolicyKind.LIVELINESS
+    RELIABILITY = graph_qos.PolicyKind.RELIABILITY
+    HISTORY = graph_qos.PolicyKind.HISTORY
+    LIFESPAN = graph_qos.PolicyKind.LIFESPAN
+    DEPTH = graph_qos.PolicyKind.DEPTH
+    LIVELINESS_LEASE_DURATION = graph_qos.PolicyKind.LIVELINESS_LEASE_DURATION
+    AVOID_ROS_NAMESPACE_CONVENTIONS = graph_qos.PolicyKind.AVOID_ROS_NAMESPACE_CONVENTIONS
 
 
-def qos_policy_name_from_kind(policy_kind: Any) -> str:
+def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     """Return the name of a policy given by number or by member of rmw_qos_policy_kind_t."""
     return QoSPolicyKind(int(policy_kind)).name
 
 
 class InvalidQoSProfileException(Exception):
-    """A profile was made without what it needs at least."""
+    """A profile lacks a required setting."""
 
     def __init__(self, message: str) -> None:
         # Real rclpy forgets to put its prefix into the exception; the text programs see is the bare message.
@@ -57,7 +57,11 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """Return the number of a choice named in any case; KeyError if there is none."""
+        """Return the number of a choice named in any case.
+
+        Raises:
+            KeyError: if there is none.
+        """
         value: int = cls[name.upper()].value
         return value
 
@@ -83,40 +87,40 @@ class _OldName:
 class HistoryPolicy(QoSPolicyEnum):
     """How many messages are kept."""
 
-    SYSTEM_DEFAULT = 0
-    KEEP_LAST = 1
-    KEEP_ALL = 2
-    UNKNOWN = 3
+    SYSTEM_DEFAULT = graph_qos.History.SYSTEM_DEFAULT
+    KEEP_LAST = graph_qos.History.KEEP_LAST
+    KEEP_ALL = graph_qos.History.KEEP_ALL
+    UNKNOWN = graph_qos.History.UNKNOWN
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
     """Whether lost messages are sent again."""
 
-    SYSTEM_DEFAULT = 0
-    RELIABLE = 1
-    BEST_EFFORT = 2
-    UNKNOWN = 3
-    BEST_AVAILABLE = 4
+    SYSTEM_DEFAULT = graph_qos.Reliability.SYSTEM_DEFAULT
+    RELIABLE = graph_qos.Reliability.RELIABLE
+    BEST_EFFORT = graph_qos.Reliability.BEST_EFFORT
+    UNKNOWN = graph_qos.Reliability.UNKNOWN
+    BEST_AVAILABLE = graph_qos.Reliability.BEST_AVAILABLE
 
 
 class DurabilityPolicy(QoSPolicyEnum):
     """Whether late joiners get older messages."""
 
-    SYSTEM_DEFAULT = 0
-    TRANSIENT_LOCAL = 1
-    VOLATILE = 2
-    UNKNOWN = 3
-    BEST_AVAILABLE = 4
+    SYSTEM_DEFAULT = graph_qos.Durability.SYSTEM_DEFAULT
+    TRANSIENT_LOCAL = graph_qos.Durability.TRANSIENT_LOCAL
+    VOLATILE = graph_qos.Durability.VOLATILE
+    UNKNOWN = graph_qos.Durability.UNKNOWN
+    BEST_AVAILABLE = graph_qos.Durability.BEST_AVAILABLE
 
 
 class LivelinessPolicy(QoSPolicyEnum):
     """How a publisher shows that it lives."""
 
-    SYSTEM_DEFAULT = 0
-    AUTOMATIC = 1
-    MANUAL_BY_TOPIC = 3
-    UNKNOWN = 4
-    BEST_AVAILABLE = 5
+    SYSTEM_DEFAULT = graph_qos.Liveliness.SYSTEM_DEFAULT
+    AUTOMATIC = graph_qos.Liveliness.AUTOMATIC
+    MANUAL_BY_TOPIC = graph_qos.Liveliness.MANUAL_BY_TOPIC
+    UNKNOWN = graph_qos.Liveliness.UNKNOWN
+    BEST_AVAILABLE = graph_qos.Liveliness.BEST_AVAILABLE
 
 
 _OLD_NAMES: tuple[tuple[type[QoSPolicyEnum], str, tuple[str, ...]], ...] = (
@@ -124,7 +128,7 @@ _OLD_NAMES: tuple[tuple[type[QoSPolicyEnum], str, tuple[str, ...]], ...] = (
     (ReliabilityPolicy, "RELIABILITY", ("SYSTEM_DEFAULT", "RELIABLE", "BEST_EFFORT", "UNKNOWN")),
     (DurabilityPolicy, "DURABILITY", ("SYSTEM_DEFAULT", "TRANSIENT_LOCAL", "VOLATILE", "UNKNOWN")),
     (LivelinessPolicy, "LIVELINESS", ("SYSTEM_DEFAULT", "AUTOMATIC", "MANUAL_BY_TOPIC")),
-    # A slip of real rclpy that programs could rely on: the unknown liveliness carries the name of durability.
+    # A slip of real rclpy that programs could rely on: the unknown liveliness has a name of durability.
     (LivelinessPolicy, "DURABILITY", ("UNKNOWN",)),
 )
 for _class, _prefix, _names in _OLD_NAMES:
@@ -140,13 +144,17 @@ _NO_TIME = Duration()
 
 
 class _rmw_qos_profile_t(QoS):
-    """A profile as the graph holds it, with the face of rmw's."""
+    """The graph's QoS with the interface of rmw's profile."""
 
     __slots__ = ()
 
     @staticmethod
     def predefined(name: str) -> _rmw_qos_profile_t:
-        """Return a profile of rmw/qos_profiles.h, like `qos_profile_default`; ValueError if there is none."""
+        """Return a profile of rmw/qos_profiles.h, like `qos_profile_default`.
+
+        Raises:
+            ValueError: if there is none.
+        """
         known = {each.name.lower(): each.value for each in QoSPresetProfiles if each.name != "ACTION_STATUS_DEFAULT"}
         profile = known.get(name.removeprefix("qos_profile_")) if name.startswith("qos_profile_") else None
         if profile is None:
@@ -154,7 +162,7 @@ class _rmw_qos_profile_t(QoS):
         return profile.get_c_qos_profile()
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what makes a QoSProfile."""
+        """Return the keyword arguments of an equal QoSProfile."""
         return {
             "depth": self.depth,
             "history": int(self.history),
@@ -171,8 +179,10 @@ class _rmw_qos_profile_t(QoS):
 class QoSProfile:
     """All policies of one endpoint.
 
-    At least `depth`, or `history` with `depth` for KEEP_LAST, has to be given, else InvalidQoSProfileException is raised;
-    values of a wrong type raise AssertionError, numbers that are no choice ValueError.
+    Raises:
+        InvalidQoSProfileException: unless `depth` is given, or a `history` other than KEEP_LAST.
+        AssertionError: for values of a wrong type.
+        ValueError: for numbers that aren't members of the policy.
     """
 
     __slots__ = (
@@ -239,7 +249,7 @@ class QoSProfile:
 
     @property
     def depth(self) -> int:
-        """Length of the queue for KEEP_LAST."""
+        """Length of the queue (messages) for KEEP_LAST."""
         return self._depth
 
     @depth.setter
@@ -275,7 +285,7 @@ class QoSProfile:
 
     @property
     def lifespan(self) -> Duration:
-        """How long a message is worth delivering."""
+        """How long after publication a message may be delivered."""
         return self._lifespan
 
     @lifespan.setter
@@ -305,7 +315,7 @@ class QoSProfile:
 
     @property
     def liveliness_lease_duration(self) -> Duration:
-        """The longest time between two signs of life."""
+        """The longest time between two assertions of liveliness."""
         return self._liveliness_lease_duration
 
     @liveliness_lease_duration.setter
@@ -315,7 +325,7 @@ class QoSProfile:
 
     @property
     def avoid_ros_namespace_conventions(self) -> bool:
-        """Whether the topic's name goes to the middleware as it is."""
+        """Whether the topic's name is passed to the middleware unchanged."""
         return self._avoid_ros_namespace_conventions
 
     @avoid_ros_namespace_conventions.setter
@@ -324,7 +334,7 @@ class QoSProfile:
         self._avoid_ros_namespace_conventions = value
 
     def get_c_qos_profile(self) -> _rmw_qos_profile_t:
-        """Return the profile as the graph holds it."""
+        """Return the graph's QoS for this profile."""
         return _rmw_qos_profile_t.__new__(
             _rmw_qos_profile_t,
             self._depth,
@@ -340,7 +350,7 @@ class QoSProfile:
 
     @classmethod
     def _from_graph(cls, qos: QoS, *, known_history: bool) -> QoSProfile:
-        """Make a profile of one of the graph; discovery in DDS does not carry history and depth."""
+        """Return the profile for a QoS of the graph; discovery in DDS does not include history and depth."""
         return cls(
             history=int(qos.history) if known_history else HistoryPolicy.UNKNOWN,
             depth=qos.depth if known_history else 0,
@@ -428,15 +438,19 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """Return the profile of a name in any case; KeyError if there is none."""
+        """Return the profile with this name (in any case).
+
+        Raises:
+            KeyError: if there is none.
+        """
         profile: QoSProfile = cls[name.upper()].value
         return profile
 
 
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Say whether messages would flow between two profiles, and if not certainly so, why.
+    """Return whether endpoints with two profiles would match, and the reason if not certainly so.
 
-    The answer is OK, WARNING (a policy is not decided yet, for instance SYSTEM_DEFAULT) or ERROR, with a reason.
+    The result is OK, WARNING (a policy is not decided yet, for instance SYSTEM_DEFAULT) or ERROR.
     """
     from rclpy._qos_compatibility import check
 

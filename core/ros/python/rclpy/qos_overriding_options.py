@@ -1,4 +1,4 @@
-"""QoS that can be changed from outside by parameters, when an endpoint is made."""
+"""QoS overrides: parameters that change an endpoint's QoS from outside when it is made."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rclpy.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
 from rclpy.subscription import Subscription
 
 if TYPE_CHECKING:
-    from rclpy.node import Node
+    from rclpy._parameter_store import ParameterStore
 
 _CHOICES = (QoSPolicyKind.LIVELINESS, QoSPolicyKind.RELIABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.DURABILITY)
 _DURATIONS = (QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
@@ -43,11 +43,11 @@ def __getattr__(name: str) -> Any:
 
 
 class InvalidQosOverridesError(Exception):
-    """The callback refused the QoS that the parameters made."""
+    """The callback rejected the QoS that results from the parameters."""
 
 
 class QoSOverridingOptions:
-    """Which policies may be changed, a callback that judges the result, and an id where a topic has several endpoints."""
+    """The policies that may be overridden, a callback that validates the result, and an id to tell several endpoints apart."""
 
     def __init__(
         self,
@@ -67,7 +67,7 @@ class QoSOverridingOptions:
 
     @property
     def callback(self) -> QosCallbackType | None:
-        """The function that judges the resulting profile."""
+        """The function that validates the resulting profile."""
         return self._callback
 
     @property
@@ -85,9 +85,9 @@ class QoSOverridingOptions:
 
 
 def _declare_qos_parameters(
-    entity_type: type[Any], node: Node, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
+    entity_type: type[Any], parameters: ParameterStore, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
 ) -> None:
-    """Declare `qos_overrides.<topic>.<publisher|subscription>[_id].<policy>` and change `qos` by their values."""
+    """Declare `qos_overrides.<topic>.<publisher|subscription>[_id].<policy>` and set their values in `qos`."""
     from rcl_interfaces.msg import ParameterDescriptor
 
     if not issubclass(entity_type, (Publisher, Subscription)):
@@ -103,9 +103,9 @@ def _declare_qos_parameters(
         name = f"qos_overrides.{topic_name}.{word}{suffix}.{policy_name}"
         descriptor = ParameterDescriptor(description=description.format(policy_name), read_only=True)
         try:
-            parameter = node.declare_parameter(name, _get_qos_policy_parameter(qos, policy), descriptor)
+            (parameter,) = parameters.declare("", [(name, _get_qos_policy_parameter(qos, policy), descriptor)])
         except ParameterAlreadyDeclaredException:
-            parameter = node.get_parameter(name)
+            parameter = parameters.get(name)
         _override_qos_policy_with_param(qos, policy, parameter)
     if options.callback is not None:
         result = options.callback(qos)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RMWError
 from rclpy.type_support import check_for_type_support
 
+if TYPE_CHECKING:
+    from rclpy.type_support import Msg, MsgT
+
 __getattr__ = also(__name__, "Msg")
 
 
-def serialize_message(message: Any) -> bytes:
+def serialize_message(message: Msg) -> bytes:
     """Return a message as CDR bytes, with the 4 bytes that name the encoding."""
     if isinstance(message, type):
         raise AttributeError("type object 'type' has no attribute '_TYPE_SUPPORT'")
@@ -21,8 +24,12 @@ def serialize_message(message: Any) -> bytes:
     return serialize(message)
 
 
-def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
-    """Return the message of CDR bytes; RMWError for bytes that are none of that type."""
+def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> MsgT:
+    """Return the message in CDR bytes.
+
+    Raises:
+        RMWError: for bytes that don't fit the type.
+    """
     check_for_type_support(message_type)
     if not isinstance(serialized_message, bytes):
         raise TypeError(
@@ -32,7 +39,8 @@ def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
     from day6_tui.core.interfaces import DeserializationError, deserialize, type_name
 
     try:
-        return deserialize(serialized_message, message_type)
+        message: MsgT = deserialize(serialized_message, message_type)
+        return message
     except DeserializationError:
         package, kind, name = type_name(message_type).split("/")
         raise RMWError(

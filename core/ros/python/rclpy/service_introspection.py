@@ -1,3 +1,3 @@
-"""What services and clients tell about their calls."""
+"""The states of service introspection."""
 
 from rclpy._rclpy_pybind11 import ServiceIntrospectionState as ServiceIntrospectionState

@@ -1,6 +1,6 @@
-"""SIGINT and SIGTERM: what rclpy does about them.
+"""The handlers of SIGINT and SIGTERM.
 
-As in real rclpy the handler makes every context invalid (so that spin ends) and then calls whatever handler was there before:
+As in real rclpy a handler makes every context invalid (so that spin ends) and then calls the previous handler:
 for Ctrl-C that is Python's, which raises KeyboardInterrupt; for SIGTERM there is none, and spin raises
 ExternalShutdownException.
 """
@@ -26,7 +26,7 @@ __getattr__ = also(__name__, "InvalidHandle")
 _Handler = Callable[[int, FrameType | None], Any] | int | None
 
 _CTRL_BREAK = getattr(signal, "SIGBREAK", None)
-"""On Windows the Ctrl-C of a simulated terminal arrives as this: a process group of its own gets no other."""
+"""On Windows the Ctrl-C of a simulated terminal arrives as SIGBREAK: a separate process group gets no other signal."""
 
 _current = SignalHandlerOptions.NO
 _previous: dict[int, _Handler] = {}
@@ -53,7 +53,7 @@ def _install(number: int) -> None:
 def _uninstall(number: int) -> None:
     if number in _previous:
         previous = _previous.pop(number)
-        # A handler the program set meanwhile stays.
+        # A handler that the program has set since then stays.
         if signal.getsignal(number) is _on_signal:
             signal.signal(number, signal.SIG_DFL if previous is None else previous)
 
@@ -83,12 +83,12 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Return which handlers are installed."""
+    """Return the signals that have a handler."""
     return _current
 
 
 def uninstall_signal_handlers() -> None:
-    """Put back the handlers that were there before."""
+    """Restore the previous handlers."""
     install_signal_handlers(SignalHandlerOptions.NO)
 
 

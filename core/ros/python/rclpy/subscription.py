@@ -7,14 +7,17 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
 from rclpy._callables import accepts, is_coroutine_function
-from rclpy._endpoint_events import EventSource
-from rclpy._entity import NOTHING, SUBSCRIPTION
+from rclpy._endpoint_events import EndpointEvents
+from rclpy._entity import NOTHING, SUBSCRIPTION, Entity
 from rclpy._incidental import also
+from rclpy._node_endpoint import TopicEndpoint
 from rclpy._rclpy_pybind11 import RCLError as RCLError
 from rclpy.qos import QoSProfile
+from rclpy.type_support import MsgT
 
 if TYPE_CHECKING:
     from rclpy._endpoint_handles import SubscriptionHandle
+    from rclpy._entity import Scope
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.subscription_content_filter_options import ContentFilterOptions
@@ -22,12 +25,11 @@ if TYPE_CHECKING:
 __getattr__ = also(__name__, "CallbackGroup ContentFilterOptions SubscriptionEventCallbacks")
 
 
-MsgT = TypeVar("MsgT")
 MsgType = TypeVar("MsgType")
 
 
 class MessageInfo(TypedDict):
-    """What a callback with two arguments gets beside the message; times are epoch nanoseconds."""
+    """The second argument of a callback with two; times are in epoch nanoseconds."""
 
     source_timestamp: int
     received_timestamp: int
@@ -36,14 +38,18 @@ class MessageInfo(TypedDict):
     publisher_gid: dict[str, Any] | None
 
 
-class Subscription(EventSource, Generic[MsgT]):
+if TYPE_CHECKING:
+    MessageCallback = Callable[[MsgT], object] | Callable[[MsgT, MessageInfo], object]
+
+
+class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
     """Calls a function for every message of a topic; made by `Node.create_subscription`."""
 
     _kind = SUBSCRIPTION
     _handle: SubscriptionHandle
 
     class CallbackType(Enum):
-        """What a callback wants."""
+        """The arguments of a callback."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -53,7 +59,7 @@ class Subscription(EventSource, Generic[MsgT]):
         subscription_impl: SubscriptionHandle,
         msg_type: type[MsgT],
         topic: str,
-        callback: Callable[[MsgT], Any] | Callable[[MsgT, MessageInfo], Any],
+        callback: MessageCallback[MsgT],
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
         raw: bool,
@@ -69,8 +75,15 @@ class Subscription(EventSource, Generic[MsgT]):
         self.callback_group = callback_group
         self._executor_event = False
         self.qos_profile = qos_profile
-        self._set_up_events(subscription_impl, event_callbacks, callback_group, topic, "SubscriptionEventCallbacks")
+        self._handle = subscription_impl
+        self._events = EndpointEvents(
+            subscription_impl, event_callbacks, callback_group, topic, "SubscriptionEventCallbacks"
+        )
         self._endpoint.on_ready = self._notify
+
+    def _enter(self, scope: Scope) -> None:
+        super()._enter(scope)
+        self._events.enter(scope)
 
     def _pending(self) -> bool:
         return bool(self._received_queue)
@@ -105,25 +118,14 @@ class Subscription(EventSource, Generic[MsgT]):
         count: int = self._endpoint.publisher_count
         return count
 
-    def destroy(self) -> None:
-        """Take the subscription out of the graph; prefer `Node.destroy_subscription`."""
-        self._destroy_events()
-        self._handle.destroy_when_not_in_use()
-
     @property
-    def topic_name(self) -> str:
-        """The full name of the topic."""
-        self._handle.check()
-        return self._handle.get_topic_name()
-
-    @property
-    def callback(self) -> Any:
+    def callback(self) -> MessageCallback[MsgT]:
         """The function that is called. Setting one that takes neither one nor two arguments raises RuntimeError."""
         return self._callback
 
     @callback.setter
-    def callback(self, value: Any) -> None:
-        self._callback = value
+    def callback(self, value: MessageCallback[MsgT]) -> None:
+        self._callback: Callable[..., Any] = value
         self._callback_type = Subscription.CallbackType.MessageOnly
         if not callable(value) or not accepts(value, 1):
             if not callable(value) or not accepts(value, 2):
@@ -139,16 +141,23 @@ class Subscription(EventSource, Generic[MsgT]):
 
     @property
     def is_cft_enabled(self) -> bool:
-        """Whether a content filter works."""
+        """Whether a content filter is active."""
         return self._handle.is_cft_enabled()
 
     def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
-        """Receive only messages for which an SQL-like expression is true (`x > %0 AND name LIKE 'a%'`); '' ends that.
+        """Receive only messages for which an SQL-like expression is true (`x > %0 AND name LIKE 'a%'`); '' removes the filter.
 
-        `%0`, `%1` … stand for the parameters. RCLError for an expression that does not fit.
+        `%0`, `%1` … are the parameters.
+
+        Raises:
+            RCLError: for an expression that cannot be parsed or does not fit the messages.
         """
         self._handle.set_content_filter(filter_expression, expression_parameters)
 
     def get_content_filter(self) -> ContentFilterOptions:
-        """Return expression and parameters of the filter; RCLError if there is none."""
+        """Return expression and parameters of the filter.
+
+        Raises:
+            RCLError: if there is none.
+        """
         return self._handle.get_content_filter()

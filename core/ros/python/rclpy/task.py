@@ -21,11 +21,11 @@ __getattr__ = also(__name__)
 T = TypeVar("T")
 
 _running = threading.local()
-"""`task` is the task whose coroutine runs on this thread just now."""
+"""`task` is the task whose coroutine is running on this thread."""
 
 
 class FutureState(Enum):
-    """What can have become of a future."""
+    """The states of a future."""
 
     PENDING = "PENDING"
     CANCELLED = "CANCELLED"
@@ -38,16 +38,16 @@ _CANCELLED = FutureState.CANCELLED
 
 
 class Future(Generic[T]):
-    """The outcome of something that has not happened yet. Can be awaited in coroutines that an executor runs."""
+    """A result that is not available yet. It can be awaited in coroutines that an executor runs."""
 
     def __init__(self, *, executor: Executor | None = None) -> None:
         self._state = _PENDING
         self._result: T | None = None
         self._exception: Exception | None = None
         self._exception_fetched = False
-        self._callbacks: list[Callable[[Future[T]], Any]] = []
+        self._callbacks: list[Callable[[Future[T]], object]] = []
         self._watchers: list[Callable[[], None]] = []
-        """Called at once, on whatever thread, when the outcome is there: executors and tasks that wait for it."""
+        """Called at once, on the thread that completes the future: executors and tasks that wait for it."""
         self._lock = threading.Lock()
         self._executor: weakref.ReferenceType[Executor] | None = None if executor is None else weakref.ref(executor)
 
@@ -60,7 +60,7 @@ class Future(Generic[T]):
             task = getattr(_running, "task", None)
             if task is not None:
                 task._awaited = self
-            # Whoever drives the coroutine learns what it waits for. asyncio knows nothing of our futures; a bare yield, as
+            # The runner of the coroutine gets the awaited future. asyncio does not know our futures; after a bare yield, as
             # in real rclpy, makes it come back soon.
             yield None if task is not None or _under_asyncio() else self
         return self.result()
@@ -77,15 +77,15 @@ class Future(Generic[T]):
         self._schedule_or_invoke_done_callbacks()
 
     def cancelled(self) -> bool:
-        """Say whether the future was cancelled."""
+        """Return whether the future was cancelled."""
         return self._state is _CANCELLED
 
     def done(self) -> bool:
-        """Say whether there is a result or an exception (a cancelled future is not done)."""
+        """Return whether there is a result or an exception (a cancelled future is not done)."""
         return self._state is _FINISHED
 
     def result(self) -> T | None:
-        """Return the result, None if there is none yet; raise the exception if it was one."""
+        """Return the result, None if there is none yet; raise the exception if there is one."""
         exception = self.exception()
         if exception is not None:
             raise exception
@@ -97,7 +97,7 @@ class Future(Generic[T]):
         return self._exception
 
     def set_result(self, result: T) -> None:
-        """Give the future its result."""
+        """Set the result."""
         with self._lock:
             self._result = result
             self._state = _FINISHED
@@ -105,7 +105,7 @@ class Future(Generic[T]):
             self._schedule_or_invoke_done_callbacks()
 
     def set_exception(self, exception: Exception) -> None:
-        """Give the future an exception as its outcome."""
+        """Set an exception instead of a result."""
         with self._lock:
             self._exception = exception
             self._exception_fetched = False
@@ -132,8 +132,8 @@ class Future(Generic[T]):
         with self._lock:
             self._executor = None if executor is None else weakref.ref(executor)
 
-    def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Call `callback(future)` when there is an outcome: as a task of the executor if the future has one, else at once."""
+    def add_done_callback(self, callback: Callable[[Future[T]], object]) -> None:
+        """Call `callback(future)` once the future is complete: as a task of its executor if it has one, else at once."""
         with self._lock:
             if self._state is _PENDING:
                 self._callbacks.append(callback)
@@ -144,8 +144,8 @@ class Future(Generic[T]):
         else:
             callback(self)
 
-    def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> bool:
-        """Forget a callback; False if it was not there."""
+    def remove_done_callback(self, callback: Callable[[Future[T]], object]) -> bool:
+        """Remove a callback; False if it was not added."""
         with self._lock:
             if callback not in self._callbacks:
                 return False
@@ -153,7 +153,7 @@ class Future(Generic[T]):
             return True
 
     def _watch(self, watcher: Callable[[], None]) -> None:
-        """Call `watcher()` once, at once when there is an outcome."""
+        """Call `watcher()` once, as soon as the future is complete."""
         with self._lock:
             if self._state is _PENDING:
                 self._watchers.append(watcher)
@@ -164,20 +164,20 @@ class Future(Generic[T]):
 class Task(Future[T]):
     """A function or coroutine to be run by calling the task; its return value is the future's result.
 
-    A coroutine runs until it awaits something that is not there; each further call goes on from there.
+    A coroutine runs until it awaits a future that is not complete; each further call continues from there.
     """
 
     def __init__(
         self,
-        handler: Callable[..., Coroutine[Any, Any, T]] | Callable[..., T],
-        args: tuple[Any, ...] | None = None,
-        kwargs: dict[str, Any] | None = None,
+        handler: Callable[..., Coroutine[object, None, T]] | Callable[..., T],
+        args: tuple[object, ...] | None = None,
+        kwargs: dict[str, object] | None = None,
         executor: Executor | None = None,
     ) -> None:
         super().__init__(executor=executor)
         self._args = args or ()
         self._kwargs = kwargs or {}
-        self._coroutine: Coroutine[Any, Any, T] | None = None
+        self._coroutine: Coroutine[object, None, T] | None = None
         self._function: Callable[..., Any] | None = None
         if is_coroutine_function(handler):
             self._coroutine = handler(*self._args, **self._kwargs)  # type: ignore[assignment]
@@ -188,7 +188,7 @@ class Task(Future[T]):
         self._task_lock = threading.Lock()
 
     @classmethod
-    def _of_coroutine(cls, coroutine: Coroutine[Any, Any, T], executor: Executor) -> Task[T]:
+    def _of_coroutine(cls, coroutine: Coroutine[object, None, T], executor: Executor) -> Task[T]:
         task: Task[T] = cls(_no_function, executor=executor)  # type: ignore[arg-type]
         task._coroutine, task._function = coroutine, None
         return task
@@ -211,14 +211,14 @@ class Task(Future[T]):
         finally:
             self._task_lock.release()
 
-    def _run(self, function: Callable[..., Any]) -> None:
+    def _run(self, function: Callable[..., T]) -> None:
         try:
             self.set_result(function(*self._args, **self._kwargs))
         except Exception as error:
             self.set_exception(error)
         self._complete_task()
 
-    def _resume(self, coroutine: Coroutine[Any, Any, T]) -> None:
+    def _resume(self, coroutine: Coroutine[object, None, T]) -> None:
         outer = getattr(_running, "task", None)
         _running.task = self
         self._awaited = None
@@ -240,7 +240,7 @@ class Task(Future[T]):
         self._kwargs = {}
 
     def executing(self) -> bool:
-        """Say whether the task is running just now."""
+        """Return whether the task is running at the moment."""
         return self._executing
 
     def cancel(self) -> None:
@@ -251,10 +251,10 @@ class Task(Future[T]):
 
 
 def _under_asyncio() -> bool:
-    """Say whether an event loop of asyncio runs on this thread, without importing asyncio."""
+    """Return whether an event loop of asyncio runs on this thread, without importing asyncio."""
     events = sys.modules.get("asyncio.events")
     return events is not None and events._get_running_loop() is not None
 
 
 def _no_function() -> None:
-    """Stand in for the function of a task made of a coroutine."""
+    """Take the place of a function in a task made from a coroutine."""

@@ -20,8 +20,12 @@ _LIMIT = 2**63
 class Time:
     """A point in time of one kind of clock, held as nanoseconds.
 
-    Raises ValueError for negative values, OverflowError for more than 64 bits, TypeError for a wrong `clock_type`. Times of
-    different clocks can neither be compared nor subtracted (TypeError).
+    Times of different clocks can neither be compared nor subtracted (TypeError).
+
+    Raises:
+        ValueError: for negative values.
+        OverflowError: for more than 64 bits.
+        TypeError: for a wrong `clock_type`.
     """
 
     __slots__ = ("__weakref__", "_clock_type", "_nanoseconds")
@@ -47,7 +51,7 @@ class Time:
 
     @property
     def nanoseconds(self) -> int:
-        """Nanoseconds since the clock's beginning."""
+        """Nanoseconds since the epoch of its clock."""
         return self._nanoseconds
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
@@ -56,7 +60,7 @@ class Time:
 
     @property
     def clock_type(self) -> ClockType:
-        """The kind of clock this time is of."""
+        """The type of the clock of this time."""
         return self._clock_type
 
     def __repr__(self) -> str:
@@ -124,7 +128,7 @@ class Time:
         return NotImplemented
 
     def to_msg(self) -> builtin_interfaces.msg.Time:
-        """Return it as a builtin_interfaces/Time message."""
+        """Return the time as a builtin_interfaces/Time message."""
         import builtin_interfaces.msg
 
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
@@ -132,7 +136,11 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: builtin_interfaces.msg.Time, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Make one of a builtin_interfaces/Time message; anything else raises TypeError."""
+        """Convert a builtin_interfaces/Time message.
+
+        Raises:
+            TypeError: for anything else.
+        """
         import builtin_interfaces.msg
 
         if not isinstance(msg, builtin_interfaces.msg.Time):

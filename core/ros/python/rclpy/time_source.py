@@ -14,6 +14,7 @@ from rclpy.time import Time
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult
+    from rosgraph_msgs.msg import Clock as ClockMessage
 
     from rclpy.node import Node
     from rclpy.subscription import Subscription
@@ -26,10 +27,10 @@ USE_SIM_TIME_NAME = "use_sim_time"
 
 
 class TimeSource:
-    """Feeds the clocks attached to it from /clock while the node's parameter `use_sim_time` is true."""
+    """Sets the clocks attached to it from /clock while the node's parameter `use_sim_time` is true."""
 
     def __init__(self, *, node: Node | None = None) -> None:
-        self._clock_sub: Subscription[Any] | None = None
+        self._clock_sub: Subscription[ClockMessage] | None = None
         self._node_weak_ref: weakref.ReferenceType[Node] | None = None
         self._associated_clocks: list[ROSClock] = []
         self._last_time_set = Time(clock_type=ClockType.ROS_TIME)
@@ -72,7 +73,11 @@ class TimeSource:
             self._clock_sub = None
 
     def attach_node(self, node: Node) -> None:
-        """Use that node's parameter and make the subscription on it; TypeError for what is no node."""
+        """Attach a node: use its parameter and subscribe with it.
+
+        Raises:
+            TypeError: for anything that isn't a node.
+        """
         from rclpy.node import Node
 
         if not isinstance(node, Node):
@@ -81,7 +86,7 @@ class TimeSource:
             self.detach_node()
         self._node_weak_ref = weakref.ref(node)
         if not node.has_parameter(USE_SIM_TIME_NAME):
-            node._declare_own_parameter(USE_SIM_TIME_NAME, False)
+            node._rclpy_parameters.declare_flag(USE_SIM_TIME_NAME, False)
         parameter = node.get_parameter(USE_SIM_TIME_NAME)
         if parameter.type_ == Parameter.Type.BOOL:
             self.ros_time_is_active = parameter.value
@@ -94,7 +99,11 @@ class TimeSource:
         node.add_on_set_parameters_callback(self._on_parameter_event)
 
     def detach_node(self) -> None:
-        """Let go of the node; RuntimeError if it is gone and left a subscription behind."""
+        """Detach the node.
+
+        Raises:
+            RuntimeError: if it no longer exists and left a subscription behind.
+        """
         if self._clock_sub is not None:
             if self._get_node() is None:
                 raise RuntimeError("Unable to destroy previously created clock subscription")
@@ -102,7 +111,11 @@ class TimeSource:
         self._node_weak_ref = None
 
     def attach_clock(self, clock: ROSClock) -> None:
-        """Feed that clock too; ValueError for what is no ROS clock."""
+        """Set that clock too.
+
+        Raises:
+            ValueError: for anything that isn't a ROS clock.
+        """
         if not isinstance(clock, ROSClock):
             raise ValueError("Only clocks with type ROS_TIME can be attached.")
         clock.set_ros_time_override(self._last_time_set)
@@ -110,7 +123,7 @@ class TimeSource:
         if clock not in self._associated_clocks:
             self._associated_clocks.append(clock)
 
-    def clock_callback(self, msg: Any) -> None:
+    def clock_callback(self, msg: ClockMessage) -> None:
         """Set the clocks by a rosgraph_msgs/Clock message."""
         self._last_time_set = Time.from_msg(msg.clock)
         for clock in self._associated_clocks:

@@ -12,7 +12,7 @@ from rclpy._callables import is_coroutine_function, lacks_self
 from rclpy._entity import NOTHING, TIMER, Entity
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import DESTROYED, Destroyable, InvalidHandle, RCLError, TimerCancelledError
-from rclpy._time_source import wait_interruptibly
+from rclpy._time_base import wait_interruptibly
 from rclpy.clock import Clock, ROSClock
 from rclpy.clock_type import ClockType
 from rclpy.exceptions import ROSInterruptException
@@ -35,7 +35,7 @@ _NO_CALLBACK = "cannot access local variable 'arg_name' where it is not associat
 
 
 class TimerInfo:
-    """When a timer's call was due and when it was made; a callback asks for it by an argument annotated `TimerInfo`."""
+    """When a timer's call was due and when it was made; passed to callbacks with an argument annotated `TimerInfo`."""
 
     def __init__(
         self,
@@ -62,14 +62,14 @@ class TimerInfo:
         return self._actual_call_time
 
 
-TimerCallbackType = Callable[[], None] | Callable[[TimerInfo], None] | Callable[[], Coroutine[Any, Any, None]]
+TimerCallbackType = Callable[[], None] | Callable[[TimerInfo], None] | Callable[[], Coroutine[object, None, None]]
 
 
 class Timer(Entity):
     """Calls a function every `timer_period_ns` nanoseconds; made by `Node.create_timer`.
 
-    It runs by the steady clock, except that a ROS clock on simulated time drives its timers itself. The first call comes
-    after one period; calls that were missed because the executor was busy are left out (rcl/timer.c).
+    It uses the steady clock, except that a ROS clock on simulated time drives its timers itself. The first call comes after
+    one period; calls missed because the executor was busy are skipped (rcl/timer.c).
     """
 
     _kind = TIMER
@@ -107,13 +107,13 @@ class Timer(Entity):
         if isinstance(clock, ROSClock):
             clock._timers.add(self)
 
-    # time
+    # -- time ----------------------------------------------------------------------------------------------------------
 
     def _is_simulated(self) -> bool:
         return isinstance(self._clock, ROSClock) and self._clock._active
 
     def _base_now(self) -> int:
-        """The time the timer runs by."""
+        """Nanoseconds by the timer's clock."""
         return self._clock._now_ns() if self._clock._is_simulated() else self._steady_ns()
 
     def _due(self) -> bool:
@@ -122,7 +122,7 @@ class Timer(Entity):
     _pending = _due
 
     def _schedule(self) -> None:
-        """Have the executor look at the timer when it is due."""
+        """Let the executor process the timer when it is due."""
         scope = self._scope
         if scope is None or self._canceled or self._handle._destroyed:
             return
@@ -140,14 +140,14 @@ class Timer(Entity):
         if switched:
             if now == 0:
                 return
-            # What was left of the period is still left by the other clock.
+            # The rest of the period stays the same by the other clock.
             self._next = now + self._credit
             self._last = self._next - self._period
         elif now < self._last:
             self._last, self._next = now, now + self._period
         self._schedule()
 
-    # running
+    # -- running -------------------------------------------------------------------------------------------------------
 
     def _process(self) -> Any:
         self._queued = False
@@ -160,7 +160,7 @@ class Timer(Entity):
         self._schedule()
         callback = self._callback
         if callback is None:
-            # What real rclpy dies of where a program wrote `create_timer(1.0, self.tick())`.
+            # The error of real rclpy for a program with `create_timer(1.0, self.tick())`.
             raise UnboundLocalError(_NO_CALLBACK)
         if self._plain:
             callback()
@@ -169,7 +169,7 @@ class Timer(Entity):
         return result if is_coroutine_function(callback) else None
 
     def _advance(self, now: int) -> None:
-        """Note a call; the next one is due at the first whole period after now."""
+        """Record a call; the next one is due at the first whole period after now."""
         due = self._next
         self._last = now
         self._next = due + self._period
@@ -179,7 +179,7 @@ class Timer(Entity):
             )
 
     def _info(self, due: int, now: int) -> TimerInfo:
-        """Describe a call that was due at `due` and is made at `now`, by the timer's clock."""
+        """Return the TimerInfo of a call that was due at `due` and is made at `now` (ns by the timer's clock)."""
         clock_now = self._clock._now_ns()
         return TimerInfo(
             expected_call_time=max(0, clock_now - (now - due)),
@@ -188,7 +188,7 @@ class Timer(Entity):
         )
 
     def _call_slowly(self, callback: Callable[..., Any], due: int, now: int) -> Any:
-        """Call a callback that may want a TimerInfo, or is something else than a function or method without arguments."""
+        """Call a callback that takes a TimerInfo, or is anything other than a function or method without arguments."""
         import inspect
 
         for parameter in inspect.signature(callback).parameters.values():
@@ -197,13 +197,13 @@ class Timer(Entity):
         return callback()
 
     @property
-    def callback(self) -> Any:
+    def callback(self) -> TimerCallbackType | None:
         """The function that is called. With None spinning raises UnboundLocalError, as in rclpy 9."""
         return self._callback
 
     @callback.setter
-    def callback(self, value: Any) -> None:
-        self._callback = value
+    def callback(self, value: TimerCallbackType | None) -> None:
+        self._callback: Callable[..., Any] | None = value
         plain = value.__func__ if isinstance(value, MethodType) else value
         self._plain = (
             isinstance(plain, FunctionType)
@@ -212,7 +212,7 @@ class Timer(Entity):
             and not lacks_self(value)
         )
 
-    # what programs use
+    # -- for programs --------------------------------------------------------------------------------------------------
 
     def _check(self) -> None:
         if self._handle._destroyed:
@@ -234,7 +234,7 @@ class Timer(Entity):
 
     @property
     def timer_period_ns(self) -> int:
-        """The period in nanoseconds; a new one counts from the next call on."""
+        """The period in nanoseconds; a new one applies from the next call on."""
         self._check()
         return self._period
 
@@ -244,22 +244,22 @@ class Timer(Entity):
         self._period = int(value)
 
     def is_ready(self) -> bool:
-        """Say whether a call is due."""
+        """Return whether a call is due."""
         self._check()
         return self._due()
 
     def is_canceled(self) -> bool:
-        """Say whether the timer was cancelled."""
+        """Return whether the timer was cancelled."""
         self._check()
         return self._canceled
 
     def cancel(self) -> None:
-        """Make no more calls until `reset`."""
+        """Stop calling until `reset`."""
         self._check()
         self._canceled = True
 
     def reset(self) -> None:
-        """Start anew: the next call comes after one period from now."""
+        """Restart: the next call comes one period from now."""
         self._check()
         self._canceled = False
         self._last = self._base_now()
@@ -289,7 +289,7 @@ class Timer(Entity):
 
 
 class _TimerHandle(Destroyable):
-    """The handle of a timer, and one by itself: made with the handles of a clock and a context, called by hand."""
+    """The handle of a timer. A program can make one with the handles of a clock and a context, and call it itself."""
 
     _timer: weakref.ReferenceType[Timer]
 
@@ -313,11 +313,19 @@ class _TimerHandle(Destroyable):
         return timer
 
     def call_timer(self) -> None:
-        """Note that the timer was called; RCLError for a cancelled one."""
+        """Record a call of the timer.
+
+        Raises:
+            RCLError: for a cancelled one.
+        """
         self.call_timer_with_info()
 
     def call_timer_with_info(self) -> TimerInfo:
-        """Note that the timer was called; returns when that was due and when it was. RCLError for a cancelled one."""
+        """Record a call of the timer; returns when it was due and when it was made.
+
+        Raises:
+            RCLError: for a cancelled one.
+        """
         timer = self._entity()
         if timer._canceled:
             raise TimerCancelledError("Timer has been canceled: timer is canceled, at /project/src/rcl/timer.c:277")
@@ -326,19 +334,19 @@ class _TimerHandle(Destroyable):
         return timer._info(due, now)
 
     def is_timer_ready(self) -> bool:
-        """Say whether a call is due."""
+        """Return whether a call is due."""
         return self._entity()._due()
 
     def is_timer_canceled(self) -> bool:
-        """Say whether the timer was cancelled."""
+        """Return whether the timer was cancelled."""
         return self._entity()._canceled
 
     def cancel_timer(self) -> None:
-        """Make no more calls until `reset_timer`."""
+        """Stop calling until `reset_timer`."""
         self._entity().cancel()
 
     def reset_timer(self) -> None:
-        """Start anew."""
+        """Restart the period."""
         self._entity().reset()
 
     def get_timer_period(self) -> int:
@@ -376,14 +384,17 @@ class Rate:
         self.destroy()
 
     def destroy(self) -> None:
-        """Make the rate unusable and wake who sleeps; prefer `Node.destroy_rate`."""
+        """Make the rate unusable and end its sleeps; prefer `Node.destroy_rate`."""
         self._is_destroyed = True
         self._event.set()
 
     def sleep(self) -> None:
         """Block until the timer's next tick.
 
-        Raises ROSInterruptException at shutdown, RuntimeError for a destroyed rate, InvalidHandle for a destroyed timer.
+        Raises:
+            ROSInterruptException: at shutdown.
+            RuntimeError: for a destroyed rate.
+            InvalidHandle: for a destroyed timer.
         """
         if self._is_shutdown:
             raise ROSInterruptException

@@ -1,4 +1,4 @@
-"""Who publishes or subscribes to a topic."""
+"""The publishers and subscriptions of a topic."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class TopicEndpointInfo:
         return self._topic_type_hash
 
     @topic_type_hash.setter
-    def topic_type_hash(self, value: Any) -> None:
+    def topic_type_hash(self, value: TypeHash | dict[str, Any]) -> None:
         assert isinstance(value, (TypeHash, dict))
         self._topic_type_hash = TypeHash(**value) if isinstance(value, dict) else value
 
@@ -101,13 +101,13 @@ class TopicEndpointInfo:
         return self._endpoint_type
 
     @endpoint_type.setter
-    def endpoint_type(self, value: Any) -> None:
+    def endpoint_type(self, value: TopicEndpointTypeEnum | int) -> None:
         assert isinstance(value, int)
         self._endpoint_type = TopicEndpointTypeEnum(value)
 
     @property
     def endpoint_gid(self) -> list[int]:
-        """The 16 numbers that are this endpoint's alone."""
+        """The GID, 16 numbers that are unique to this endpoint."""
         return self._endpoint_gid
 
     @endpoint_gid.setter
@@ -117,11 +117,11 @@ class TopicEndpointInfo:
 
     @property
     def qos_profile(self) -> QoSProfile:
-        """The QoS; discovery does not tell history and depth."""
+        """The QoS; discovery does not include history and depth."""
         return self._qos_profile
 
     @qos_profile.setter
-    def qos_profile(self, value: Any) -> None:
+    def qos_profile(self, value: QoSProfile | dict[str, Any]) -> None:
         assert isinstance(value, (QoSProfile, dict))
         self._qos_profile = QoSProfile(**value) if isinstance(value, dict) else value
 

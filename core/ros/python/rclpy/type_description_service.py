@@ -1,4 +1,4 @@
-"""The service that tells the definitions of the types a node uses."""
+"""The service that returns the definitions of the types a node uses."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 
 
 class TypeDescriptionService:
-    """Answers `~/get_type_description` unless the parameter `start_type_description_service` is false."""
+    """Serves `~/get_type_description` unless the parameter `start_type_description_service` is false."""
 
     def __init__(self, node: Node) -> None:
         self._node_weak_ref = weakref.ref(node)
@@ -31,7 +31,7 @@ class TypeDescriptionService:
         self.service_name = f"{node.get_name()}/get_type_description"
         self.enabled = False
         if not node.has_parameter(name):
-            node._declare_own_parameter(
+            node._rclpy_parameters.declare_flag(
                 name,
                 True,
                 description="If enabled, start the ~/get_type_description service.",
@@ -45,8 +45,12 @@ class TypeDescriptionService:
         else:
             node.get_logger().error(f"Invalid type for parameter '{name}' {parameter.type_!r} should be bool")
         if self.enabled:
-            node._create_own_service(
-                GET_TYPE_DESCRIPTION, "get_type_description", self._service_callback, qos_profile_services_default
+            node._rclpy_entities.create_own_service(
+                GET_TYPE_DESCRIPTION,
+                "get_type_description",
+                self._service_callback,
+                qos_profile_services_default,
+                node.default_callback_group,
             )
 
     def destroy(self) -> None:
@@ -54,9 +58,9 @@ class TypeDescriptionService:
         self.enabled = False
 
     def _service_callback(self, request: Any, response: Any) -> Any:
-        from rclpy._type_descriptions import answer
+        from rclpy._type_descriptions import fill_response
 
         node = self._node_weak_ref()
         if node is None:
             raise ReferenceError("Expected valid node weak reference")
-        return answer(node.handle, request, response)
+        return fill_response(node.handle, request, response)

@@ -24,7 +24,7 @@ class TypeHash:
 
     @property
     def version(self) -> int:
-        """The version of the way to hash; negative if there is no hash."""
+        """The version of the hash algorithm; negative if there is no hash."""
         return self._version
 
     @version.setter

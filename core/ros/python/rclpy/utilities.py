@@ -1,4 +1,4 @@
-"""The default context and other things that are no node's."""
+"""The default context, and functions that need no node."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RMW_IMPLEMENTATION = "rmw_fastrtps_cpp"
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the context used where none is named; with `shutting_down` the next call makes a new one."""
+    """Return the context used by default; with `shutting_down` the next call makes a new one."""
     global g_default_context
     context = g_default_context
     if context is not None and not shutting_down:
@@ -43,19 +43,23 @@ def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
 
 
 def ok(*, context: Context | None = None) -> bool:
-    """Say whether a context (by default the default one) is initialised and not shut down."""
+    """Return whether a context (by default the default one) is initialised and not shut down."""
     return (get_default_context() if context is None else context).ok()
 
 
 def shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down; RuntimeError if it never was initialised."""
+    """Shut a context down.
+
+    Raises:
+        RuntimeError: if it was never initialised.
+    """
     if context is None:
         context = get_default_context(shutting_down=True)
     context.shutdown()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down if that has not been done."""
+    """Shut a context down unless it already was."""
     global g_default_context
     if context is not None:
         context.try_shutdown()

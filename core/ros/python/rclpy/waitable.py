@@ -1,4 +1,4 @@
-"""Waitables: things an executor runs that are no plain topic, service or timer."""
+"""Waitables: entities of an executor other than plain subscriptions, services and timers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 
 class NumberOfEntities:
-    """How many entities of each kind a waitable consists of."""
+    """The numbers of a waitable's entities of each kind."""
 
     __slots__ = ("num_clients", "num_events", "num_guard_conditions", "num_services", "num_subscriptions", "num_timers")
     _ORDER = (
@@ -61,10 +61,10 @@ class NumberOfEntities:
 
 
 class Waitable(Entity, Generic[T]):
-    """Base of what an executor runs beside topics, services, timers and guard conditions.
+    """Base of entities other than subscriptions, services, clients, timers and guard conditions.
 
-    A derived class of a program implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute`,
-    as in real rclpy, of the handles of entities; `rclpy._wait_set` stands in for rcl's wait set.
+    A program's derived class implements `get_num_entities`, `add_to_wait_set`, `is_ready`, `take_data` and `execute` with the
+    handles of entities, as in real rclpy; `rclpy._wait_set` replaces rcl's wait set.
     """
 
     _kind = WAITABLE
@@ -106,25 +106,25 @@ class Waitable(Entity, Generic[T]):
         self._futures.append(future)
 
     def remove_future(self, future: Future[Any]) -> None:
-        """Forget a future."""
+        """Remove a future."""
         self._futures.remove(future)
 
-    def is_ready(self, wait_set: Any) -> bool:
-        """Say whether there is something to take."""
+    def is_ready(self, wait_set: WaitSet) -> bool:
+        """Return whether there is data to take."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def take_data(self) -> T:
-        """Take what makes the waitable ready."""
+        """Take the data that makes the waitable ready."""
         raise NotImplementedError("Must be implemented by subclass")
 
     async def execute(self, taken_data: T) -> None:
-        """Do the work for what was taken."""
+        """Process the taken data."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many entities `add_to_wait_set` adds."""
         raise NotImplementedError("Must be implemented by subclass")
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
         """Add entities to a wait set."""
         raise NotImplementedError("Must be implemented by subclass")

@@ -1,7 +1,7 @@
 """Bags: reading, writing, recording and playing, with the names of the real rosbag2_py.
 
-Storage is our own (`_mcap_*`, `_sqlite`); `_recording` and `_playing` are what `ros2 bag` and `Recorder`/`Player` run.
-Everything is imported on first use.
+`_mcap_*` and `_sqlite` are the storages; `ros2 bag` and `Recorder`/`Player` run `_recording` and `_playing`. Everything is
+imported on first use. It builds on rclpy and `core.interfaces`; `ros2 bag` imports its private modules too.
 """
 
 from __future__ import annotations

@@ -1,22 +1,15 @@
-"""Zstandard and LZ4, through whichever library this Python has: its own (3.14), `zstandard`, `backports.zstd`, `lz4`.
-
-Nothing here needs them to be installed: without one, bags are written and read uncompressed, and a compressed one says so.
-"""
+"""Compression of whole bag files or of each message, by Zstandard. MCAP's chunks are compressed by the mcap library."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from enum import IntEnum
-from importlib import import_module
-from typing import Any
 
-Codec = Callable[[bytes], bytes]
+import zstandard
 
 
 class CompressionMode(IntEnum):
-    """What is compressed: nothing, each finished file, each message."""
+    """The unit of compression: none, each finished file, each message."""
 
     NONE = 0
     FILE = 1
@@ -25,7 +18,7 @@ class CompressionMode(IntEnum):
 
 @dataclass
 class CompressionOptions:
-    """How a bag is compressed; threads and queues of the real one are accepted and not needed."""
+    """How a bag is compressed; the real one's threads and queues are accepted and ignored."""
 
     compression_format: str = ""
     compression_mode: CompressionMode = CompressionMode.NONE
@@ -49,40 +42,22 @@ def get_registered_compressors() -> set[str]:
     return {"zstd"}
 
 
-def zstd_codec() -> tuple[Callable[[bytes, int], bytes], Codec]:
-    """Return `(compress(data, level), decompress(data))`; RuntimeError without a library for it."""
-    for name in ("compression.zstd", "backports.zstd"):
-        with suppress(ImportError):
-            return _codec_of(import_module(name))
-    try:
-        library: Any = import_module("zstandard")
-    except ImportError:
-        raise RuntimeError("zstd compression needs a library that is not installed: pip install zstandard") from None
-    compress: Callable[[bytes, int], bytes] = lambda data, level: bytes(  # noqa: E731
-        library.ZstdCompressor(level=level).compress(data)
-    )
-    return compress, lambda data: bytes(library.ZstdDecompressor().decompressobj().decompress(data))
-
-
-def _codec_of(module: Any) -> tuple[Callable[[bytes, int], bytes], Codec]:
-    return (lambda data, level: bytes(module.compress(data, level))), lambda data: bytes(module.decompress(data))
-
-
-def lz4_decompress() -> Codec:
-    """Return what unpacks LZ4 frames; RuntimeError without a library for it."""
-    try:
-        library: Any = import_module("lz4.frame")
-    except ImportError:
-        raise RuntimeError("lz4 compression needs a library that is not installed: pip install lz4") from None
-    return lambda data: bytes(library.decompress(data))
+def zstd_compress(data: bytes, level: int) -> bytes:
+    """Compress data as one Zstandard frame."""
+    return zstandard.ZstdCompressor(level=level).compress(data)
 
 
 def decompress(name: str, data: bytes) -> bytes:
-    """Unpack data compressed as `name` ('' is not compressed). RuntimeError for an unknown name or a missing library."""
+    """Decompress data; `name` is the format ('': not compressed).
+
+    Raises:
+        RuntimeError: the name is unknown, or the data are damaged.
+    """
     if not name:
         return data
     if name == "zstd":
-        return zstd_codec()[1](data)
-    if name == "lz4":
-        return lz4_decompress()(data)
+        try:
+            return zstandard.ZstdDecompressor().decompressobj().decompress(data)
+        except zstandard.ZstdError as error:
+            raise RuntimeError(f"zstd: {error}") from None
     raise RuntimeError(f"unsupported compression: {name}")

@@ -1,4 +1,4 @@
-"""The text of a message type with all it contains, as bags carry it."""
+"""The text of a message type with the types it contains, as it is stored in bags."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ class LocalMessageDefinitionSource:
     """Finds the texts of message types among the interfaces of this machine."""
 
     def get_full_text(self, root_type: str) -> MessageDefinition:
-        """Return the text of 'package/msg/Name', behind it those of the types in it; empty and 'unknown' without one.
+        """Return the text of 'package/msg/Name', followed by those of the types in it; an empty text is 'unknown'.
 
-        Types that were made of a service or action ('…_Event', '…_FeedbackMessage') have no text of their own.
+        Types that are derived from a service or action ('…_Event', '…_FeedbackMessage') have no text of their own.
         """
         texts: list[str] = []
         try:

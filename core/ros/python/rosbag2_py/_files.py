@@ -1,4 +1,4 @@
-"""Which storage a bag has: by what was asked for, by metadata.yaml, by the file's ending and first bytes."""
+"""Detects a bag's storage: from the given id, metadata.yaml, or the file's extension and first bytes."""
 
 from __future__ import annotations
 
@@ -9,23 +9,36 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Protocol
 
-from rosbag2_py import _mcap_records, _mcap_write
-from rosbag2_py._mcap_read import Message, Wanted
-from rosbag2_py._storage import BagMetadata, MessageDefinition, TopicMetadata, get_default_storage_id
+from rosbag2_py._storage import (
+    MCAP_MAGIC,
+    BadBag,
+    BagMetadata,
+    Message,
+    MessageDefinition,
+    TopicMetadata,
+    Wanted,
+    get_default_storage_id,
+)
 
 SQLITE_SUFFIX = ".db3"
-SUFFIXES = {"mcap": _mcap_write.SUFFIX, "sqlite3": SQLITE_SUFFIX}
+SUFFIXES = {"mcap": ".mcap", "sqlite3": SQLITE_SUFFIX}
+MCAP_PRESETS = {
+    "none": "Default profile, no special settings.",
+    "fastwrite": "Disables CRC and chunking for faster writing.",
+    "zstd_fast": "Use Zstd chunk compression on Fastest level.",
+    "zstd_small": "Use Zstd chunk compression on Slowest level, for smallest file size.",
+}
 MINIMUM_SPLIT = {"mcap": 1024, "sqlite3": 86016}
-"""Bytes a file must be allowed to have (rosbag2_storage_mcap, rosbag2_storage_sqlite3)."""
+"""The smallest allowed size limit of a file, in bytes (rosbag2_storage_mcap, rosbag2_storage_sqlite3)."""
 
 NO_STORAGE = "No storage could be initialized from the inputs."
 
 
 class BagReader(Protocol):
-    """What both storages offer for one file."""
+    """The reader of one file, of either storage."""
 
     storage_id: str
-    whole: bool
+    is_complete: bool
 
     def metadata(self) -> BagMetadata: ...
 
@@ -39,7 +52,7 @@ class BagReader(Protocol):
 
 
 class BagWriter(Protocol):
-    """What both storages offer for a file that is written."""
+    """The writer of one file, of either storage."""
 
     storage_id: str
     metadata: BagMetadata | None
@@ -61,11 +74,11 @@ class BagWriter(Protocol):
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Inside, what comes of damaged bytes is a RuntimeError that names the file."""
+    """Turn the errors that damaged bytes cause into a BadBag that names the file."""
     try:
         yield
     except (struct.error, zlib.error, LookupError, TypeError, ValueError, ArithmeticError, MemoryError) as error:
-        raise _mcap_records.BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
+        raise BadBag(f"{path.name} is damaged: {error or type(error).__name__}") from error
 
 
 def get_registered_readers() -> set[str]:
@@ -79,25 +92,25 @@ def get_registered_writers() -> set[str]:
 
 
 def get_registered_serializers() -> set[str]:
-    """Return the formats messages can be converted to; there is only CDR, and it needs no converter."""
+    """Return the formats that messages can be converted to: none, because CDR needs no converter."""
     return set()
 
 
 def presets(storage_id: str) -> dict[str, str]:
     """Return the presets of a storage with their descriptions."""
     if storage_id == "mcap":
-        return _mcap_write.PRESETS
+        return MCAP_PRESETS
     from rosbag2_py import _sqlite
 
     return _sqlite.PRESETS
 
 
-def storage_of(path: Path, asked: str = "") -> str:
-    """Return the storage id of a file; RuntimeError if it is none that can be read."""
-    if asked:
-        if asked not in SUFFIXES:
+def storage_of(path: Path, storage_id: str = "") -> str:
+    """Return the storage id of a file. Raises RuntimeError if it can't be read."""
+    if storage_id:
+        if storage_id not in SUFFIXES:
             raise RuntimeError(NO_STORAGE)
-        return asked
+        return storage_id
     for name, suffix in SUFFIXES.items():
         if path.suffix == suffix:
             return name
@@ -106,7 +119,7 @@ def storage_of(path: Path, asked: str = "") -> str:
             first = file.read(16)
     except OSError:
         raise RuntimeError(NO_STORAGE) from None
-    if first.startswith(_mcap_records.MAGIC):
+    if first.startswith(MCAP_MAGIC):
         return "mcap"
     if first.startswith(b"SQLite format 3\0"):
         return "sqlite3"
@@ -114,7 +127,7 @@ def storage_of(path: Path, asked: str = "") -> str:
 
 
 def open_file(path: Path, storage_id: str = "") -> BagReader:
-    """Open one file for reading. RuntimeError says what is wrong with it."""
+    """Open one file for reading. Raises RuntimeError with the reason."""
     storage = storage_of(path, storage_id)
     try:
         with reading(path):
@@ -130,9 +143,11 @@ def open_file(path: Path, storage_id: str = "") -> BagReader:
 
 
 def create_file(path: Path, storage_id: str, preset: str, distro: str) -> BagWriter:
-    """Make a new file. RuntimeError for an unknown storage or preset."""
+    """Create a new file. Raises RuntimeError for an unknown storage or preset."""
     if (storage_id or get_default_storage_id()) == "mcap":
-        return _mcap_write.McapWriter(path, preset)
+        from rosbag2_py._mcap_write import McapWriter
+
+        return McapWriter(path, preset)
     from rosbag2_py._sqlite import SqliteWriter
 
     return SqliteWriter(path, preset, distro)

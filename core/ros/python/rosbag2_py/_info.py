@@ -1,4 +1,4 @@
-"""What `ros2 bag info` says of a bag, in the words and columns of rosbag2_py/format_bag_metadata.cpp."""
+"""The output of `ros2 bag info`, with the texts and columns of rosbag2_py/format_bag_metadata.cpp."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ _INDENT = " " * 19
 
 
 class Info:
-    """Reads and prints what a bag is; the texts can be had without printing (`text` …)."""
+    """Reads and prints a bag's metadata; `text`, `verbose_text` and `topic_names` return it instead."""
 
     def read_metadata(self, uri: str, storage_id: str = "") -> BagMetadata:
-        """Return the metadata of a bag's folder or of one of its files. RuntimeError if there is none."""
+        """Return the metadata of a bag's folder or of one of its files. Raises RuntimeError if there is none."""
         path = Path(uri)
         if not path.exists():
             raise RuntimeError(f"Bag path {uri} does not exist.")
@@ -42,7 +42,7 @@ class Info:
             file.close()
 
     def get_sorting_methods(self) -> set[str]:
-        """Return what topics can be sorted by."""
+        """Return the keys that topics can be sorted by."""
         return set(SORTING)
 
     def print_output(self, metadata: BagMetadata, sorting_method: str = "name") -> None:
@@ -58,11 +58,11 @@ class Info:
         print(self.verbose_text(uri, metadata, sorting_method))
 
     def topic_names(self, metadata: BagMetadata, sorting_method: str = "name") -> list[str]:
-        """Return the names of the topics that are no service events."""
+        """Return the names of the topics, except service events."""
         return [each.topic_metadata.name for each in _topics(metadata, sorting_method)]
 
     def text(self, metadata: BagMetadata, sorting_method: str = "name") -> str:
-        """Return what `ros2 bag info BAG` prints."""
+        """Return the output of `ros2 bag info BAG`."""
         services = _services(metadata, sorting_method)
         lines = [*_head(metadata, sorting_method, None), f"Service:           {len(services)}"]
         about = [
@@ -73,7 +73,7 @@ class Info:
         return "\n".join([*lines, *_column("Service information: ", about)]) + ("\n" if about else "")
 
     def verbose_text(self, uri: str, metadata: BagMetadata, sorting_method: str = "name") -> str:
-        """Return what `ros2 bag info -v BAG` prints."""
+        """Return the output of `ros2 bag info -v BAG`."""
         sizes = message_sizes(uri, metadata)
         services = _services(metadata, sorting_method)
         calls = _calls(uri, metadata) if services else {}
@@ -170,7 +170,7 @@ def _seconds(nanoseconds: int) -> str:
 
 def _moment(nanoseconds: int) -> str:
     local = time.localtime(nanoseconds // SECOND)
-    # The month in English, whatever the locale: C++ streams begin with the locale "C".
+    # The month is in English, whatever the locale: C++ streams start with the locale "C".
     month = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"][local.tm_mon - 1]
     day = f"{month} {local.tm_mday:2d} {local.tm_year}"
     clock = f"{local.tm_hour:02d}:{local.tm_min:02d}:{local.tm_sec:02d}.{nanoseconds % SECOND:09d}"
@@ -178,7 +178,7 @@ def _moment(nanoseconds: int) -> str:
 
 
 def message_sizes(uri: str, metadata: BagMetadata) -> dict[str, int]:
-    """Return the bytes of all messages of each topic, by reading them."""
+    """Read all messages; returns the sum of their sizes in bytes by topic."""
     sizes: Counter[str] = Counter()
     for topic, data, _ in _all_messages(uri, metadata):
         sizes[topic] += len(data)
@@ -198,7 +198,7 @@ def _all_messages(uri: str, metadata: BagMetadata) -> Any:
 
 
 def _calls(uri: str, metadata: BagMetadata) -> dict[str, tuple[int, int]]:
-    """Return how many different requests and responses the events of each service tell of."""
+    """Return the numbers of different requests and responses in the events of each service."""
     from day6_tui.core.interfaces import deserialize, get_interface
 
     kinds = {
@@ -211,6 +211,9 @@ def _calls(uri: str, metadata: BagMetadata) -> dict[str, tuple[int, int]]:
         if topic in kinds:
             event = deserialize(data, kinds[topic]).info
             key = (bytes(event.client_gid), event.sequence_number)
-            # REQUEST_SENT and REQUEST_RECEIVED are 0 and 1, the responses 2 and 3: client and server tell of the same call.
+            # REQUEST_SENT and REQUEST_RECEIVED are 0 and 1, the responses 2 and 3: client and server report the same call.
             seen[topic][0 if event.event_type < 2 else 1].add(key)
-    return {topic.removesuffix(EVENT_SUFFIX): (len(asked), len(told)) for topic, (asked, told) in seen.items()}
+    return {
+        topic.removesuffix(EVENT_SUFFIX): (len(requests), len(responses))
+        for topic, (requests, responses) in seen.items()
+    }

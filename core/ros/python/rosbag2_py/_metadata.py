@@ -1,4 +1,4 @@
-"""metadata.yaml: version 9 is written, with yaml-cpp's look; every version since 1 is read."""
+"""metadata.yaml: version 9 is written, formatted as by yaml-cpp; every version since 1 is read."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class MetadataIo:
     """Reads and writes the metadata.yaml of a bag's folder."""
 
     def metadata_file_exists(self, uri: str) -> bool:
-        """Say whether the folder `uri` has one."""
+        """Return whether the folder `uri` has one."""
         return (Path(uri) / FILE_NAME).is_file()
 
     def read_metadata(self, uri: str) -> BagMetadata:
-        """Read the folder's metadata.yaml. RuntimeError says what is wrong with it."""
+        """Read the folder's metadata.yaml. Raises RuntimeError with the reason."""
         import yaml
 
         try:
@@ -45,7 +45,7 @@ class MetadataIo:
         return metadata
 
     def write_metadata(self, uri: str, metadata: BagMetadata) -> None:
-        """Replace the folder's metadata.yaml in one step, so that whoever is killed leaves a whole one."""
+        """Replace the folder's metadata.yaml atomically, so that a killed process leaves a complete one."""
         text = "\n".join([f"{ROOT}:", *_lines(metadata, "  "), ""])
         replace_file(Path(uri) / FILE_NAME, text.encode("utf-8"), mode=0o666, sync=False)
 
@@ -54,7 +54,7 @@ class MetadataIo:
         return "\n".join(_lines(metadata, ""))
 
     def deserialize_metadata(self, text: str) -> BagMetadata:
-        """Read what `serialize_metadata` wrote. RuntimeError for anything else."""
+        """Read the result of `serialize_metadata`. Raises RuntimeError for anything else."""
         import yaml
 
         try:
@@ -70,11 +70,11 @@ def _first_line(error: Exception) -> str:
 
 
 def folder_size(folder: Path) -> int:
-    """Return the bytes of the files in a folder."""
+    """Return the size of the files in a folder, in bytes."""
     return sum(entry.stat().st_size for entry in folder.iterdir() if entry.is_file())
 
 
-# -- writing: by hand, because yaml takes 10 ms for what is written every second of a recording ----------------------------
+# -- writing: without yaml, which takes 10 ms, and a recording writes this every second --------------------------------
 
 
 def _lines(metadata: BagMetadata, indent: str) -> list[str]:
@@ -139,7 +139,7 @@ def _custom(data: dict[str, str]) -> list[str]:
 
 
 def _scalar(text: str) -> str:
-    """A plain word where YAML reads it back as the same text, else in double quotes."""
+    """Return a text as a plain word if YAML reads it back unchanged, else in double quotes."""
     import re
 
     if re.fullmatch(r"[A-Za-z/_][A-Za-z0-9_./-]*", text) and text.lower() not in _WORDS:

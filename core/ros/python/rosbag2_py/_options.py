@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ServiceRequestsSource(IntEnum):
-    """Whose introspection replayed requests are taken from."""
+    """The side whose introspection events replayed requests are taken from."""
 
     SERVICE_INTROSPECTION = 0
     CLIENT_INTROSPECTION = 1
@@ -20,7 +20,7 @@ class ServiceRequestsSource(IntEnum):
 
 @dataclass
 class RecordOptions:
-    """What is recorded, and how. Service events are named by their topics, `/name/_service_event`."""
+    """The options of a recording. `services` lists event topics, `/name/_service_event`."""
 
     all_topics: bool = False
     all_services: bool = False
@@ -52,7 +52,7 @@ class RecordOptions:
 
 @dataclass
 class PlayOptions:
-    """What is played, and how. Times in seconds, but `playback_until_timestamp` in nanoseconds since 1970 (-1: to the end)."""
+    """The options of a playback. Times are in seconds, `playback_until_timestamp` in nanoseconds since 1970 (-1: to the end)."""
 
     read_ahead_queue_size: int = 1000
     node_prefix: str = ""
@@ -89,7 +89,7 @@ _NUMBERS = ("depth", "avoid_ros_namespace_conventions")
 
 
 def qos_overrides(content: Any) -> dict[str, QoSProfile]:
-    """Return the profiles by topic that a loaded YAML file names. ValueError or InvalidQoSProfileException if it is wrong."""
+    """Return the profiles of a loaded YAML file by topic. Raises ValueError or InvalidQoSProfileException."""
     if not isinstance(content, dict):
         raise ValueError("The QoS overrides must be a map from topics to profiles.")
     return {str(topic): _override(profile) for topic, profile in content.items()}

@@ -1,4 +1,4 @@
-"""The services by which other programs steer a player: `/rosbag2_player/pause` and so on."""
+"""The services by which other programs control a player: `/rosbag2_player/pause` and so on."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ SECOND = 1_000_000_000
 
 
 def offer_services(node: Node, playing: Playing) -> None:
-    """Offer them on the player's node."""
+    """Create the services on the player's node."""
 
-    def nothing(action: Callable[[], object]) -> Callable[[Any], dict[str, Any]]:
+    def empty_response(action: Callable[[], object]) -> Callable[[Any], dict[str, Any]]:
         def run(request: Any) -> dict[str, Any]:
             action()
             return {}
@@ -41,15 +41,15 @@ def offer_services(node: Node, playing: Playing) -> None:
         return {"success": True}
 
     def play(request: Any) -> dict[str, Any]:
-        # The command lives as long as its playback, so whoever can ask finds one running.
+        # The command lives as long as its playback, so every caller finds one running.
         node.get_logger().warning("Trying to play() while in playback, dismissing request.")
         return {"success": False}
 
     table: dict[str, tuple[Any, Callable[[Any], dict[str, Any]]]] = {
-        "pause": (Pause, nothing(playing.pause)),
-        "resume": (Resume, nothing(playing.resume)),
-        "toggle_paused": (TogglePaused, nothing(playing.toggle_paused)),
-        "stop": (Stop, nothing(playing.stop)),
+        "pause": (Pause, empty_response(playing.pause)),
+        "resume": (Resume, empty_response(playing.resume)),
+        "toggle_paused": (TogglePaused, empty_response(playing.toggle_paused)),
+        "stop": (Stop, empty_response(playing.stop)),
         "is_paused": (IsPaused, lambda request: {"paused": playing.clock.paused}),
         "get_rate": (GetRate, lambda request: {"rate": playing.clock.rate}),
         "set_rate": (SetRate, lambda request: {"success": playing.set_rate(request.rate)}),
@@ -59,13 +59,13 @@ def offer_services(node: Node, playing: Playing) -> None:
         "play": (Play, play),
     }
     for name, (kind, serve) in table.items():
-        node.create_service(kind, f"~/{name}", _answer(serve))
+        node.create_service(kind, f"~/{name}", _callback(serve))
 
 
-def _answer(serve: Callable[[Any], dict[str, Any]]) -> Callable[[Any, Any], Any]:
-    def answer(request: Any, response: Any) -> Any:
+def _callback(serve: Callable[[Any], dict[str, Any]]) -> Callable[[Any, Any], Any]:
+    def callback(request: Any, response: Any) -> Any:
         for field, value in serve(request).items():
             setattr(response, field, value)
         return response
 
-    return answer
+    return callback

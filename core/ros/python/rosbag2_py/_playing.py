@@ -1,4 +1,4 @@
-"""The player without anything that waits: `ros2 bag play` and `Player` call `advance` whenever it says that it is due."""
+"""The player without any waiting: `ros2 bag play` and `Player` call `advance` whenever it is due."""
 
 from __future__ import annotations
 
@@ -12,11 +12,10 @@ from rosgraph_msgs.msg import Clock
 from day6_tui.core.interfaces import get_interface
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._bag_clock import BagClock
-from rosbag2_py._mcap_read import Message
 from rosbag2_py._options import PlayOptions
 from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
 from rosbag2_py._reader import SequentialReader, last_moment
-from rosbag2_py._storage import StorageFilter, TopicMetadata, nanoseconds_of
+from rosbag2_py._storage import Message, StorageFilter, TopicMetadata, nanoseconds_of
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 NODE_NAME = "rosbag2_player"
 SECOND = 1_000_000_000
 AT_ONCE = 100
-"""Messages that are published in one go; then others have their turn, however late the playback is."""
+"""Messages published in one go before other programs get their turn, however late the playback is."""
 
 RATE_STEP = 0.1
 
@@ -35,8 +34,8 @@ CLOCK_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, durab
 class Playing:
     """Plays bags on `node`. Call `advance` when it is due, after each `on_wake`, and until `finished`.
 
-    `readers` are open. `steady_ns` paces the playback (nanoseconds). `on_wake` is called when something changed from outside
-    (a service, a key), so that whoever waits calls `advance` again.
+    `readers` are open. `steady_ns` paces the playback (nanoseconds). `on_wake` is called when a service or a key has changed
+    something, so that the caller stops waiting and calls `advance` again.
     """
 
     def __init__(
@@ -123,7 +122,7 @@ class Playing:
             kind = get_interface(topic.type)
             self._publishers[topic.name] = self._node.create_publisher(kind, topic.name, profile)
         except Exception as error:
-            # Whatever is wrong with a type: the other topics are played all the same.
+            # Whatever is wrong with a type, the other topics are played.
             self._log.warning(f"Ignoring a topic '{topic.name}', reason: {error}.")
 
     def _warn_of_acknowledgements(self) -> None:
@@ -141,7 +140,7 @@ class Playing:
             )
 
     def _configure_end(self) -> None:
-        """The later of both limits counts, as in the real player."""
+        """Set the end of the playback: the later one of both limits, as in the real player."""
         limits = [self._options.playback_until_timestamp]
         if self._options.playback_duration >= 0:
             limits.append(self.start_ns + round(self._options.playback_duration * SECOND))
@@ -150,7 +149,7 @@ class Playing:
     # -- time ----------------------------------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Say that it begins, and begin."""
+        """Log the start, and start."""
         self._log.info(f"Playback until timestamp: {self.until_ns}")
         self._begin_round()
 
@@ -179,7 +178,10 @@ class Playing:
         self._next = next(self._stream, None)
 
     def advance(self) -> int | None:
-        """Publish what is due. Returns the steady time at which more will be, None while only a key or service can go on."""
+        """Publish the messages that are due.
+
+        Returns the steady time at which more will be due, None while only a key or a service can continue the playback.
+        """
         now = self._steady_ns()
         if self._clock_due is not None and now >= self._clock_due:
             self._clock_due = max(self._clock_due + self._clock_period, now)
@@ -219,7 +221,7 @@ class Playing:
             return None
         self._begin_round()
         if self._next is None and self._delay_until is None:
-            self._finish()  # an empty bag, for ever: there is nothing to wait for
+            self._finish()  # an empty bag in a loop: there is nothing to wait for
             return None
         return self._steady_ns()
 
@@ -228,7 +230,7 @@ class Playing:
         self.wait_for_all_acked()
 
     def wait_for_all_acked(self) -> None:
-        """Our publishers hand messages over when they publish: everything is acknowledged already."""
+        """Wait for all acknowledgements; our publishers deliver when they publish, so there are none to wait for."""
         if self._options.wait_acked_timeout < 0:
             return
         for publisher in self._publishers.values():
@@ -262,22 +264,23 @@ class Playing:
     # -- control -------------------------------------------------------------------------------------------------------
 
     def pause(self) -> None:
-        """Let the recording's time stand."""
+        """Stop the recording's time."""
         self.clock.pause()
         self._log.info("Pausing play.")
         self._wake()
 
     def resume(self) -> None:
-        """Let it run again."""
+        """Let the recording's time run again."""
         self.clock.resume()
         self._log.info("Resuming play.")
         self._wake()
 
     def toggle_paused(self) -> None:
+        """Pause, or resume."""
         (self.resume if self.clock.paused else self.pause)()
 
     def set_rate(self, rate: float) -> bool:
-        """Change the rate; False unless it is above 0."""
+        """Change the rate; returns False unless it is above 0."""
         accepted = math.isfinite(rate) and self.clock.set_rate(rate)
         if accepted:
             self._log.info(f"Set rate to {rate:g}")
@@ -287,7 +290,7 @@ class Playing:
         return accepted
 
     def play_next(self) -> bool:
-        """While paused: publish one message, and let the time stand at it. False otherwise, and at the end."""
+        """While paused: publish one message and stop at its time. Returns False if not paused, or at the end."""
         if not self.clock.paused:
             self._log.warning("Called play next, but not in paused state.")
             return False
@@ -306,7 +309,7 @@ class Playing:
         return False
 
     def burst(self, count: int) -> int:
-        """While paused: publish so many messages at once (0: all that are left). Returns how many there were."""
+        """While paused: publish `count` messages at once (0: all remaining ones). Returns the number of messages."""
         if not self.clock.paused:
             self._log.warning("Burst can only be used when in the paused state.")
             return 0
@@ -320,7 +323,7 @@ class Playing:
         return played
 
     def seek(self, bag_ns: int) -> None:
-        """Go on at this time of the recording, at its beginning for an earlier one."""
+        """Continue at this time of the recording, or at its beginning for an earlier one."""
         self._enter(max(bag_ns, self.start_ns))
         self._wake()
 
@@ -332,26 +335,26 @@ class Playing:
             self._wake()
 
     def press(self, key: str) -> None:
-        """What a key does (as a terminal sends it)."""
+        """Handle a key (as a terminal sends it)."""
         if key == " ":
             self.toggle_paused()
         elif key == "\x1b[C":
             self.play_next()
         elif key in ("\x1b[A", "\x1b[B"):
-            # Rounded: the real one shows 1.1, 1.2 … too, because C++ prints six digits.
+            # Rounded, because C++ prints six digits: the real one shows 1.1, 1.2 … too.
             self.set_rate(round(self.clock.rate + (RATE_STEP if key == "\x1b[A" else -RATE_STEP), 6))
 
-    # -- for the eye ---------------------------------------------------------------------------------------------------
+    # -- progress ------------------------------------------------------------------------------------------------------
 
     def progress(self) -> str:
-        """The two lines that show where the playback is."""
+        """Return the two lines that show the position of the playback."""
         now = min(max(self.clock.now(), self.bag_start), max(self.bag_end, self.bag_start))
         state = "S" if self.finished else "D" if self._delay_until else "P" if self.clock.paused else "R"
         if self._bursting:
             state = "B"
-        passed, whole = (now - self.bag_start) / SECOND, (self.bag_end - self.bag_start) / SECOND
+        passed, total = (now - self.bag_start) / SECOND, (self.bag_end - self.bag_start) / SECOND
         moment = f"{now // SECOND}.{now % SECOND:09d}"
-        return f"====== Playback Progress ======\n[{moment}] Duration {passed:.2f}/{whole:.2f} [{state}]"
+        return f"====== Playback Progress ======\n[{moment}] Duration {passed:.2f}/{total:.2f} [{state}]"
 
 
 KEYS = (

@@ -1,4 +1,4 @@
-"""QoS profiles as bags keep them: YAML with words (version 9) or numbers (before), and what to offer or request from them."""
+"""QoS profiles as bags store them: YAML with words (version 9) or numbers (before); the profiles to offer and request."""
 
 from __future__ import annotations
 
@@ -16,47 +16,47 @@ DEFAULT_DEPTH = 10
 _SECOND = 1_000_000_000
 _INFINITE = (9223372036, 854775807)
 _OLD_INFINITES = {(2147483647, 4294967295), (2147483647, 4294967294), (9223372036, 854775807), (0x7FFFFFFF, 0xFFFFFFFF)}
-"""What Foxy's middlewares wrote for "for ever" (rosbag2_storage/qos.hpp)."""
+"""The values that Foxy's middlewares wrote for an infinite duration (rosbag2_storage/qos.hpp)."""
 
 
 class rmw_qos_history_policy_t(IntEnum):
     """History policies under rmw's names."""
 
-    RMW_QOS_POLICY_HISTORY_SYSTEM_DEFAULT = 0
-    RMW_QOS_POLICY_HISTORY_KEEP_LAST = 1
-    RMW_QOS_POLICY_HISTORY_KEEP_ALL = 2
-    RMW_QOS_POLICY_HISTORY_UNKNOWN = 3
+    RMW_QOS_POLICY_HISTORY_SYSTEM_DEFAULT = History.SYSTEM_DEFAULT
+    RMW_QOS_POLICY_HISTORY_KEEP_LAST = History.KEEP_LAST
+    RMW_QOS_POLICY_HISTORY_KEEP_ALL = History.KEEP_ALL
+    RMW_QOS_POLICY_HISTORY_UNKNOWN = History.UNKNOWN
 
 
 class rmw_qos_reliability_policy_t(IntEnum):
     """Reliability policies under rmw's names."""
 
-    RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT = 0
-    RMW_QOS_POLICY_RELIABILITY_RELIABLE = 1
-    RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT = 2
-    RMW_QOS_POLICY_RELIABILITY_UNKNOWN = 3
+    RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT = Reliability.SYSTEM_DEFAULT
+    RMW_QOS_POLICY_RELIABILITY_RELIABLE = Reliability.RELIABLE
+    RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT = Reliability.BEST_EFFORT
+    RMW_QOS_POLICY_RELIABILITY_UNKNOWN = Reliability.UNKNOWN
 
 
 class rmw_qos_durability_policy_t(IntEnum):
     """Durability policies under rmw's names."""
 
-    RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT = 0
-    RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL = 1
-    RMW_QOS_POLICY_DURABILITY_VOLATILE = 2
-    RMW_QOS_POLICY_DURABILITY_UNKNOWN = 3
+    RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT = Durability.SYSTEM_DEFAULT
+    RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL = Durability.TRANSIENT_LOCAL
+    RMW_QOS_POLICY_DURABILITY_VOLATILE = Durability.VOLATILE
+    RMW_QOS_POLICY_DURABILITY_UNKNOWN = Durability.UNKNOWN
 
 
 class rmw_qos_liveliness_policy_t(IntEnum):
     """Liveliness policies under rmw's names."""
 
-    RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0
-    RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = 1
-    RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = 3
-    RMW_QOS_POLICY_LIVELINESS_UNKNOWN = 4
+    RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = Liveliness.SYSTEM_DEFAULT
+    RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = Liveliness.AUTOMATIC
+    RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = Liveliness.MANUAL_BY_TOPIC
+    RMW_QOS_POLICY_LIVELINESS_UNKNOWN = Liveliness.UNKNOWN
 
 
 class QoS:
-    """A profile built step by step, each call returning the same object: `QoS(10).best_effort().durability_volatile()`."""
+    """A profile; its setters return the same object: `QoS(10).best_effort().durability_volatile()`."""
 
     def __init__(self, history_depth: int = DEFAULT_DEPTH, *, profile: Profile | None = None) -> None:
         self.profile = profile if profile is not None else Profile(depth=history_depth, liveliness=Liveliness.AUTOMATIC)
@@ -122,7 +122,7 @@ def _nanoseconds(duration: Any) -> int:
 
 
 def _finite(nanoseconds: int) -> int:
-    """For ever is 0 in a profile."""
+    """Return a duration with an infinite one as 0, as in graph profiles."""
     return 0 if nanoseconds >= INFINITE_NS else nanoseconds
 
 
@@ -130,14 +130,14 @@ def _finite(nanoseconds: int) -> int:
 
 
 def convert_rclcpp_qos_to_rclpy_qos(qos: QoS) -> QoSProfile:
-    """Return the profile as rclpy's class, for `create_publisher` and `create_subscription`."""
+    """Return the profile as an rclpy QoSProfile, for `create_publisher` and `create_subscription`."""
     from rclpy.qos import QoSProfile
 
     return QoSProfile._from_graph(qos.profile, known_history=True)
 
 
 def from_rclpy(profile: QoSProfile) -> QoS:
-    """Return rclpy's profile as a bag keeps it; what discovery does not tell stays unknown."""
+    """Return rclpy's profile as a bag stores it; policies that discovery does not transmit stay unknown."""
     found = profile.get_c_qos_profile()
     return QoS(
         profile=found._replace(
@@ -149,9 +149,9 @@ def from_rclpy(profile: QoSProfile) -> QoS:
 
 
 def offer_for(recorded: list[QoS]) -> tuple[QoS, bool]:
-    """Return the profile a player publishes a topic with, and whether the recorded publishers agreed on it.
+    """Return the profile with which a player publishes a topic, and whether the recorded publishers agreed on it.
 
-    Agreement leaves out depth, history and lifespan (rosbag2_storage, adapt_offer_to_recorded_offers).
+    Depth, history and lifespan may differ (rosbag2_storage, adapt_offer_to_recorded_offers).
     """
     if not recorded:
         return QoS(), True
@@ -170,7 +170,7 @@ def _compatibility(profile: Profile) -> tuple[Any, ...]:
 
 
 def yaml_lines(profiles: Iterable[QoS], indent: str = "") -> list[str]:
-    """Return the YAML list of profiles as rosbag2 writes it (version 9), one line each, behind `indent`."""
+    """Return the lines of the YAML list of profiles as rosbag2 writes it (version 9), each after `indent`."""
     lines: list[str] = []
     for qos in profiles:
         profile = qos.profile
@@ -199,9 +199,9 @@ def _time(name: str, nanoseconds: int) -> list[str]:
 
 
 def from_yaml(text: Any) -> list[QoS]:
-    """Return the profiles in a YAML text (or in what it was loaded as). Both words and numbers are taken.
+    """Return the profiles in a YAML text (or in its loaded value), with words or numbers.
 
-    ValueError for something that is no list of profiles.
+    Raises ValueError for anything that isn't a list of profiles.
     """
     if isinstance(text, str):
         if not text.strip():
@@ -211,7 +211,7 @@ def from_yaml(text: Any) -> list[QoS]:
         try:
             text = yaml.safe_load(text)
         except yaml.YAMLError:
-            raise ValueError("the QoS profiles of a topic are no YAML") from None
+            raise ValueError("the QoS profiles of a topic are not YAML") from None
     if text is None:
         return []
     if not isinstance(text, list) or not all(isinstance(each, dict) for each in text):
@@ -223,7 +223,7 @@ def from_yaml(text: Any) -> list[QoS]:
 
 
 def to_rclcpp_qos_vector(text: str, version: int) -> list[QoS]:
-    """Return the profiles in the text that a bag of metadata `version` holds (the form is found out from the text)."""
+    """Return the profiles in a text from a bag of metadata `version` (the text itself shows the format)."""
     return from_yaml(text)
 
 

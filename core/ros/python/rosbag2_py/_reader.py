@@ -1,4 +1,4 @@
-"""`SequentialReader`: the messages of a bag one after the other, whatever files and storage it is made of."""
+"""`SequentialReader`: the messages of a bag in sequence, whatever its files and storage."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from pathlib import Path
 
 from rosbag2_py._compression import decompress
 from rosbag2_py._files import NO_STORAGE, BagReader, get_registered_readers, open_file, reading
-from rosbag2_py._mcap_read import Message
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._storage import (
     BagMetadata,
     ConverterOptions,
+    Message,
     MessageDefinition,
     ReadOrder,
     ReadOrderSortBy,
@@ -30,7 +30,7 @@ _LAST = 2**63 - 1
 
 
 class SequentialReader:
-    """Opens a bag (its folder, or one file of it) and gives its messages by time. RuntimeError for what is no bag."""
+    """Reads the messages of a bag (its folder, or one file of it) by time. Raises RuntimeError for anything else."""
 
     def __init__(self) -> None:
         self._metadata: BagMetadata | None = None
@@ -47,7 +47,7 @@ class SequentialReader:
         self._unpacked: Path | None = None
 
     def open_uri(self, uri: str) -> None:
-        """Open a bag with everything found out from it."""
+        """Open a bag; its storage is detected."""
         self.open(StorageOptions(uri))
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
@@ -72,12 +72,12 @@ class SequentialReader:
         self._end_ns = storage_options.end_time_ns if storage_options.end_time_ns >= 0 else _LAST
 
     def _find(self, name: str) -> Path:
-        """Bags of early versions name their files with the bag's folder in front."""
+        """Return the path of a file; early versions list files with the bag's folder in front."""
         path = self._folder / name
         return path if path.exists() or "/" not in name else self._folder / Path(name).name
 
     def close(self) -> None:
-        """Let go of the files."""
+        """Close the files."""
         self._stream = None
         self._next = None
         for file in self._open.values():
@@ -95,7 +95,7 @@ class SequentialReader:
         return found
 
     def _unpack(self, path: Path) -> Path:
-        """Unpack a compressed file into a passing folder, which goes with this reader."""
+        """Decompress a file into a temporary folder, which is removed with this reader."""
         if self._unpacked is None:
             self._unpacked = Path(tempfile.mkdtemp(prefix="rosbag2-"))
             weakref.finalize(self, shutil.rmtree, self._unpacked, ignore_errors=True)
@@ -106,10 +106,10 @@ class SequentialReader:
             raise RuntimeError(f"{error.strerror}: {path}") from None
         return target
 
-    # -- what there is -------------------------------------------------------------------------------------------------
+    # -- contents ------------------------------------------------------------------------------------------------------
 
     def get_metadata(self) -> BagMetadata:
-        """Return what metadata.yaml says, or what the file itself does."""
+        """Return the contents of metadata.yaml, or the metadata of the file itself."""
         if self._metadata is None:
             raise RuntimeError("Bag is not open. Call open() before reading.")
         return self._metadata
@@ -131,21 +131,21 @@ class SequentialReader:
     # -- messages ------------------------------------------------------------------------------------------------------
 
     def set_filter(self, storage_filter: StorageFilter) -> None:
-        """Read on with those topics only that the filter allows."""
+        """Continue with only those topics that the filter allows."""
         self._filter = storage_filter
         self._restart()
 
     def reset_filter(self) -> None:
-        """Read on with all topics."""
+        """Continue with all topics."""
         self.set_filter(StorageFilter())
 
     def seek(self, timestamp: int) -> None:
-        """Go on with the first message at or after (backwards: before) this time."""
+        """Continue with the first message at or after (in reverse: before) this time."""
         self._start_ns = timestamp
         self._restart()
 
     def set_read_order(self, read_order: ReadOrder) -> bool:
-        """Choose the order; False for one that the bag cannot be read in."""
+        """Choose the order; returns False for one in which the bag can't be read."""
         if read_order.sort_by == ReadOrderSortBy.PublishedTimestamp:
             return False
         if read_order.sort_by == ReadOrderSortBy.File and read_order.reverse:
@@ -155,7 +155,7 @@ class SequentialReader:
         return True
 
     def has_next(self) -> bool:
-        """Say whether there is one more message."""
+        """Return whether there is another message."""
         self.get_metadata()
         if self._next is None:
             if self._stream is None:
@@ -164,16 +164,16 @@ class SequentialReader:
         return self._next is not None
 
     def read_next(self) -> tuple[str, bytes, int]:
-        """Return the next message: topic, CDR bytes, time of reception in nanoseconds since 1970."""
+        """Return the next message: topic, CDR bytes, time received in nanoseconds since 1970."""
         message = self.read_next_message()
         return message.topic, message.data, message.received_ns
 
     def read_next_message(self) -> Message:
-        """Return the next message with all that is known of it. RuntimeError at the end."""
+        """Return the next message with all its fields. Raises RuntimeError at the end."""
         if not self.has_next() or self._next is None:
             raise RuntimeError("Bag is at end. No next message.")
         message, self._next = self._next, None
-        # A filter or order that is changed now applies from here on.
+        # A filter or order that is changed later applies from here on.
         self._start_ns = message.received_ns + (-1 if self._order.reverse else 1)
         return message
 
@@ -186,7 +186,7 @@ class SequentialReader:
         start = self._start_ns if self._start_ns is not None else (_LAST if reverse else 0)
         metadata = self.get_metadata()
         unpack = metadata.compression_mode.upper() == "MESSAGE"
-        # sorted by what the files say of themselves: after a split the order of the names is the order of time
+        # After a split the order of the names is the order of time.
         for path in reversed(self._files) if reverse else self._files:
             stream = self._reader(path).messages(
                 start, self._filter.allows, reverse=reverse, by_file=self._order.sort_by == ReadOrderSortBy.File
@@ -205,7 +205,7 @@ class SequentialReader:
 
 
 class SequentialCompressionReader(SequentialReader):
-    """The reader for compressed bags; `SequentialReader` here reads both."""
+    """The reader for compressed bags; here `SequentialReader` reads both kinds."""
 
 
 def last_moment(metadata: BagMetadata) -> int:

@@ -1,4 +1,4 @@
-"""The recorder without anything that waits: `ros2 bag record` and `Recorder` give it time by calling `poll`."""
+"""The recorder without any waiting: `ros2 bag record` and `Recorder` call `poll` regularly."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 NODE_NAME = "rosbag2_recorder"
 DEPTH = 1000
-"""Messages of one topic that may wait to be written; the real one has 10 and a thread that only receives."""
+"""Messages of one topic that may wait to be written; the real one has 10 and a thread for receiving."""
 
 
 class Recording:
-    """Records topics on `node`. Make it, call `start`, then `poll` every polling interval, and at the end `stop`.
+    """Records topics on `node`: call `start`, then `poll` at every polling interval, finally `stop`.
 
-    RuntimeError comes out of `start` when the bag cannot be made. `keyboard`: whether keys can reach it.
+    `start` raises RuntimeError if the bag can't be created. `keyboard`: whether keys can control it.
     """
 
     def __init__(self, node: Node, storage: StorageOptions, options: RecordOptions, *, keyboard: bool) -> None:
@@ -67,10 +67,10 @@ class Recording:
             return SequentialWriter()
         return SequentialCompressionWriter(CompressionOptions(options.compression_format or "zstd", mode))
 
-    # -- beginning and end ---------------------------------------------------------------------------------------------
+    # -- start and stop ------------------------------------------------------------------------------------------------
 
     def start(self) -> None:
-        """Make the bag, offer the services, subscribe to what is there."""
+        """Create the bag and the services, and subscribe to the present topics."""
         self._writer.open(self._storage, ConverterOptions("cdr", "cdr"))
         bag = self._writer._opened()
         bag.on_split = self._on_split
@@ -79,8 +79,8 @@ class Recording:
         if self._storage.snapshot_mode:
             node.create_service(Snapshot, "~/snapshot", self._snapshot)
         node.create_service(SplitBagfile, "~/split_bagfile", self._split)
-        node.create_service(Pause, "~/pause", self._answer(self.pause))
-        node.create_service(Resume, "~/resume", self._answer(self.resume))
+        node.create_service(Pause, "~/pause", self._callback(self.pause))
+        node.create_service(Resume, "~/resume", self._callback(self.resume))
         node.create_service(IsPaused, "~/is_paused", self._is_paused)
         self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
         self._log.info("Listening for topics...")
@@ -94,7 +94,7 @@ class Recording:
         self._flushed = time.monotonic()
 
     def poll(self) -> None:
-        """Look for new topics, and see that what was received is on the disk."""
+        """Look for new topics, and flush received messages to the disk."""
         if self._waits_for_clock:
             if self._node.get_clock().now().nanoseconds == 0:
                 return
@@ -159,7 +159,7 @@ class Recording:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def _profile(self, topic: str, offers: list[TopicEndpointInfo]) -> QoSProfile:
-        """A profile that hears every publisher (rosbag2_storage, adapt_request_to_offers)."""
+        """Return a profile compatible with every publisher (rosbag2_storage, adapt_request_to_offers)."""
         override = self._options.topic_qos_profile_overrides.get(topic)
         if override is not None:
             self._log.info(f"Overriding subscription profile for {topic}")
@@ -217,13 +217,13 @@ class Recording:
             self._log.info("Pausing recording.")
 
     def resume(self) -> None:
-        """Go on writing."""
+        """Continue to write."""
         if self.paused:
             self.paused = False
             self._log.info("Resuming recording.")
 
     def press(self, key: str) -> None:
-        """What a key does: space pauses and resumes."""
+        """Handle a key: space pauses and resumes."""
         if key == " ":
             (self.resume if self.paused else self.pause)()
 
@@ -231,7 +231,7 @@ class Recording:
         name = self._node.get_fully_qualified_name()
         self._splits.publish(WriteSplitEvent(closed_file=closed, opened_file=opened, node_name=name))
 
-    def _answer(self, action: Any) -> Any:
+    def _callback(self, action: Any) -> Any:
         def serve(request: Any, response: Any) -> Any:
             action()
             return response

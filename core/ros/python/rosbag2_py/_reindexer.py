@@ -1,4 +1,4 @@
-"""Makes metadata.yaml anew from the files of a bag, and gives files that were cut off an end."""
+"""Rebuilds metadata.yaml from the files of a bag, and completes files that were cut off."""
 
 from __future__ import annotations
 
@@ -22,30 +22,30 @@ _FILE = re.compile(r".+_(\d+)\.([a-zA-Z0-9])+")
 
 
 class Reindexer:
-    """`reindex(storage_options)`; `say(text)` gets what the real one logs."""
+    """Rebuilds the metadata of bags; `log(text)` gets the real one's log lines."""
 
-    def __init__(self, say: Callable[[str], None] | None = None) -> None:
-        self._say = say or (lambda text: None)
+    def __init__(self, log: Callable[[str], None] | None = None) -> None:
+        self._log = log or (lambda text: None)
 
     def reindex(self, storage_options: StorageOptions) -> None:
-        """Write metadata.yaml for the folder `uri`. RuntimeError if there are no files in it, or none that can be read."""
+        """Write metadata.yaml for the folder `uri`. Raises RuntimeError if files are missing or unreadable."""
         folder = Path(storage_options.uri)
-        self._say(f"Beginning reindexing bag in directory: {storage_options.uri}")
+        self._log(f"Beginning reindexing bag in directory: {storage_options.uri}")
         if not any(folder.iterdir()):
             raise RuntimeError("Empty directory.")
         found = [(match, path) for path in folder.iterdir() if (match := _FILE.fullmatch(path.name))]
         files = [path for _, path in sorted(found, key=lambda each: int(each[0].group(1)))]
         if not files:
             raise RuntimeError("No storage files found for reindexing. Abort")
-        whole = [self._look_into(path, storage_options.storage_id) for path in files]
-        MetadataIo().write_metadata(str(folder), _together(whole))
-        self._say("Reindexing complete.")
+        parts = [self._metadata_of(path, storage_options.storage_id) for path in files]
+        MetadataIo().write_metadata(str(folder), _merged(parts))
+        self._log("Reindexing complete.")
 
-    def _look_into(self, path: Path, storage_id: str) -> BagMetadata:
+    def _metadata_of(self, path: Path, storage_id: str) -> BagMetadata:
         file = open_file(path, storage_id)
         try:
             metadata = file.metadata()
-            if file.whole:
+            if file.is_complete:
                 return metadata
             definitions = {each.topic_type: each for each in file.definitions()}
             repaired = path.with_name(f".{path.name}.repaired")
@@ -62,11 +62,13 @@ class Reindexer:
         finally:
             file.close()
         repaired.replace(path)
-        self._say(f"{path.name} had no end; it has one now, with the {metadata.message_count} messages that are in it.")
+        self._log(
+            f"{path.name} was cut off; it is complete now, with the {metadata.message_count} messages that are in it."
+        )
         return metadata
 
 
-def _together(parts: list[BagMetadata]) -> BagMetadata:
+def _merged(parts: list[BagMetadata]) -> BagMetadata:
     topics: dict[str, TopicInformation] = {}
     for part in parts:
         for each in part.topics_with_message_count:

@@ -1,4 +1,4 @@
-"""`ros2 bag convert`: merges bags by time and writes them again with other topics, storage, files or compression."""
+"""`ros2 bag convert`: merges bags by time and rewrites them with other topics, storage, files or compression."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ _RECORD = {each.name for each in fields(RecordOptions)}
 
 
 AT_ONCE = 200
-"""Messages between two moments at which `rewrite` lets others run."""
+"""Messages after which `rewrite` lets other programs run."""
 
 
 def bag_rewrite(input_options: list[StorageOptions], output_config_file: str) -> None:
-    """Write the bags that the YAML file lists under 'output_bags'. RuntimeError says what is wrong with it."""
+    """Write the bags that the YAML file lists under 'output_bags'. Raises RuntimeError with the reason."""
     for _ in rewrite(input_options, output_config_file, Path()):
         pass
 
 
 def rewrite(input_options: list[StorageOptions], output_config_file: str, folder: Path) -> Iterator[None]:
-    """Do it in pieces; paths of output bags are seen from `folder`."""
+    """Like `bag_rewrite`, in steps; the paths of output bags are relative to `folder`."""
     outputs = _outputs(output_config_file)
     for storage, _ in outputs:
         storage.uri = str(folder / storage.uri)
@@ -59,7 +59,7 @@ def rewrite(input_options: list[StorageOptions], output_config_file: str, folder
 
 
 class _Output:
-    """One bag that is written, and which topics go into it."""
+    """One output bag and its topics."""
 
     def __init__(
         self,
@@ -89,14 +89,14 @@ def _wanted(topic: TopicMetadata, options: RecordOptions) -> bool:
     if options.exclude_regex and user_pattern(options.exclude_regex).search(name):
         return False
     if is_service_event(name, topic.type):
-        asked = options.all_services or name in options.services
-        return (asked or bool(options.regex and user_pattern(options.regex).search(name))) and (
+        named = options.all_services or name in options.services
+        return (named or bool(options.regex and user_pattern(options.regex).search(name))) and (
             name not in options.exclude_service_events
         )
     if name in options.exclude_topics or topic.type in options.exclude_topic_types:
         return False
-    asked = options.all_topics or name in options.topics or topic.type in options.topic_types
-    return asked or bool(options.regex and user_pattern(options.regex).search(name))
+    named = options.all_topics or name in options.topics or topic.type in options.topic_types
+    return named or bool(options.regex and user_pattern(options.regex).search(name))
 
 
 def _outputs(path: str) -> list[tuple[StorageOptions, RecordOptions]]:
@@ -124,7 +124,7 @@ def _storage(path: str, bag: dict[str, Any]) -> StorageOptions:
 
 
 _OLD_NAMES = {"all": ("all_topics", "all_services"), "exclude": ("exclude_regex",)}
-"""How older files say it (Humble)."""
+"""Names in older files (Humble)."""
 
 
 def _record(bag: dict[str, Any]) -> RecordOptions:

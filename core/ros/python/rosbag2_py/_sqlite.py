@@ -10,18 +10,19 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from rosbag2_py._mcap_read import Message, Wanted
-from rosbag2_py._mcap_records import BadBag
 from rosbag2_py._metadata import MetadataIo
 from rosbag2_py._qos import from_yaml, yaml_lines
 from rosbag2_py._storage import (
+    BadBag,
     BagMetadata,
     BagTime,
     Duration,
     FileInformation,
+    Message,
     MessageDefinition,
     TopicInformation,
     TopicMetadata,
+    Wanted,
 )
 
 SUFFIX = ".db3"
@@ -31,7 +32,7 @@ PRESETS = {
 }
 SCHEMA_VERSION = 4
 BATCH = 512
-"""Messages that wait in memory at most before they are handed to SQLite."""
+"""The most messages that wait in memory before they are handed to SQLite."""
 
 _TABLES = """
 CREATE TABLE schema(schema_version INTEGER PRIMARY KEY,ros_distro TEXT NOT NULL);
@@ -46,7 +47,7 @@ CREATE INDEX timestamp_idx ON messages (timestamp ASC);
 
 
 class SqliteWriter:
-    """One file; a flush commits, so a recorder that is killed loses at most what came since the last one."""
+    """One file; a flush commits, so a killed recorder loses at most the messages since the last one."""
 
     storage_id = "sqlite3"
     pieces = 0
@@ -54,7 +55,7 @@ class SqliteWriter:
     def __init__(self, path: Path, preset: str = "", distro: str = "") -> None:
         if path.exists():
             raise FileExistsError(f"Failed to create bag: File '{path}' already exists!")
-        # The recorder of a classmate's program may be closed by another thread than the one that opened it.
+        # A user's program may close its recorder on another thread than the one that opened it.
         self._database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
         self._topics: dict[str, int] = {}
         self._types: set[str] = set()
@@ -62,9 +63,9 @@ class SqliteWriter:
         self._waiting_size = 0
         self.metadata: BagMetadata | None = None
         self._failure: OSError | None = None
-        """Why nothing more is written: the disk is full."""
+        """The error after which nothing more is written: the disk is full."""
         with self._writing():
-            # Killing the process loses nothing that was committed; only the machine's own fall needs `synchronous`.
+            # A killed process loses nothing that was committed; only a crash of the machine needs `synchronous`.
             self._database.execute(f"PRAGMA synchronous={'NORMAL' if preset == 'resilient' else 'OFF'}")
             self._database.executescript(_TABLES)
             self._database.execute("INSERT INTO schema VALUES (?, ?)", (SCHEMA_VERSION, distro))
@@ -72,7 +73,7 @@ class SqliteWriter:
 
     @contextmanager
     def _writing(self) -> Iterator[None]:
-        """Inside, what SQLite cannot write is an OSError; the file then has what was committed, and stays so."""
+        """Turn SQLite's errors into OSError; the file then keeps its last commit, and nothing more is written."""
         if self._failure is not None:
             raise self._failure
         try:
@@ -88,13 +89,13 @@ class SqliteWriter:
 
     @property
     def size(self) -> int:
-        """Bytes of the file so far."""
+        """Size of the file so far, in bytes."""
         (pages,) = self._database.execute("PRAGMA page_count").fetchone()
         (page,) = self._database.execute("PRAGMA page_size").fetchone()
         return int(pages) * int(page) + self._waiting_size
 
     def create_topic(self, topic: TopicMetadata, definition: MessageDefinition) -> None:
-        """Make a topic known; a second time does nothing."""
+        """Add a topic; does nothing if it exists."""
         if topic.name in self._topics:
             return
         profiles = "\n".join(yaml_lines(topic.offered_qos_profiles))
@@ -119,7 +120,7 @@ class SqliteWriter:
                 )
 
     def write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
-        """Add a message (this storage keeps one time only). KeyError for an unknown topic."""
+        """Add a message (this storage keeps only `received_ns`). Raises KeyError for an unknown topic."""
         self._waiting.append((self._topics[topic], received_ns, data))
         self._waiting_size += len(data)
         if len(self._waiting) >= BATCH:
@@ -134,14 +135,14 @@ class SqliteWriter:
         self._waiting_size = 0
 
     def flush(self) -> None:
-        """Commit. Raises OSError when there is no room."""
+        """Commit. Raises OSError if the disk is full."""
         self._insert()
         with self._writing():
             self._database.execute("COMMIT")
             self._database.execute("BEGIN")
 
     def close(self) -> None:
-        """Write the metadata of the whole bag too, and commit for the last time; only close it if that has failed before."""
+        """Write the metadata of the whole bag and commit for the last time; after a failure only close."""
         try:
             if self._failure is None:
                 self._insert()
@@ -157,16 +158,16 @@ class SqliteWriter:
 
 
 class SqliteReader:
-    """One file. RuntimeError if it is no bag."""
+    """One file. Raises RuntimeError if it isn't a bag."""
 
     storage_id = "sqlite3"
-    whole = True
+    is_complete = True
 
     def __init__(self, path: Path) -> None:
         self._path = path
         if not path.is_file():
-            raise BadBag(f"{path.name} is not there")
-        # Opened for writing where that is allowed: a killed recorder's last, unfinished step has to be taken back.
+            raise BadBag(f"{path.name} does not exist")
+        # Opened for writing if that is allowed: a killed recorder's unfinished transaction has to be rolled back.
         self._database = sqlite3.connect(path, check_same_thread=False)
         try:
             self._columns = {
@@ -178,7 +179,7 @@ class SqliteReader:
             raise BadBag(f"Failed to setup storage. Error: {path.name}: {error}") from None
         if not self._columns["topics"] or not self._columns["messages"]:
             self._database.close()
-            raise BadBag(f"Failed to setup storage. Error: {path.name}: no tables of a bag in it")
+            raise BadBag(f"Failed to setup storage. Error: {path.name}: it has no tables of a bag")
 
     def close(self) -> None:
         self._database.close()
@@ -205,7 +206,7 @@ class SqliteReader:
             raise BadBag(f"Error when reading {self._path.name}: {error}") from None
 
     def metadata(self) -> BagMetadata:
-        """Describe the file alone, as if it were the whole bag."""
+        """Return the metadata of the file alone, as if it were the whole bag."""
         counts = {id_: (count, first, last) for id_, count, first, last in self._rows(
             "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp) FROM messages GROUP BY topic_id"
         )}  # fmt: skip
@@ -235,7 +236,7 @@ class SqliteReader:
         )
 
     def definitions(self) -> list[MessageDefinition]:
-        """Return the texts of the message types; none in old bags."""
+        """Return the texts of the message types; empty for old bags."""
         if not self._columns["message_definitions"]:
             return []
         query = (
@@ -265,4 +266,4 @@ def _profiles(text: str) -> Any:
     try:
         return from_yaml(text)
     except ValueError:
-        return []  # written by a tool that puts something else there: as if nothing were known
+        return []  # written by a tool that stores something else there: treated as unknown

@@ -1,21 +1,24 @@
-"""What a bag is described by: options, topics, files, the whole. Names and arguments are those of rosbag2_py."""
+"""The data that describe a bag: options, topics, files, metadata. Names and arguments are those of rosbag2_py."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import timedelta
 from enum import IntEnum
-from typing import Any
+from typing import Any, NamedTuple
 
 from rosbag2_py._qos import QoS
 
 NANOSECONDS = 1_000_000_000
 EVENT_SUFFIX = "/_service_event"
-"""How the topic of a service's events ends (rcl/service_introspection.h)."""
+"""The end of the name of a service's event topic (rcl/service_introspection.h)."""
+MCAP_MAGIC = b"\x89MCAP0\r\n"
+"""The first and the last bytes of an MCAP file (https://mcap.dev/spec)."""
 
 
 class Duration:
-    """A time span in nanoseconds, as rclcpp has it."""
+    """A time span in nanoseconds, like rclcpp::Duration."""
 
     def __init__(self, seconds: int = 0, nanoseconds: int = 0) -> None:
         self.nanoseconds = seconds * NANOSECONDS + nanoseconds
@@ -35,7 +38,7 @@ class Duration:
 
 
 def nanoseconds_of(value: Any) -> int:
-    """Return whole nanoseconds of a number, a timedelta or anything with `nanoseconds` (Duration, Time)."""
+    """Return a number, a timedelta or anything with `nanoseconds` (Duration, Time) as whole nanoseconds."""
     if isinstance(value, timedelta):
         return (value.days * 86400 + value.seconds) * NANOSECONDS + value.microseconds * 1000
     found = getattr(value, "nanoseconds", value)
@@ -61,7 +64,7 @@ class StorageOptions:
 
 @dataclass
 class ConverterOptions:
-    """Serialization formats of what is read or written and of the storage; there is only 'cdr', '' means the same."""
+    """Serialization formats of the messages and of the storage; there is only 'cdr', which '' means too."""
 
     input_serialization_format: str = ""
     output_serialization_format: str = ""
@@ -79,7 +82,7 @@ class TopicMetadata:
     type_description_hash: str = ""
 
     def equals(self, other: TopicMetadata) -> bool:
-        """Say whether both describe the same topic (the number does not count)."""
+        """Return whether both describe the same topic (`id` does not count)."""
         return (self.name, self.type, self.serialization_format) == (other.name, other.type, other.serialization_format)
 
 
@@ -93,7 +96,7 @@ class TopicInformation:
 
 @dataclass
 class MessageDefinition:
-    """The text of a message type and of all it contains; `encoding` is 'ros2msg', 'ros2idl' or 'unknown'."""
+    """The text of a message type and of the types it contains; `encoding` is 'ros2msg', 'ros2idl' or 'unknown'."""
 
     topic_type: str
     encoding: str
@@ -103,7 +106,7 @@ class MessageDefinition:
 
 @dataclass
 class FileInformation:
-    """One file of a bag; times as `BagMetadata`."""
+    """One file of a bag; times are as in `BagMetadata`."""
 
     path: str
     starting_time: Any
@@ -113,7 +116,7 @@ class FileInformation:
 
 @dataclass
 class BagMetadata:
-    """What metadata.yaml says. `starting_time` is an rclpy Time, `duration` a Duration; `bag_size` is bytes on the disk."""
+    """The contents of metadata.yaml. `starting_time` is a BagTime, `duration` a Duration, `bag_size` bytes on the disk."""
 
     version: int = 9
     bag_size: int = 0
@@ -135,13 +138,13 @@ class BagMetadata:
 
 
 class BagTime:
-    """A moment, nanoseconds since 1970. (The real one is an rclpy Time; this has what is used of it, without importing it.)"""
+    """A time in nanoseconds since 1970: the used part of rclpy's Time, which the real one has here, without its import."""
 
     def __init__(self, nanoseconds: int = 0) -> None:
         self.nanoseconds = nanoseconds
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Whole seconds, and the nanoseconds that are left."""
+        """Return the whole seconds and the remaining nanoseconds."""
         return divmod(self.nanoseconds, NANOSECONDS)
 
     def __eq__(self, other: object) -> bool:
@@ -156,7 +159,7 @@ class BagTime:
 
 @dataclass
 class StorageFilter:
-    """Which topics are read: those named, or whose names match `regex` whole; all if neither is given. Exclusion wins."""
+    """The topics to read: those listed, or whose whole names match `regex`; all if neither is given. Exclusion wins."""
 
     topics: list[str] = field(default_factory=list)
     services_events: list[str] = field(default_factory=list)
@@ -166,7 +169,7 @@ class StorageFilter:
     regex_to_exclude: str = ""
 
     def allows(self, topic: str) -> bool:
-        """Say whether messages of `topic` pass."""
+        """Return whether messages of `topic` pass."""
         from day6_tui.core.user_pattern import user_pattern
 
         event = topic.endswith(EVENT_SUFFIX)
@@ -181,7 +184,7 @@ class StorageFilter:
 
 
 class ReadOrderSortBy(IntEnum):
-    """What messages are sorted by when they are read."""
+    """The keys by which messages can be sorted when they are read."""
 
     ReceivedTimestamp = 0
     PublishedTimestamp = 1
@@ -197,5 +200,22 @@ class ReadOrder:
 
 
 def get_default_storage_id() -> str:
-    """Return the storage of a bag that names none: 'mcap', since Iron."""
+    """Return the default storage: 'mcap', since Iron."""
     return "mcap"
+
+
+class BadBag(RuntimeError):
+    """The file is not what its name suggests, or a part of it is damaged."""
+
+
+class Message(NamedTuple):
+    """A message of a bag: CDR bytes, and when it was received and sent (nanoseconds since 1970; 0: unknown)."""
+
+    received_ns: int
+    sent_ns: int
+    topic: str
+    data: bytes
+
+
+Wanted = Callable[[str], bool]
+"""Returns whether messages of the topic with this name are wanted."""

@@ -1,4 +1,4 @@
-"""`Recorder` and `Player` for programs of their own: they block until the end or Ctrl-C."""
+"""`Recorder` and `Player` for users' programs: they block until the end or Ctrl-C."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LONGEST_WAIT = 0.1
 
 
 class _Transport:
-    """A context and node of its own, spun until the work is done or `cancel` is called."""
+    """A separate context and node, spun until the work is done or `cancel` is called."""
 
     _cancelled = False
 
@@ -24,13 +24,13 @@ class _Transport:
 
     @classmethod
     def cancel(cls) -> None:
-        """End what runs (from another thread)."""
+        """End the recording or playback (from another thread)."""
         cls._cancelled = True
 
     def _run(
         self, name: str, arguments: list[str], begin: Callable[[Any], Callable[[], float | None]], **node: Any
     ) -> None:
-        """Make the node, call `begin(node)`, and call what that returns again after as many seconds as it says."""
+        """Create the node, call `begin(node)`, then call its result repeatedly, each time after the seconds it returned."""
         from rclpy.context import Context
         from rclpy.executors import SingleThreadedExecutor
         from rclpy.node import Node
@@ -39,10 +39,10 @@ class _Transport:
         context = Context()
         context.init(args=["--ros-args", "--log-level", self._log_level])
         try:
-            made = Node(name, context=context, cli_args=arguments, **node)
+            new_node = Node(name, context=context, cli_args=arguments, **node)
             executor = SingleThreadedExecutor(context=context)
-            executor.add_node(made)
-            step = begin(made)
+            executor.add_node(new_node)
+            step = begin(new_node)
             while context.ok() and not type(self)._cancelled and (pause := step()) is not None:
                 executor.spin_once(timeout_sec=min(max(pause, 0.0), _LONGEST_WAIT))
         finally:
@@ -93,7 +93,7 @@ class Player(_Transport):
         self._play(storage_options, play_options, None)
 
     def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
-        """Publish so many messages at once (0: all), then stay paused."""
+        """Publish `num_messages` messages at once (0: all), then stay paused."""
         play_options.start_paused = True
         self._play(storage_options, play_options, num_messages)
 

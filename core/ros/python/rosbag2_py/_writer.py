@@ -1,4 +1,4 @@
-"""`SequentialWriter`: a bag of one file or several, whole on the disk after every second."""
+"""`SequentialWriter`: a bag of one file or several, complete on the disk after every second."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from day6_tui.core.whole_file import replace_file
-from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_codec
+from rosbag2_py._compression import CompressionMode, CompressionOptions, get_registered_compressors, zstd_compress
 from rosbag2_py._definitions import LocalMessageDefinitionSource
 from rosbag2_py._files import (
     MINIMUM_SPLIT,
@@ -45,26 +45,26 @@ __all__ = [
 ]
 
 FLUSH_SECONDS = 1.0
-"""A recording that is killed loses at most the messages of this time."""
+"""Seconds between flushes: a killed recording loses at most the messages of this time."""
 
 SLOWER_PER_PIECE = 0.001
-"""Seconds that are added for each piece a file has, because each flush writes the index of all pieces again."""
+"""Seconds that are added for each piece of a file, because each flush rewrites the index of all pieces."""
 
 SECOND = 1_000_000_000
 
 
 class SequentialWriter:
-    """Writes a bag: `open`, `create_topic`, `write` …; it is closed by `close`, or when nobody needs it any more."""
+    """Writes a bag: `open`, `create_topic`, `write` …; `close`, or the garbage collector, closes it."""
 
     def __init__(self) -> None:
         self._options = CompressionOptions()
         self._bag: _Bag | None = None
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
-        """Make the folder and the first file. RuntimeError if there is such a folder already."""
+        """Create the folder and the first file. Raises RuntimeError if the folder exists."""
         self.close()
         self._bag = _Bag(storage_options, self._options)
-        # Programs of tutorials never close their bag: it happens at the latest when Python ends.
+        # Tutorials' programs never close their bags: that happens when Python exits, at the latest.
         self._end = weakref.finalize(self, self._bag.close)
 
     def _opened(self) -> _Bag:
@@ -73,28 +73,28 @@ class SequentialWriter:
         return self._bag
 
     def create_topic(self, topic: TopicMetadata, definition: MessageDefinition | None = None) -> None:
-        """Make a topic known, before its first message."""
+        """Add a topic, before its first message."""
         self._opened().create_topic(topic, definition)
 
     def remove_topic(self, topic: TopicMetadata) -> None:
-        """Forget a topic that has no messages yet."""
+        """Remove a topic that has no messages yet."""
         self._opened().topics.pop(topic.name, None)
 
     def write(self, topic_name: str, message: bytes, recv_timestamp: int, send_timestamp: int | None = None) -> None:
-        """Add a message, CDR bytes as `serialize_message` makes them; times in nanoseconds since 1970."""
+        """Add a message, as CDR bytes from `serialize_message`; times are in nanoseconds since 1970."""
         sent = recv_timestamp if send_timestamp is None else send_timestamp
         self._opened().write(topic_name, bytes(message), recv_timestamp, sent)
 
     def flush(self) -> None:
-        """Put on the disk what is not there yet (the real one has no such method: its cache has a thread)."""
+        """Write everything to the disk (the real one has no such method: its cache has a thread)."""
         self._opened().flush()
 
     def split_bagfile(self) -> None:
-        """Go on in a new file."""
+        """Continue in a new file."""
         self._opened().split()
 
     def take_snapshot(self) -> bool:
-        """In snapshot mode: write what was kept in memory. False otherwise."""
+        """In snapshot mode: write the messages kept in memory. Returns False in any other mode."""
         return self._opened().take_snapshot()
 
     def close(self) -> None:
@@ -123,7 +123,7 @@ class _Bag:
         self.on_split: Callable[[str, str], None] | None = None
         self.topics: dict[str, tuple[TopicMetadata, MessageDefinition]] = {}
         self._check()
-        self._pack = zstd_codec()[0] if compression.compression_mode else None
+        self._pack = zstd_compress if compression.compression_mode else None
         self._source = LocalMessageDefinitionSource()
         self._counts: dict[str, int] = {}
         self._files: list[FileInformation] = []
@@ -139,10 +139,10 @@ class _Bag:
             raise RuntimeError(f"Failed to create bag directory ({self.folder}).") from None
         try:
             self._begin_file()
-            self._note()
+            self._write_metadata()
         except OSError:
             for left in (self._path, self._path.with_name(f"{self._path.name}-journal")):
-                left.unlink(missing_ok=True)  # both are this bag's own, which has never been
+                left.unlink(missing_ok=True)  # both belong to this bag, which failed to be created
             with suppress(OSError):
                 self.folder.rmdir()
             raise
@@ -155,8 +155,6 @@ class _Bag:
         if preset and preset not in known:
             listed = ", ".join(map(repr, known))
             raise RuntimeError(f"unknown {self.storage} storage preset profile (valid options are {listed}): {preset}")
-        if preset.startswith("zstd"):
-            zstd_codec()
         least, size = MINIMUM_SPLIT[self.storage], self.options.max_bagfile_size
         if 0 < size < least:
             raise RuntimeError(
@@ -172,7 +170,7 @@ class _Bag:
     # -- files ---------------------------------------------------------------------------------------------------------
 
     def _begin_file(self) -> None:
-        from day6_tui.core.ros.environment import DISTRO
+        from day6_tui.core.ros.distribution import DISTRO
 
         self._distro = os.environ.get("ROS_DISTRO", DISTRO)
         name = f"{self.folder.name}_{len(self._files)}{SUFFIXES[self.storage]}"
@@ -187,11 +185,11 @@ class _Bag:
         self._flushed = 0.0
 
     def split(self) -> None:
-        """Finish the file and go on in the next one."""
+        """Finish the file and continue in the next one."""
         before = self._path
         self._end_file()
         self._begin_file()
-        self._note()
+        self._write_metadata()
         if self.on_split is not None:
             self.on_split(str(before), str(self._path))
 
@@ -221,7 +219,7 @@ class _Bag:
             self._write(topic, data, received_ns, sent_ns)
 
     def _write(self, topic: str, data: bytes, received_ns: int, sent_ns: int) -> None:
-        with self._noticing():
+        with self._marking_broken():
             if self._is_full(received_ns):
                 self.split()
             if self._pack is not None and self.compression.compression_mode == CompressionMode.MESSAGE:
@@ -257,32 +255,32 @@ class _Bag:
         self.flush()
         return True
 
-    # -- the disk ------------------------------------------------------------------------------------------------------
+    # -- disk ----------------------------------------------------------------------------------------------------------
 
     def flush(self) -> None:
-        """Write what is not yet on the disk, if there is any. Raises OSError, and then again each time."""
+        """Write pending messages to the disk. Raises OSError, then and at every later call."""
         if self._dirty:
-            with self._noticing():
+            with self._marking_broken():
                 self._file.metadata = self.metadata()
                 self._file.flush()
-                self._note()
+                self._write_metadata()
             self._dirty = False
         self._flushed = time.monotonic()
 
     @contextmanager
-    def _noticing(self) -> Iterator[None]:
-        """Inside, a full disk (or a folder that is gone) means that nothing more is written to this bag."""
+    def _marking_broken(self) -> Iterator[None]:
+        """Mark the bag as broken on a full disk (or a removed folder): nothing more is written to it."""
         try:
             yield
         except OSError:
             self._broken = True
             raise
 
-    def _note(self) -> None:
+    def _write_metadata(self) -> None:
         MetadataIo().write_metadata(str(self.folder), self.metadata())
 
     def metadata(self) -> BagMetadata:
-        """Describe the bag as it is now."""
+        """Return the metadata of the bag in its current state."""
         begin = self._begin or 0
         self._files[-1].starting_time = BagTime(begin)
         self._files[-1].duration = Duration(0, max(0, self._last - begin))
@@ -310,12 +308,12 @@ class _Bag:
         )
 
     def close(self) -> None:
-        """Finish the bag. Raises OSError; what was on the disk before is whole then."""
+        """Finish the bag. Raises OSError; the files are then as after the last flush."""
         if self._closed:
             return
         self._closed = True
         if self._broken:
-            self._file.close()  # metadata.yaml says what is in it: what it said after the last flush
+            self._file.close()  # metadata.yaml matches the last flush
             return
         self._end_file()
-        self._note()
+        self._write_metadata()

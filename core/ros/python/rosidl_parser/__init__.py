@@ -1,1 +1,1 @@
-"""The part of ROS's rosidl_parser that programs use: the classes found in SLOT_TYPES."""
+"""The part of ROS's rosidl_parser that programs use: the classes in SLOT_TYPES."""

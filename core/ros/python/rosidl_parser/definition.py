@@ -1,6 +1,6 @@
-"""Types of message fields, as they stand in SLOT_TYPES; programs tell them apart with isinstance.
+"""The types of message fields, as in SLOT_TYPES; programs distinguish them with isinstance.
 
-Names, attributes and equality as in rosidl_parser.definition of ROS 2. Not here: what only an IDL parser needs.
+Names, attributes and equality are those of rosidl_parser.definition in ROS 2, without the parts that only an IDL parser needs.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ ACTION_FEEDBACK_MESSAGE_SUFFIX = "_FeedbackMessage"
 
 
 class AbstractType:
-    """Any type of a field. Equal are objects of the same class whose attributes are equal; none can be hashed."""
+    """The type of a field. Objects of the same class with equal attributes are equal; they can't be hashed."""
 
     __slots__: tuple[str, ...] = ()
 
     def _attributes(self) -> tuple[object, ...]:
-        """Return what equality compares."""
+        """Return the attributes that equality compares."""
         return ()
 
     def __eq__(self, other: object) -> bool:
@@ -70,7 +70,7 @@ class BasicType(AbstractNestableType):
 
 
 class NamedType(AbstractNestableType):
-    """A type known by its bare name only."""
+    """A type known only by its name."""
 
     __slots__ = ("name",)
 
@@ -99,12 +99,12 @@ class NamespacedType(AbstractNestableType):
 
 
 class AbstractGenericString(AbstractNestableType):
-    """A string of any kind of characters."""
+    """A string of any character type."""
 
     __slots__ = ()
 
     def has_maximum_size(self) -> bool:
-        """Say whether the length is bounded."""
+        """Return whether the length is bounded."""
         raise NotImplementedError("Only implemented in subclasses")
 
 
@@ -183,7 +183,7 @@ class AbstractNestedType(AbstractType):
         self.value_type = value_type
 
     def has_maximum_size(self) -> bool:
-        """Say whether the number of values is bounded."""
+        """Return whether the number of values is bounded."""
         raise NotImplementedError("Only implemented in subclasses")
 
     def _attributes(self) -> tuple[object, ...]:
@@ -209,7 +209,7 @@ class Array(AbstractNestedType):
 
 
 class AbstractSequence(AbstractNestedType):
-    """A number of values that may change."""
+    """A variable number of values."""
 
     __slots__ = ()
 

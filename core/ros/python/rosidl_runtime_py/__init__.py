@@ -1,7 +1,8 @@
-"""What ROS tools use to look up interfaces by name, to print messages, and to fill them from plain values.
+"""Looks up interfaces by name, prints messages, and fills them from plain values, for ROS tools.
 
-The same public names as the package of that name in a ROS installation; loaded when they are asked for (PEP 562), so
-that a tool that only looks up a class does not pay for printing.
+The public names are those of the package in a ROS installation; they are loaded on first access (PEP 562), so that a
+tool that only looks up a class does not pay for printing. It imports only ament_index_python and message packages;
+`ros2` and tools such as rqt import it.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-# Not lazy: one of the functions has the name of its module, and the function must win.
+# Not lazy: one function has the name of its module, and the function must win.
 from rosidl_runtime_py.get_interfaces import (
     get_action_interfaces,
     get_interface_packages,

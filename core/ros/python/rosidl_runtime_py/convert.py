@@ -1,4 +1,4 @@
-"""Messages as YAML, as comma-separated values, and as ordered dictionaries (what `ros2 topic echo` prints)."""
+"""Converts messages to YAML, comma-separated values and ordered dictionaries (the output of `ros2 topic echo`)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 
 class _Limits(NamedTuple):
-    """What is left out of long messages: `truncate_length` items or characters stay (None: all)."""
+    """Limits for long messages: `truncate_length` items or characters are kept (None: all)."""
 
     truncate_length: int | None
     no_arr: bool
@@ -30,7 +30,7 @@ def message_to_yaml(
 ) -> str:
     """Return the YAML text of a message, with a newline at its end.
 
-    Arrays, bytes and strings longer than `truncate_length` are cut; `no_arr` and `no_str` replace them by a note of their
+    Arrays, bytes and strings longer than `truncate_length` are cut; `no_arr` and `no_str` replace them with a note of their
     type and length. `flow_style` writes sequences on one line.
     """
     from rosidl_runtime_py.yaml_text import dump
@@ -75,7 +75,7 @@ def _ordered(msg: Any, limits: _Limits) -> OrderedDict[str, Any]:
 
 
 def _plain(value: Any, limits: _Limits, kind: Any = None) -> Any:
-    """Return `value` as nothing but dicts, lists, strings, numbers and booleans. `kind` is known for fields only."""
+    """Return `value` as dicts, lists, strings, numbers and booleans only. `kind` is given for fields only."""
     if isinstance(value, (bool, int, float)) and type(value).__module__ != "numpy":
         return value
     if isinstance(value, str):
@@ -110,7 +110,7 @@ def _plain_sequence(value: Any, limits: _Limits, kind: Any) -> Any:
 def _csv_of_message(msg: Any, limits: _Limits) -> str:
     line = ""
     for name, kind in _fields(msg):
-        # A comma separates from what is there already: a first field that prints as nothing leaves no comma behind.
+        # A comma only follows text: after a first field that prints as nothing there is none.
         line += ("," if line else "") + _csv(getattr(msg, name), limits, kind)
     return line
 
@@ -142,7 +142,7 @@ def _is_numpy(value: Any) -> bool:
 
 
 def _is_ndarray(value: Any) -> bool:
-    # numpy is not imported for this: a value can only be an ndarray when somebody else has imported it.
+    # numpy is not imported for this: a value can only be an ndarray if something else has imported it.
     numpy = sys.modules.get("numpy")
     return numpy is not None and isinstance(value, numpy.ndarray)
 
@@ -162,7 +162,7 @@ def _array_note(value: Any, kind: Any) -> str:
 
 
 def _item_name(kind: Any) -> str:
-    """Name the type of an array's items; told by the names of rosidl's classes, whoever provides them."""
+    """Return the type name of an array's items, by the names of rosidl's classes, whichever package provides them."""
     classes = [each.__name__ for each in type(kind).__mro__]
     if "BasicType" in classes:
         return str(kind.typename)

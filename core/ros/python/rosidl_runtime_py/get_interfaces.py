@@ -1,4 +1,4 @@
-"""Which interfaces exist on the search path, and where their definitions lie."""
+"""Lists the interfaces on the search path and finds their definitions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ament_index_python.packages import get_packages_with_prefixes
 _KINDS = ("msg", "srv", "action")
 
 Environment = Mapping[str, str] | None
-"""`environment` stands for `os.environ` where a program has its own."""
+"""The mapping that replaces `os.environ`."""
 
 
 def get_interface_packages(environment: Environment = None) -> dict[str, str]:
@@ -20,22 +20,22 @@ def get_interface_packages(environment: Environment = None) -> dict[str, str]:
 
 
 def get_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
-    """Return `{package: ['msg/String', …]}` of some packages or of all; LookupError for a package that is not there."""
+    """Return `{package: ['msg/String', …]}` of some packages or of all. Raises LookupError for an unknown package."""
     return _interfaces(package_names, _KINDS, environment)
 
 
 def get_message_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
-    """As `get_interfaces`, messages only."""
+    """Like `get_interfaces`, for messages only."""
     return _interfaces(package_names, ("msg",), environment)
 
 
 def get_service_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
-    """As `get_interfaces`, services only."""
+    """Like `get_interfaces`, for services only."""
     return _interfaces(package_names, ("srv",), environment)
 
 
 def get_action_interfaces(package_names: Iterable[str] = (), environment: Environment = None) -> dict[str, list[str]]:
-    """As `get_interfaces`, actions only."""
+    """Like `get_interfaces`, for actions only."""
     return _interfaces(package_names, ("action",), environment)
 
 
@@ -81,7 +81,7 @@ def _definitions(prefix: Path, package: str, kinds: tuple[str, ...]) -> list[str
     names = set()
     for kind in kinds:
         for path in (prefix / "share" / package / kind).glob("*"):
-            # Names with an underscore are the parts of services and actions: nobody's own interfaces.
+            # Names with an underscore are parts of services and actions, not interfaces of their own.
             if path.suffix in (f".{kind}", ".idl") and "_" not in path.stem:
                 names.add(f"{kind}/{path.stem}")
     return sorted(names)

@@ -1,4 +1,4 @@
-"""From a type's description to its class."""
+"""Imports the class of a type description."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def import_message_from_namespaced_type(message_type: Any) -> Any:
     module = import_module(".".join(message_type.namespaces))
     name = message_type.name
     if name.endswith("_FeedbackMessage"):
-        # Not a name of the module: it hides inside the action class.
+        # It isn't a name of the module: it is inside the action class.
         action, _, part = name.rpartition("_")
         return getattr(getattr(module, action).Impl, part)
     return getattr(module, name)

@@ -1,4 +1,4 @@
-"""Fills a message from plain values, as lenient and as strict as the real tools are on the command line."""
+"""Fills a message from plain values, as leniently and as strictly as the real tools on the command line."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ def set_message_fields(
     """Set the fields of `msg` from a dict and return functions that stamp it.
 
     A value of another type is converted by the field's own type (`str`, `float`, `int` …): `data: yes` makes a string
-    'True'. With `expand_header_auto` the value 'auto' of a Header field, with `expand_time_now` the value 'now' of a Time
-    field put a function into the returned list that takes a Time.
+    'True'. The value 'auto' of a Header field (with `expand_header_auto`) and 'now' of a Time field (with
+    `expand_time_now`) add a function to the returned list, which takes a Time.
 
-    Raises AttributeError for a field that does not exist, TypeError where a dict is expected, ValueError for a value that
-    cannot be converted, AssertionError where the field checks refuse it.
+    Raises AttributeError for an unknown field, TypeError where a dict is expected, ValueError for a value that can't be
+    converted, AssertionError for one that the field checks refuse.
     """
     stamps: list[StampSetter] = []
     _fill(msg, values, stamps, auto=expand_header_auto, now=expand_time_now)
@@ -35,7 +35,7 @@ def _fill(msg: Any, values: Any, stamps: list[StampSetter], *, auto: bool, now: 
     slot_types: dict[str, Any] | None = None
     for name, given in values.items():
         if not isinstance(name, str):
-            # An unquoted `off` or `1` as key; the words are Python 3.11's own, later ones say it differently.
+            # An unquoted `off` or `1` as key; the text is Python 3.11's, later versions have another one.
             raise TypeError(f"attribute name must be string, not '{type(name).__name__}'")
         present = getattr(msg, name)
         kind = type(present)
@@ -76,7 +76,7 @@ def _converted(present: Any, given: Any, stamps: list[StampSetter], *, auto: boo
 
 
 def _is(kind: type, module: str, name: str) -> bool:
-    # By name, because a tool for all interfaces should not load these two.
+    # By name, so that a tool for all interfaces does not load these two.
     return kind.__name__ == name and kind.__module__ == module
 
 

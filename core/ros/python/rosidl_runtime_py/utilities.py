@@ -1,4 +1,4 @@
-"""Interface classes by their names (`std_msgs/msg/String`, and for the three specific functions also `std_msgs/String`)."""
+"""Interface classes by name (`std_msgs/msg/String`; in the three specific functions also `std_msgs/String`)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 
 class _Name(NamedTuple):
-    """What `import_message` needs of a type's description."""
+    """The part of a type description that `import_message` needs."""
 
     namespaces: list[str]
     name: str
@@ -22,7 +22,7 @@ def get_interface(identifier: str) -> Any:
 
 
 def get_message(identifier: str) -> Any:
-    """Return a message class; raises as `get_interface`, and ValueError if it is not a message."""
+    """Return a message class. Raises the errors of `get_interface`, and ValueError if it isn't a message."""
     found = _imported(_parts(identifier, "msg"))
     if not is_message(found):
         raise ValueError(f"Expected the full name of a message, got '{identifier}'")
@@ -30,7 +30,7 @@ def get_message(identifier: str) -> Any:
 
 
 def get_service(identifier: str) -> Any:
-    """Return a service class; raises as `get_interface`, and ValueError if it is not a service."""
+    """Return a service class. Raises the errors of `get_interface`, and ValueError if it isn't a service."""
     found = _imported(_parts(identifier, "srv"))
     if not is_service(found):
         raise ValueError(f"Expected the full name of a service, got '{identifier}'")
@@ -38,7 +38,7 @@ def get_service(identifier: str) -> Any:
 
 
 def get_action(identifier: str) -> Any:
-    """Return an action class; raises as `get_interface`, and ValueError if it is not an action."""
+    """Return an action class. Raises the errors of `get_interface`, and ValueError if it isn't an action."""
     found = _imported(_parts(identifier, "action"))
     if not is_action(found):
         raise ValueError(f"Expected the full name of an action, got '{identifier}'")
@@ -66,17 +66,17 @@ def get_action_namespaced_type(identifier: str) -> Any:
 
 
 def is_message(interface: Any) -> bool:
-    """Say whether a class is a message."""
+    """Return whether a class is a message."""
     return hasattr(interface, "SLOT_TYPES")
 
 
 def is_service(interface: Any) -> bool:
-    """Say whether a class is a service."""
+    """Return whether a class is a service."""
     return hasattr(interface, "Request") and hasattr(interface, "Response")
 
 
 def is_action(interface: Any) -> bool:
-    """Say whether a class is an action."""
+    """Return whether a class is an action."""
     return all(hasattr(interface, part) for part in ("Goal", "Result", "Feedback"))
 
 
@@ -94,7 +94,7 @@ def _imported(parts: _Name) -> Any:
     if package.startswith("."):
         raise TypeError(f"the 'package' argument is required to perform a relative import for '{package}'")
     if parts.namespaces and not all(part.isidentifier() for part in parts.namespaces):
-        # `import_module` would take '..x' and dotted names for what they mean in Python.
+        # `import_module` would give '..x' and dotted names their meaning in Python.
         raise ModuleNotFoundError(f"No module named {package!r}")
     return import_message_from_namespaced_type(parts)
 

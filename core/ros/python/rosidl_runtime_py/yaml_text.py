@@ -1,7 +1,7 @@
-"""Writes plain values as YAML in the way ROS tools print messages: Unicode as it is, no line folded, order kept.
+"""Writes plain values as YAML the way ROS tools print messages: Unicode unescaped, no line folded, order kept.
 
-What PyYAML would write, but twenty times as fast: a long array must not hold up everything else that runs. PyYAML itself is
-asked for what is seldom: strings that need quotes, and whole values with strings of several lines.
+The output is PyYAML's, but twenty times as fast: a long array must not block all other programs. PyYAML itself writes the
+rare cases: strings that need quotes, and whole values that contain strings of several lines.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ _LINE_BREAKS = re.compile("[\n\r\x85\u2028\u2029]")
 
 
 class _NeedsPyYAML(Exception):
-    """Raised for what is seldom and intricate, such as a string of several lines: those are indented by their depth."""
+    """Raised for rare and intricate values, such as strings of several lines, which are indented by their depth."""
 
 
 def dump(value: Any, *, flow_style: bool = False) -> str:
     """Return the YAML text of dicts, lists and scalars, with a newline at its end.
 
-    With `flow_style` sequences stand on one line; mappings outside of sequences stay in block style, as in the real tools.
+    With `flow_style` sequences are on one line; mappings outside of sequences stay in block style, as in the real tools.
     """
     try:
         if isinstance(value, dict) and value:
@@ -40,7 +40,7 @@ def dump(value: Any, *, flow_style: bool = False) -> str:
 
 
 def one_line(value: Any) -> str:
-    """Return a value as YAML on one line, as one types it on a command line: `{linear: {x: 0.0}}`."""
+    """Return a value as YAML on one line, as typed on a command line: `{linear: {x: 0.0}}`."""
     try:
         return _flow(value)
     except _NeedsPyYAML:
@@ -101,7 +101,7 @@ def _float(value: float) -> str:
     if value in (float("inf"), float("-inf")):
         return ".inf" if value > 0 else "-.inf"
     text = repr(value)
-    # YAML 1.1 takes 1e-07 for a string: it wants a dot in a float.
+    # YAML 1.1 reads 1e-07 as a string: a float needs a dot.
     return text.replace("e", ".0e", 1) if "." not in text and "e" in text else text
 
 
@@ -114,7 +114,7 @@ def _string(text: str, flow: bool) -> str:
 
 
 def dump_with_pyyaml(value: Any, *, flow_style: bool) -> str:
-    """Return what PyYAML writes for a value."""
+    """Return PyYAML's text of a value."""
     import yaml
 
     return str(yaml.dump(value, Dumper=_dumper(), allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style))
@@ -122,7 +122,7 @@ def dump_with_pyyaml(value: Any, *, flow_style: bool) -> str:
 
 @cache
 def _dumper() -> type[yaml.SafeDumper]:
-    """A dumper of our own, because registering for OrderedDict on PyYAML's would change it for the whole process."""
+    """Return a dumper of our own: registering OrderedDict with PyYAML's would change it for the whole process."""
     import yaml
 
     class MessageDumper(yaml.SafeDumper):

@@ -1,4 +1,4 @@
-"""Finding libraries: what rclpy's own tests and a few programs import of rpyutils."""
+"""Finding libraries: the part of rpyutils that rclpy's own tests and a few programs import."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Folders in which Windows looks for DLLs."""
+"""The folders in which Windows searches for DLLs."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 
 @contextmanager
 def add_dll_directories_from_env(env_name: str) -> Iterator[list[Any]]:
-    """Let DLLs be found, inside the `with` block, in the folders an environment variable names.
+    """Let DLLs be found, inside the `with` block, in the folders of an environment variable.
 
-    Gives the handles of the added folders; none where the system has no such list (all but Windows).
+    Yields the handles of the added folders; an empty list on all systems except Windows.
     """
     add: Callable[[str], Any] | None = getattr(os, "add_dll_directory", None)
     handles: list[Any] = []

@@ -1,4 +1,4 @@
-"""Importing extension modules by name."""
+"""Imports extension modules by name."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from types import ModuleType
 
 
 def import_c_library(name: str, package: str | None = None) -> ModuleType:
-    """Import an extension module, `name` relative to `package`; the ImportError of a missing one says which it is."""
+    """Import an extension module, `name` relative to `package`. Raises ImportError with its name."""
     try:
         return importlib.import_module(name, package=package)
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""Structured arrays as plain ones and back. The real module is for numpy older than 1.17; every numpy here has the functions."""
+"""Conversion of structured arrays. The real module is for numpy before 1.17; every supported numpy has the functions."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""PointCloud2 messages read as numpy arrays, and made of points.
+"""Reads PointCloud2 messages as numpy arrays, and creates them from points.
 
-Names, results and texts are those of sensor_msgs_py 5.4 (common_interfaces), its oddities included: an organised cloud has the
-shape (width, height), and where the byte order differs the message's own data is turned round.
+Names, results and texts are those of sensor_msgs_py 5.4 (common_interfaces), including its oddities: an organized cloud has the
+shape (width, height), and if the byte order differs the message's own data is swapped.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _DATATYPES = {
     for name in ("INT8", "UINT8", "INT16", "UINT16", "INT32", "UINT32", "FLOAT32", "FLOAT64")
 }
 
-# The real texts have the indentation of their second line in them.
+# The real texts contain the indentation of their second line.
 _ONE_TYPE_TO_CREATE = (
     f"All fields need to have the same datatype. Pass a structured NumPy array {'':19} with multiple dtypes otherwise."
 )
@@ -45,10 +45,10 @@ def read_points(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
-    """Return the points of a cloud as a structured array: all of them, or those at the places `uvs`.
+    """Return the points of a cloud as a structured array: all of them, or those at the indices `uvs`.
 
-    With `skip_nans` points with a NaN are left out unless the cloud says that it is dense. AssertionError for what is no
-    cloud and for a field that it does not have.
+    With `skip_nans` points with a NaN are left out unless the cloud is marked as dense. Raises AssertionError for anything
+    but a cloud, and for a missing field.
     """
     assert isinstance(cloud, PointCloud2), "Cloud is not a sensor_msgs.msg.PointCloud2"
     kind = dtype_from_fields(cloud.fields, point_step=cloud.point_step)
@@ -60,10 +60,10 @@ def read_points(
     if cloud.is_bigendian == (sys.byteorder == "little"):
         points = points.byteswap(inplace=True)
     if skip_nans and not cloud.is_dense:
-        whole = np.ones(len(points), dtype=bool)
+        valid = np.ones(len(points), dtype=bool)
         for name in points.dtype.names or ():
-            whole &= ~np.isnan(points[name])
-        points = points[whole]
+            valid &= ~np.isnan(points[name])
+        points = points[valid]
     if uvs is not None:
         points = points[uvs if isinstance(uvs, np.ndarray) else np.fromiter(uvs, int)]
     if reshape_organized_cloud and cloud.height > 1:
@@ -78,7 +78,7 @@ def read_points_numpy(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
-    """Return the points as a plain array with a column for each field, which must be of one type (AssertionError)."""
+    """Return the points as a plain array, shape (N, fields). Raises AssertionError unless the fields have one type."""
     others = [field for field in cloud.fields[1:] if field_names is None or field.name in field_names]
     assert all(field.datatype == cloud.fields[0].datatype for field in others), (
         "All fields need to have the same datatype. Use `read_points()` otherwise."
@@ -98,14 +98,14 @@ def read_points_list(
     """Return the points as a list of named tuples, which is slower than the array."""
     assert isinstance(cloud, PointCloud2), "cloud is not a sensor_msgs.msg.PointCloud2"
     names = [field.name for field in cloud.fields] if field_names is None else field_names
-    kind: Any = namedtuple("Point", names)  # its fields are known only now
+    kind: Any = namedtuple("Point", names)  # its fields are known only at run time
     return [kind._make(point) for point in read_points(cloud, names, skip_nans, uvs)]
 
 
 def dtype_from_fields(fields: Iterable[PointField], point_step: int | None = None) -> np.dtype[Any]:
-    """Return the numpy type of a point of `point_step` bytes; a field of several values becomes `name_0`, `name_1` …
+    """Return the numpy dtype of a point of `point_step` bytes; a field with several values becomes `name_0`, `name_1` …
 
-    AssertionError for a field without values and for a name that comes twice.
+    Raises AssertionError for a field without values and for a duplicate name.
     """
     names: list[str] = []
     offsets: list[int] = []
@@ -129,9 +129,9 @@ def dtype_from_fields(fields: Iterable[PointField], point_step: int | None = Non
 def create_cloud(
     header: Header, fields: Iterable[PointField], points: Iterable[Any], point_step: int | None = None
 ) -> PointCloud2:
-    """Return a cloud of points: tuples in the order of the fields, or an array, plain or structured, of up to two dimensions.
+    """Return a cloud of points: tuples in the order of the fields, or a plain or structured array of up to two dimensions.
 
-    AssertionError for an array whose type or shape does not fit.
+    Raises AssertionError for an array with a wrong type or shape.
     """
     values = _as_structured(fields, points, point_step)
     assert values.ndim <= 2, _TOO_MANY_DIMENSIONS
@@ -158,8 +158,10 @@ def _as_structured(fields: Any, points: Iterable[Any], point_step: int | None) -
         return np.array([tuple(point) for point in points], dtype_from_fields(fields, point_step))
     if points.dtype.names is None:
         assert all(fields[0].datatype == field.datatype for field in fields[1:]), _ONE_TYPE_TO_CREATE
-        made: np.ndarray[Any, Any] = unstructured_to_structured(points, dtype=dtype_from_fields(fields, point_step))
-        return made
+        structured: np.ndarray[Any, Any] = unstructured_to_structured(
+            points, dtype=dtype_from_fields(fields, point_step)
+        )
+        return structured
     assert points.dtype == dtype_from_fields(fields, point_step), _OTHER_TYPES
     return points
 

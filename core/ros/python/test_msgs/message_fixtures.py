@@ -1,4 +1,4 @@
-"""Messages of test_msgs with values at the edges of their types, for tests of whatever carries messages."""
+"""Messages of test_msgs with values at the limits of their types, for tests of message transport."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _COLLECTION = re.compile(r"(?:sequence<(?P<item>.+?)(?:, (?P<limit>\d+))?>|(?P<e
 
 
 def get_test_msg(message_name: str) -> list[Any]:
-    """Return messages of `test_msgs/msg/<message_name>`: as made, and with low, high and ordinary values.
+    """Return messages of `test_msgs/msg/<message_name>`: default ones, and with low, high and ordinary values.
 
-    NotImplementedError for a name that test_msgs does not have.
+    Raises NotImplementedError for a name that isn't in test_msgs.
     """
     from test_msgs import msg
 

@@ -1,4 +1,4 @@
-"""The ROS package tf2_geometry_msgs: importing it teaches tf2_ros to transform points, vectors, poses and polygons."""
+"""The ROS package tf2_geometry_msgs: importing it registers the transforms of points, vectors, poses, polygons with tf2_ros."""
 
 from geometry_msgs.msg import Point as Point
 from geometry_msgs.msg import Point32 as Point32

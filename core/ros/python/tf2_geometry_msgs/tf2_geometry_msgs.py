@@ -1,6 +1,6 @@
-"""Transforms the stamped types of geometry_msgs and teaches tf2_ros to do so.
+"""Transforms the stamped types of geometry_msgs and registers these functions with tf2_ros.
 
-The real package reckons with numpy arrays; here they are a few multiplications, so that nothing has to be imported for them.
+The real package uses numpy arrays; here a few multiplications do, which need no import.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ _EPSILON = 2.220446049250313e-16
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return the message itself: it is one already."""
+    """Return the message itself: it needs no conversion."""
     return msg
 
 
 def from_msg_msg(msg: Any) -> Any:
-    """Return the message itself: a message was asked for."""
+    """Return the message itself: it needs no conversion."""
     return msg
 
 
@@ -41,7 +41,7 @@ for _type in (Vector3Stamped, PoseStamped, PointStamped):
 
 
 def _turn(quaternion: Quaternion) -> rot.Quaternion:
-    """Return a rotation; the one of length 0 counts as none."""
+    """Return a rotation; a quaternion of length 0 counts as the identity."""
     turn = (quaternion.x, quaternion.y, quaternion.z, quaternion.w)
     return rot.IDENTITY if sum(each * each for each in turn) < _EPSILON else turn
 
@@ -71,11 +71,11 @@ def transform_covariance(cov_in: Any, transform: TransformStamped) -> Any:
     covariance = PoseWithCovariance().covariance
     for top in (0, 18):
         for left in (0, 3):
-            places = [top + left + 6 * row + column for row in range(3) for column in range(3)]
-            block = [float(cov_in[place]) for place in places]
+            indices = [top + left + 6 * row + column for row in range(3) for column in range(3)]
+            block = [float(cov_in[index]) for index in indices]
             turned = rot.matrix_product(rot.matrix_product(turn, _nine(block)), back)
-            for place, value in zip(places, turned, strict=True):
-                covariance[place] = value
+            for index, value in zip(indices, turned, strict=True):
+                covariance[index] = value
     return covariance
 
 
@@ -93,7 +93,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 
 
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
-    """Return a vector, which is only turned, in the target frame. As in the real one, `transform` loses its translation."""
+    """Return a vector in the target frame (only rotated). As in the real one, `transform` loses its translation."""
     offset = transform.transform.translation
     offset.x = offset.y = offset.z = 0.0
     vector = vector3.vector
@@ -104,7 +104,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
 
 def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
-    """Return a pose in the target frame; its orientation is of length 1 and has no negative w."""
+    """Return a pose in the target frame; its orientation has length 1 and w >= 0."""
     result = Pose()
     position = pose.position
     result.position.x, result.position.y, result.position.z = _moved(transform, position.x, position.y, position.z)

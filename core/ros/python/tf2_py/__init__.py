@@ -1,4 +1,7 @@
-"""The ROS package tf2_py: the transform buffer without ROS around it, in pure Python."""
+"""The ROS package tf2_py: the transform buffer without nodes and topics, in pure Python.
+
+It imports only messages, rclpy's types and its logger; tf2_ros and tf2_geometry_msgs build on it.
+"""
 
 from tf2_py._buffer_core import BufferCore as BufferCore
 from tf2_py._exceptions import ConnectivityException as ConnectivityException

@@ -22,9 +22,9 @@ from tf2_py._tree import FrameTree
 from tf2_py._velocity import velocity
 
 _TOLERANCE = 10e-3
-"""How far the squared length of a rotation may be from 1 (tf2/buffer_core.cpp)."""
+"""The largest allowed difference of a quaternion's squared length from 1 (tf2/buffer_core.cpp)."""
 
-_logger = RcutilsLogger()  # tf2 logs with no logger's name
+_logger = RcutilsLogger()  # tf2 logs without a logger name
 
 
 def _text(value: object, position: int) -> str:
@@ -54,10 +54,9 @@ def _numbers(values: tuple[float, ...]) -> str:
 
 
 class BufferCore:
-    """Remembers transforms between frames for `cache_time` (default 10 s) and answers for any time within.
+    """Stores transforms between frames for `cache_time` (default 10 s) and looks up any time in that span.
 
-    Wherever a time is asked for, time 0 means the latest one at which all frames on the way are known. May be used from
-    several threads.
+    Time 0 always means the latest time at which all frames of the path are known. It is thread-safe.
     """
 
     def __init__(self, cache_time: Any = None) -> None:
@@ -65,14 +64,14 @@ class BufferCore:
         self._tree = FrameTree(keep)
         self._tree_lock = threading.RLock()
 
-    # -- putting in ----------------------------------------------------------------------------------------------------
+    # -- storing -------------------------------------------------------------------------------------------------------
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Remember a transform. One that makes no sense, or is too old, is only logged. TypeError for other objects."""
+        """Store a transform. An invalid one, or one that is too old, is only logged. Raises TypeError for other objects."""
         self._set(transform, _text(authority, 2), False, "have members x, y, z")
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Remember a transform that holds at all times; otherwise like `set_transform`."""
+        """Store a transform that holds at all times; otherwise like `set_transform`."""
         self._set(transform, _text(authority, 2), True, "be of type Vector3")
 
     def _set(self, stamped: Any, authority: str, is_static: bool, vector_rule: str) -> None:
@@ -103,11 +102,11 @@ class BufferCore:
             )
 
     def clear(self) -> None:
-        """Forget all transforms that are not static."""
+        """Remove all transforms that are not static."""
         with self._tree_lock:
             self._tree.clear()
 
-    # -- asking --------------------------------------------------------------------------------------------------------
+    # -- looking up ----------------------------------------------------------------------------------------------------
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
         """Return the transform that takes coordinates in the source frame to the target frame.
@@ -127,15 +126,15 @@ class BufferCore:
                 return rot.IDENTITY, rot.ORIGIN, stamp
             tree.check("lookupTransform argument target_frame", target)
             tree.check("lookupTransform argument source_frame", source)
-            way = tree.way(target, source, time_ns)
-        return *way.transform(), way.time_ns
+            path = tree.path(target, source, time_ns)
+        return *path.transform(), path.time_ns
 
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
         """Return the transform from the source frame at one time to the target frame at another.
 
-        In between, `fixed_frame` stands still. Raises the same exceptions as `lookup_transform_core`.
+        `fixed_frame` is assumed not to move in between. Raises the same exceptions as `lookup_transform_core`.
         """
         target, target_ns = _text(target_frame, 1), _nanoseconds(target_time)
         source, source_ns = _text(source_frame, 3), _nanoseconds(source_time)
@@ -150,7 +149,7 @@ class BufferCore:
         return _stamped(target, source, stamp, turn, rot.add(rot.apply(second_matrix, first_offset), second_offset))
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """Return (1, "") if `lookup_transform_core` would succeed, else 0 and why not."""
+        """Return (1, "") if `lookup_transform_core` would succeed, else 0 and the reason."""
         target, source, time_ns = _text(target_frame, 1), _text(source_frame, 2), _nanoseconds(time)
         if target == source:
             return 1, ""
@@ -159,23 +158,23 @@ class BufferCore:
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
-        """Return (1, "") if `lookup_transform_full_core` would succeed, else 0 and why not."""
+        """Return (1, "") if `lookup_transform_full_core` would succeed, else 0 and the reason."""
         target, target_ns = _text(target_frame, 1), _nanoseconds(target_time)
         source, source_ns = _text(source_frame, 3), _nanoseconds(source_time)
         fixed = _text(fixed_frame, 5)
         frames = [("target", target), ("source", source), ("fixed", fixed)]
-        # The real one asks the second way in this direction, too; that makes no difference but for the error's text.
+        # The real one looks up the second path in this direction too; it only changes the error's text.
         return self._can(frames, [(target, fixed, target_ns), (fixed, source, source_ns)])
 
-    def _can(self, frames: list[tuple[str, str]], ways: list[tuple[str, str, int]]) -> tuple[int, str]:
+    def _can(self, frames: list[tuple[str, str]], paths: list[tuple[str, str, int]]) -> tuple[int, str]:
         with self._tree_lock:
             for name, frame in frames:
-                problem = self._tree.why_not(f"canTransform argument {name}_frame", frame)
+                problem = self._tree.problem(f"canTransform argument {name}_frame", frame)
                 if problem is not None:
                     return 0, problem
             try:
-                for target, source, time_ns in ways:
-                    self._tree.way(target, source, time_ns)
+                for target, source, time_ns in paths:
+                    self._tree.path(target, source, time_ns)
             except TransformException as error:
                 return 0, str(error)
         return 1, ""
@@ -194,7 +193,7 @@ class BufferCore:
     def lookupVelocityCore(
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[rot.Vector, rot.Vector]:
-        """Return linear (m/s) and angular (rad/s) velocity of a frame as seen from another, averaged over an interval."""
+        """Return linear (m/s) and angular (rad/s) velocity of a frame relative to another, averaged over an interval."""
         observation = _text(observation_frame, 2)
         reference = (observation, rot.ORIGIN, _text(tracking_frame, 1))
         with self._tree_lock:
@@ -218,7 +217,7 @@ class BufferCore:
         time: Any,
         averaging_interval: Any,
     ) -> tuple[rot.Vector, rot.Vector]:
-        """Return the velocity in another frame's coordinates and of another point; see `lookupVelocityCore`."""
+        """Return the velocity in a third frame's coordinates, of any point; see `lookupVelocityCore`."""
         x, y, z = reference_point
         reference = (_text(reference_frame, 3), (float(x), float(y), float(z)), _text(reference_point_frame, 5))
         with self._tree_lock:
@@ -232,15 +231,15 @@ class BufferCore:
                 _nanoseconds(averaging_interval, "duration"),
             )
 
-    # -- the whole content ---------------------------------------------------------------------------------------------
+    # -- reports -------------------------------------------------------------------------------------------------------
 
     def all_frames_as_yaml(self) -> str:
-        """Return what is known of every frame, as YAML."""
+        """Return the state of every frame, as YAML."""
         with self._tree_lock:
             return frames_as_yaml(self._tree)
 
     def all_frames_as_string(self) -> str:
-        """Return every frame with its parent, a line each."""
+        """Return a line for every frame with its parent."""
         with self._tree_lock:
             return self._tree.as_string()
 
@@ -260,7 +259,7 @@ class BufferCore:
     def _chain(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> list[str]:
-        """Return the frames on the way from the source to the fixed frame and on to the target frame."""
+        """Return the frames of the path from the source to the fixed frame and on to the target frame."""
         target_ns, source_ns = _nanoseconds(target_time), _nanoseconds(source_time)
         with self._tree_lock:
             chain = self._frames_between(fixed_frame, source_frame, source_ns)
@@ -272,15 +271,15 @@ class BufferCore:
         for frame in (source, target):
             if frame not in self._tree.frames:
                 return []
-        way = self._tree.way(target, source, time_ns)
-        if way.is_straight:
-            return way.frames_from_source or way.frames_from_target
-        _join(way.frames_from_source, way.frames_from_target, reverse=True)
-        return way.frames_from_source
+        path = self._tree.path(target, source, time_ns)
+        if path.is_straight:
+            return path.frames_from_source or path.frames_from_target
+        _join(path.frames_from_source, path.frames_from_target, reverse=True)
+        return path.frames_from_source
 
 
 def _join(chain: list[str], other: list[str], reverse: bool) -> None:
-    """Append `other` to `chain` without the frames both end with; like the original, it also drops a frame too many."""
+    """Append `other` to `chain` without the frames that both end with; like the original it drops one frame too many."""
     m, n = len(other), len(chain)
     while m > 0 and n > 0:
         m -= 1
@@ -295,7 +294,7 @@ def _join(chain: list[str], other: list[str], reverse: bool) -> None:
 
 
 def _acceptable(parent: str, child: str, offset: rot.Vector, turn: rot.Quaternion, authority: str) -> bool:
-    """Say whether a transform makes sense; log everything that speaks against it."""
+    """Return whether a transform is valid; log every problem."""
     problems = []
     if child == parent:
         problems.append(

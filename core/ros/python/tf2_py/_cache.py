@@ -1,6 +1,6 @@
-"""What a buffer remembers of one frame: its transforms to its parent over the last seconds, or the one that always holds.
+"""The cache of one frame: its transforms to its parent over the last seconds, or one static transform.
 
-Times are nanoseconds; 0 asks for the latest.
+Times are nanoseconds; 0 means the latest.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from tf2_py._rotation import Quaternion, Vector, between, slerp
 
 DEFAULT_CACHE_NS = 10_000_000_000
 _SPARE = 256
-"""So many outdated entries are kept before a list is really shortened."""
+"""The number of outdated entries that are kept before the lists are shortened."""
 
 
 def seconds(time_ns: int) -> float:
-    """Return seconds, with the whole seconds and the rest converted apart, as tf2 does."""
+    """Return seconds; whole seconds and the rest are converted separately, as in tf2."""
     whole = abs(time_ns) // 1_000_000_000
     rest = abs(time_ns) - whole * 1_000_000_000
     value = float(whole) + 1e-9 * rest
@@ -39,7 +39,7 @@ class Entry(NamedTuple):
 
 
 class TimeCache:
-    """Transforms sorted by time; those older than `keep_ns` before the latest are forgotten."""
+    """Transforms sorted by time; those more than `keep_ns` older than the latest are dropped."""
 
     is_static = False
 
@@ -48,30 +48,30 @@ class TimeCache:
         self._stamps: list[int] = []
         self._entries: list[Entry] = []
         self._start = 0
-        """Entries before this one are forgotten."""
+        """Index of the first entry that is still valid."""
 
     def __len__(self) -> int:
         return len(self._stamps) - self._start
 
     @property
     def latest_stamp(self) -> int:
-        """The time of the latest transform, 0 without any."""
+        """The time of the latest transform, 0 if there is none."""
         return self._stamps[-1] if len(self) else 0
 
     @property
     def oldest_stamp(self) -> int:
-        """The time of the oldest transform, 0 without any."""
+        """The time of the oldest transform, 0 if there is none."""
         return self._stamps[self._start] if len(self) else 0
 
     @property
     def latest_parent(self) -> str | None:
-        """The parent in the latest transform, None without any."""
+        """The parent in the latest transform, None if there is none."""
         return self._entries[-1].parent if len(self) else None
 
     def insert(self, entry: Entry) -> bool:
-        """Remember a transform; False if it is older than everything this cache may hold."""
+        """Store a transform; returns False if it is too old for this cache."""
         latest = self.latest_stamp
-        self._forget_before(latest - self._keep)
+        self._drop_before(latest - self._keep)
         stamp = entry.stamp
         if stamp < latest - self._keep and len(self):
             return False
@@ -85,7 +85,7 @@ class TimeCache:
         self._entries.insert(position, entry)
         return True
 
-    def _forget_before(self, stamp: int) -> None:
+    def _drop_before(self, stamp: int) -> None:
         stamps = self._stamps
         start = self._start
         while start < len(stamps) and stamps[start] < stamp:
@@ -96,11 +96,11 @@ class TimeCache:
         self._start = start
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all transforms."""
         self._stamps, self._entries, self._start = [], [], 0
 
     def at(self, time_ns: int) -> Entry:
-        """Return the transform at a time, between two known ones interpolated. Raises ExtrapolationException."""
+        """Return the transform at a time, interpolated between two known ones. Raises ExtrapolationException."""
         if not len(self):
             raise _only(time_ns, 0)
         stamps, entries = self._stamps, self._entries
@@ -122,12 +122,12 @@ class TimeCache:
                 f" but the earliest data is at time {shown(oldest)}"
             )
         after = bisect_right(stamps, time_ns, self._start)
-        one, two = entries[after - 1], entries[after]
-        if one.parent != two.parent:
-            return one
-        ratio = float(time_ns - one.stamp) / float(two.stamp - one.stamp)
-        rotation = slerp(one.rotation, two.rotation, ratio)
-        return Entry(one.stamp, rotation, between(one.translation, two.translation, ratio), one.parent)
+        earlier, later = entries[after - 1], entries[after]
+        if earlier.parent != later.parent:
+            return earlier
+        ratio = float(time_ns - earlier.stamp) / float(later.stamp - earlier.stamp)
+        rotation = slerp(earlier.rotation, later.rotation, ratio)
+        return Entry(earlier.stamp, rotation, between(earlier.translation, later.translation, ratio), earlier.parent)
 
 
 def _only(requested: int, known: int) -> ExtrapolationException:
@@ -137,7 +137,7 @@ def _only(requested: int, known: int) -> ExtrapolationException:
 
 
 class StaticCache:
-    """The transform of a fixed frame; it holds at every time and is never forgotten."""
+    """The static transform of a frame; it holds at every time and is never dropped."""
 
     is_static = True
     latest_stamp = 0
@@ -160,7 +160,7 @@ class StaticCache:
         return True
 
     def clear(self) -> None:
-        """Do nothing: fixed frames stay."""
+        """Do nothing: static transforms stay."""
 
     def at(self, time_ns: int) -> Entry:
         """Return the transform."""

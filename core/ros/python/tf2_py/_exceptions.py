@@ -24,7 +24,7 @@ class InvalidArgumentException(TransformException):
 
 
 class TimeoutException(TransformException):
-    """A buffer server did not answer in time."""
+    """A buffer server did not respond in time."""
 
 
 for _class in (

@@ -6,7 +6,7 @@ from tf2_py._cache import Cache, seconds, shown
 from tf2_py._tree import FrameTree
 
 _SHORTEST_NS = 100_000
-"""The rate of a frame is counted over at least this time, so a fixed frame has the rate 10000."""
+"""The rate of a frame is counted over at least this time, so a static frame has the rate 10000."""
 
 
 def _rate(cache: Cache) -> float:
@@ -15,7 +15,7 @@ def _rate(cache: Cache) -> float:
 
 
 def frames_as_yaml(tree: FrameTree) -> str:
-    """Return one YAML mapping, frame to what is known about it; `[]` without any frame."""
+    """Return one YAML mapping from frames to their state; `[]` if there are no frames."""
     if not tree.frames:
         return "[]"
     parts = []
@@ -35,7 +35,7 @@ def frames_as_yaml(tree: FrameTree) -> str:
 
 
 def frames_as_dot(tree: FrameTree, now_ns: int) -> str:
-    """Return the tree in graphviz's language. `now_ns` is when it was recorded, 0 if that is not to be shown."""
+    """Return the tree in graphviz's DOT. `now_ns` is the time of recording; 0 leaves it out."""
     lines = ["digraph G {\n"]
     if not tree.frames:
         lines.append('"no tf data recieved"')

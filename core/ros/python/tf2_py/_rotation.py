@@ -1,4 +1,4 @@
-"""Rotations and rigid transforms as plain tuples, by the formulas of tf2's LinearMath, so that results agree to the last bits.
+"""Rotations and rigid transforms as plain tuples, with the formulas of tf2's LinearMath, so that results agree to the last bit.
 
 A quaternion is (x, y, z, w), a vector (x, y, z), a matrix nine numbers row by row, lengths are metres.
 """
@@ -16,7 +16,7 @@ ORIGIN: Vector = (0.0, 0.0, 0.0)
 
 _NAN = (
     -math.nan if math.copysign(1.0, math.nan) > 0 else math.nan
-)  # what a processor makes of 0 * infinity prints as -nan
+)  # a processor's result of 0 * infinity prints as -nan
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
@@ -57,7 +57,7 @@ def add(a: Vector, b: Vector) -> Vector:
 
 
 def matrix(q: Quaternion) -> Matrix:
-    """Return the rotation matrix of a quaternion of any length; not-a-number throughout for one of length 0."""
+    """Return the rotation matrix of a quaternion of any length; all nan for length 0."""
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
     if square == 0.0:
@@ -93,7 +93,7 @@ def quaternion(m: Matrix) -> Quaternion:
 
 
 def normalized(q: Quaternion) -> Quaternion:
-    """Return what tf2 keeps of a rotation: it goes through a matrix, which scales it and settles its sign."""
+    """Return the rotation as tf2 stores it: converted through a matrix, which normalizes its length and sign."""
     return quaternion(matrix(q))
 
 
@@ -133,7 +133,7 @@ def matrix_product(a: Matrix, b: Matrix) -> Matrix:
 
 
 def transpose(m: Matrix) -> Matrix:
-    """Return the transposed matrix, of a rotation the inverse."""
+    """Return the transposed matrix, which is the inverse of a rotation matrix."""
     return (m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8])
 
 

@@ -1,4 +1,4 @@
-"""The frames a buffer knows, who is whose parent, and the way from one frame to another at some time."""
+"""The tree of a buffer's frames, and the path from one frame to another at some time."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from tf2_py._exceptions import (
 from tf2_py._rotation import IDENTITY, ORIGIN, Quaternion, Vector, add, conjugate, multiply, rotate
 
 MAX_DEPTH = 1000
-"""A walk that takes more steps has run into a loop (tf2/buffer_core.hpp)."""
+"""A longer path has run into a loop (tf2/buffer_core.hpp)."""
 
 _ALWAYS = 1 << 63  # later than any time
 
 
-class Way:
-    """The transforms met on the way from a source frame and from a target frame up to where they meet."""
+class FramePath:
+    """The transforms from a source frame and from a target frame up to their common ancestor."""
 
     __slots__ = ("frames_from_source", "frames_from_target", "from_source", "from_target", "is_straight", "time_ns")
 
     def __init__(self, time_ns: int) -> None:
         self.time_ns = time_ns
         self.is_straight = False
-        """One frame was met on the way up from the other, below the root."""
+        """One frame is an ancestor of the other, below the root."""
         self.from_source: list[Entry] = []
         self.from_target: list[Entry] = []
         self.frames_from_source: list[str] = []
         self.frames_from_target: list[str] = []
 
     def transform(self) -> tuple[Quaternion, Vector]:
-        """Return rotation and translation that take coordinates in the source frame to the target frame."""
+        """Return the rotation and translation that take coordinates in the source frame to the target frame."""
         rotation, translation = _accumulated(self.from_source)
         if not self.from_target:
             return rotation, translation
@@ -53,16 +53,16 @@ def _accumulated(entries: list[Entry]) -> tuple[Quaternion, Vector]:
 
 
 class FrameTree:
-    """Frames in the order in which they were first heard of. Not safe for threads by itself."""
+    """Frames in the order in which they first appeared. It is not thread-safe by itself."""
 
     def __init__(self, keep_ns: int = DEFAULT_CACHE_NS) -> None:
         self.keep_ns = keep_ns
         self.frames: dict[str, Cache | None] = {}
-        """Every frame that was ever named; None for one that never was a child."""
+        """Every frame that ever appeared; None for one that was never a child."""
         self.authorities: dict[str, str] = {}
 
     def insert(self, child: str, entry: Entry, authority: str, is_static: bool) -> bool:
-        """Remember a transform; False if it is too old. A frame may change from fixed to moving and back."""
+        """Store a transform; returns False if it is too old. A frame may change from static to moving and back."""
         cache = self.frames.get(child)
         if cache is None or cache.is_static is not is_static:
             self.frames[child] = cache = StaticCache(entry) if is_static else TimeCache(self.keep_ns)
@@ -73,7 +73,7 @@ class FrameTree:
         return True
 
     def clear(self) -> None:
-        """Forget the moving transforms; the frames' names stay."""
+        """Remove the moving transforms; the frames' names stay."""
         for cache in self.frames.values():
             if cache is not None:
                 cache.clear()
@@ -86,28 +86,28 @@ class FrameTree:
         if frame not in self.frames:
             raise LookupException(f'"{frame}" passed to {argument} does not exist. ')
 
-    def why_not(self, argument: str, frame: str) -> str | None:
-        """Return why a frame cannot be asked for, None if it can."""
+    def problem(self, argument: str, frame: str) -> str | None:
+        """Return why a frame cannot be looked up, None if it can."""
         problem = naming_problem(frame)
         if problem is None and frame not in self.frames:
             problem = "frame does not exist"
         return None if problem is None else f'Invalid frame ID "{frame}" passed to {argument} - {problem}'
 
-    def way(self, target: str, source: str, time_ns: int) -> Way:
-        """Return the way between two frames that exist; time 0 is the latest common time.
+    def path(self, target: str, source: str, time_ns: int) -> FramePath:
+        """Return the path between two existing frames; time 0 is the latest common time.
 
         Raises ExtrapolationException, ConnectivityException, or LookupException for a loop.
         """
         if source == target:
-            return Way(time_ns)
+            return FramePath(time_ns)
         if time_ns == 0:
             time_ns = self.latest_common_time(target, source)
-        way = Way(time_ns)
+        path = FramePath(time_ns)
         frames = self.frames
         failure: ExtrapolationException | None = None
         top = frame = source
         while True:
-            way.frames_from_source.append(frame)
+            path.frames_from_source.append(frame)
             cache = frames[frame]
             if cache is None:
                 top = frame
@@ -119,18 +119,18 @@ class FrameTree:
                 failure = error
                 break
             if frame == target:
-                way.is_straight = True
-                return way
-            way.from_source.append(entry)
+                path.is_straight = True
+                return path
+            path.from_source.append(entry)
             top = frame
             frame = entry.parent
-            if len(way.from_source) > MAX_DEPTH:
+            if len(path.from_source) > MAX_DEPTH:
                 raise self._loop()
 
         frame = target
         while frame != top:
             cache = frames[frame]
-            way.frames_from_target.append(frame)
+            path.frames_from_target.append(frame)
             if cache is None:
                 break
             try:
@@ -138,22 +138,22 @@ class FrameTree:
             except ExtrapolationException as error:
                 raise ExtrapolationException(_between(str(error), target, source)) from None
             if frame == source:
-                way.from_source.clear()
-                way.frames_from_source.clear()
-                way.is_straight = True
-                return way
-            way.from_target.append(entry)
+                path.from_source.clear()
+                path.frames_from_source.clear()
+                path.is_straight = True
+                return path
+            path.from_target.append(entry)
             frame = entry.parent
-            if len(way.from_target) > MAX_DEPTH:
+            if len(path.from_target) > MAX_DEPTH:
                 raise self._loop()
         if frame != top:
             if failure is not None:
                 raise ExtrapolationException(_between(str(failure), target, source))
             raise _unconnected(target, source)
-        return way
+        return path
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """Return the latest time at which all moving frames between two frames are known; 0 if none of them moves.
+        """Return the latest time at which all moving frames between two frames are known; 0 if no frame moves.
 
         Raises ConnectivityException, or LookupException for a loop.
         """
@@ -202,7 +202,7 @@ class FrameTree:
         return LookupException(f"The tf tree is invalid because it contains a loop.\n{self.as_string()}\n")
 
     def as_string(self) -> str:
-        """Return a line per frame that has, or had, a parent."""
+        """Return a line for each frame that has, or had, a parent."""
         return "".join(
             f"Frame {frame} exists with parent {cache.latest_parent or 'NO_PARENT'}.\n"
             for frame, cache in self.frames.items()
@@ -211,7 +211,7 @@ class FrameTree:
 
 
 def naming_problem(frame: str) -> str | None:
-    """Return why no frame can have this name, None if one can."""
+    """Return why a frame can't have this name, None if it can."""
     if not frame:
         return "in tf2 frame_ids cannot be empty"
     if frame.startswith("/"):

@@ -1,4 +1,4 @@
-"""How fast one frame moves as seen from another: the difference of two lookups, as tf2 reckons it."""
+"""The velocity of one frame relative to another: the difference of two lookups, as tf2 computes it."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def velocity(
     time_ns: int,
     interval_ns: int,
 ) -> tuple[rot.Vector, rot.Vector]:
-    """Return linear (m/s) and angular (rad/s) velocity of the frame `tracking` against `observation`.
+    """Return linear (m/s) and angular (rad/s) velocity of the frame `tracking` relative to `observation`.
 
-    `reference` is the frame whose coordinates the answer has, and a point (metres) with the frame it is given in, whose
-    velocity is meant. The average is over `interval_ns` around `time_ns`, shifted back where data ends.
+    `reference` is the frame of the result's coordinates, then the point (metres) whose velocity is meant, and that point's
+    frame. The average is over `interval_ns` around `time_ns`, shifted back at the end of the data.
     """
     try:
         latest = seconds(tree.latest_common_time(observation, tracking))
@@ -50,7 +50,7 @@ def velocity(
     turned = rot.matrix(turn)
     out_angular = rot.apply(turned, angular)
     out_linear = rot.add(rot.apply(turned, linear), rot.cross(offset, out_angular))
-    # The real one adds angular · delta here, number by number, where a cross product would be right; so does this one.
+    # The real one adds angular · delta elementwise, where a cross product would be right; so does this one.
     point_turn, point_offset, _ = lookup(frame, point_frame, time_ns)
     wanted = rot.add(rot.apply(rot.matrix(point_turn), point), point_offset)
     delta = (wanted[0] - offset[0], wanted[1] - offset[1], wanted[2] - offset[2])

@@ -1,7 +1,7 @@
-"""The ROS package tf2_ros: where every frame of the robot is, at any time of the last seconds.
+"""The ROS package tf2_ros: the positions of a robot's frames at any time in the last seconds.
 
-The real package imports its modules with a star, so that names like `tf2_ros.TransformStamped` exist in it by accident, and
-programs use them; those that are not needed here are found when somebody asks.
+The real package imports its modules with a star, so names like `tf2_ros.TransformStamped` exist in it by accident, and
+programs use them; those that aren't needed here are imported on first access.
 """
 
 from importlib import import_module

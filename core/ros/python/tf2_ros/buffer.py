@@ -1,4 +1,4 @@
-"""The buffer nodes use."""
+"""The transform buffer of nodes."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 _PERIOD_S = 0.02
-"""How often a waiting lookup looks again (tf2_ros/buffer.py)."""
+"""Seconds between two tries of a waiting lookup (tf2_ros/buffer.py)."""
 
 
 class Buffer(BufferCore, BufferInterface):
-    """Holds the transforms a `TransformListener` hears; with a `node` it offers them as YAML by the service `tf2_frames`.
+    """Stores the transforms of a `TransformListener`; with a `node` it offers the service `tf2_frames` (YAML).
 
-    A lookup with a timeout blocks. In a callback of a single-threaded executor that waits in vain, because the listener's
-    callback cannot run meanwhile.
+    A lookup with a timeout blocks. In a callback of a single-threaded executor it waits in vain, because the listener's
+    callback can't run meanwhile.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
@@ -40,31 +40,31 @@ class Buffer(BufferCore, BufferInterface):
         self._callbacks_lock = threading.RLock()
         self.clock: Clock
         if node is not None:
-            self.srv = node.create_service(FrameGraph, "tf2_frames", self._answer_frames)
+            self.srv = node.create_service(FrameGraph, "tf2_frames", self._serve_frames)
             self.clock = node.get_clock()
         else:
             self.clock = Clock()
         threshold = JumpThreshold(min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=True)
         self.jump_handle = self.clock.create_jump_callback(threshold, post_callback=self.time_jump_callback)
 
-    def _answer_frames(self, _request: Any, response: Any) -> Any:
+    def _serve_frames(self, _request: Any, response: Any) -> Any:
         response.frame_yaml = self.all_frames_as_yaml()
         return response
 
     def time_jump_callback(self, time_jump: TimeJump) -> None:
-        """Forget everything, because simulated time started again (or started or ended)."""
+        """Clear the buffer, because simulated time jumped back, started or ended."""
         rclpy.logging.get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
         self.clear()
 
-    # -- putting in ----------------------------------------------------------------------------------------------------
+    # -- storing -------------------------------------------------------------------------------------------------------
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Remember a transform; see BufferCore. Whoever waits for it is told."""
+        """Store a transform and notify waiting lookups; see BufferCore."""
         super().set_transform(transform, authority)
         self._call_new_data_callbacks()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Remember a transform that always holds; see BufferCore. Whoever waits for it is told."""
+        """Store a static transform and notify waiting lookups; see BufferCore."""
         super().set_transform_static(transform, authority)
         self._call_new_data_callbacks()
 
@@ -72,7 +72,7 @@ class Buffer(BufferCore, BufferInterface):
         with self._callbacks_lock:
             for callback in self._new_data_callbacks:
                 callback()
-            # Only now: a callback that is done must not change the list under the loop above.
+            # Only now, because a finished callback must not change the list during the loop above.
             for callback in self._callbacks_to_remove:
                 self._new_data_callbacks.remove(callback)
             self._callbacks_to_remove.clear()
@@ -81,7 +81,7 @@ class Buffer(BufferCore, BufferInterface):
         with self._callbacks_lock:
             self._callbacks_to_remove.append(callback)
 
-    # -- asking --------------------------------------------------------------------------------------------------------
+    # -- looking up ----------------------------------------------------------------------------------------------------
 
     def lookup_transform(
         self,
@@ -112,7 +112,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform between two frames at two times, `fixed_frame` standing still; see `lookup_transform`."""
+        """Return the transform between two frames at two times through `fixed_frame`; see `lookup_transform`."""
         self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 
@@ -131,7 +131,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Return 1 if there is a transform, at the latest after `timeout`, else 0; or that and the reason, as a tuple."""
+        """Return 1 if there is a transform within `timeout`, else 0; or a tuple of that and the reason."""
         return _waited_for(
             lambda: self.can_transform_core(target_frame, source_frame, time), timeout, return_debug_tuple
         )
@@ -154,7 +154,7 @@ class Buffer(BufferCore, BufferInterface):
         )
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future[TransformStamped]:
-        """Return a future that gets the transform when there is one."""
+        """Return a future that gets the transform once there is one."""
         return self._wait_for(
             lambda: self.can_transform_core(target_frame, source_frame, time)[0],
             lambda: self.lookup_transform(target_frame, source_frame, time),
@@ -190,13 +190,13 @@ class Buffer(BufferCore, BufferInterface):
         return future
 
 
-def _waited_for(ask: Callable[[], tuple[int, str]], timeout: Duration, with_reason: bool) -> Any:
-    """Ask again and again until the answer is yes or the time is over."""
+def _waited_for(check: Callable[[], tuple[int, str]], timeout: Duration, with_reason: bool) -> Any:
+    """Repeat `check` until it succeeds or `timeout` has passed; returns its last result."""
     if timeout != Duration():
         clock = Clock()
         start = clock.now()
-        # A clock that went back far (a bag that plays in a loop) ends the wait too.
-        while clock.now() < start + timeout and not ask()[0] and clock.now() + Duration(seconds=3.0) >= start:
+        # A clock that jumps far back (a bag that plays in a loop) ends the wait too.
+        while clock.now() < start + timeout and not check()[0] and clock.now() + Duration(seconds=3.0) >= start:
             sleep(_PERIOD_S)
-    answer = ask()
-    return answer if with_reason else answer[0]
+    result = check()
+    return result if with_reason else result[0]

@@ -1,4 +1,4 @@
-"""Asks a buffer in another node, by the action tf2_msgs/action/LookupTransform."""
+"""The client of a buffer in another node (action tf2_msgs/action/LookupTransform)."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ _PADDING = Duration(seconds=2.0)
 
 
 class BufferClient(BufferInterface):
-    """The questions of `Buffer`, answered by the buffer server with the action name `ns`.
+    """The lookups of `Buffer`, sent to the buffer server with the action name `ns`.
 
-    It blocks, so something else has to spin its node. `check_frequency` (Hz) is how often it looks whether time is over,
-    `timeout_padding` what it waits longer than a lookup's own timeout.
+    It blocks, so another thread has to spin its node. `check_frequency` (Hz) is how often it checks the timeout;
+    `timeout_padding` is added to a lookup's own timeout.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class BufferClient(BufferInterface):
         check_frequency: float = 10.0,
         timeout_padding: Duration = _PADDING,
     ) -> None:
-        # Actions are not needed by those who only import tf2_ros.
+        # Programs that only import tf2_ros don't need actions.
         from tf2_msgs.action import LookupTransform
 
         from rclpy.action.client import ActionClient
@@ -61,7 +61,7 @@ class BufferClient(BufferInterface):
         time: Time,
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform between two frames. Raises what `Buffer.lookup_transform` raises, and TimeoutException."""
+        """Return the transform between two frames. Raises the errors of `Buffer.lookup_transform`, and TimeoutException."""
         from builtin_interfaces.msg import Time as TimeMsg
 
         if isinstance(time, TimeMsg):
@@ -75,7 +75,7 @@ class BufferClient(BufferInterface):
             stamp = time.to_msg()
         else:
             raise TypeError("Must pass a rclpy.time.Time object.")
-        return self._ask(
+        return self._send(
             self._goal_class(
                 target_frame=target_frame,
                 source_frame=source_frame,
@@ -95,7 +95,7 @@ class BufferClient(BufferInterface):
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
         """Return the transform between two frames at two times; see `lookup_transform`."""
-        return self._ask(
+        return self._send(
             self._goal_class(
                 target_frame=target_frame,
                 source_frame=source_frame,
@@ -114,7 +114,7 @@ class BufferClient(BufferInterface):
         time: Time,
         timeout: Duration = NO_WAIT,
     ) -> bool:
-        """Say whether `lookup_transform` succeeds."""
+        """Return whether `lookup_transform` succeeds."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
         except TransformException:
@@ -130,22 +130,22 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> bool:
-        """Say whether `lookup_transform_full` succeeds."""
+        """Return whether `lookup_transform_full` succeeds."""
         try:
             self.lookup_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         except TransformException:
             return False
         return True
 
-    def _ask(self, goal: Any) -> TransformStamped:
+    def _send(self, goal: Any) -> TransformStamped:
         if not self.action_client.server_is_ready():
             raise TimeoutException("The BufferServer is not ready.")
-        answered = threading.Event()
+        responded = threading.Event()
         future = self.action_client.send_goal_async(goal)
-        future.add_done_callback(lambda _: answered.set())
+        future.add_done_callback(lambda _: responded.set())
         clock = Clock()
         until = clock.now() + Duration.from_msg(goal.timeout) + self.timeout_padding
-        while not answered.is_set() and clock.now() <= until:
+        while not responded.is_set() and clock.now() <= until:
             sleep(1.0 / self.check_frequency)
         if not future.done():
             raise TimeoutException(
@@ -174,5 +174,5 @@ class BufferClient(BufferInterface):
         raise kinds.get(error.error, TransformException)(error.error_string)
 
     def destroy(self) -> None:
-        """Give the action client back."""
+        """Destroy the action client."""
         self.action_client.destroy()

@@ -1,4 +1,4 @@
-"""What every buffer can do with stamped objects, and the registry of types it can transform."""
+"""The base of all buffers, which transforms stamped objects, and the registry of types that it can transform."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NO_WAIT = Duration()
 
 
 class BufferInterface:
-    """Base of `Buffer` and `BufferClient`: transforms objects with the help of their `lookup_transform`."""
+    """Base of `Buffer` and `BufferClient`: transforms objects by means of their `lookup_transform`."""
 
     def __init__(self) -> None:
         self.registration = TransformRegistration()
@@ -29,8 +29,8 @@ class BufferInterface:
     ) -> Any:
         """Return a stamped object in another frame, as it was at the object's time; converted if `new_type` is given.
 
-        Raises TypeException for a type no one registered (import tf2_geometry_msgs for those of geometry_msgs), else what
-        `lookup_transform` raises.
+        Raises TypeException for a type that isn't registered (import tf2_geometry_msgs for those of geometry_msgs), else the
+        errors of `lookup_transform`.
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
@@ -47,7 +47,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: Any = None,
     ) -> Any:
-        """Return a stamped object in another frame at another time, `fixed_frame` standing still; see `transform`."""
+        """Return a stamped object in another frame at another time, through `fixed_frame`; see `transform`."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         found = self.lookup_transform_full(
@@ -63,7 +63,7 @@ class BufferInterface:
         time: Time,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform from source to target frame. Here: raises NotImplementedException."""
+        """Return the transform from source to target frame. This one raises NotImplementedException."""
         raise NotImplementedException()
 
     def lookup_transform_full(
@@ -75,7 +75,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform between two frames at two times. Here: raises NotImplementedException."""
+        """Return the transform between two frames at two times. This one raises NotImplementedException."""
         raise NotImplementedException()
 
     def can_transform(
@@ -85,7 +85,7 @@ class BufferInterface:
         time: Time,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Say whether `lookup_transform` would succeed. Here: raises NotImplementedException."""
+        """Return whether `lookup_transform` would succeed. This one raises NotImplementedException."""
         raise NotImplementedException()
 
     def can_transform_full(
@@ -97,25 +97,25 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Say whether `lookup_transform_full` would succeed. Here: raises NotImplementedException."""
+        """Return whether `lookup_transform_full` would succeed. This one raises NotImplementedException."""
         raise NotImplementedException()
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
-    """Give an object a header (`stamp` is a message) and return it."""
+    """Set an object's header (`stamp` is a message) and return the object."""
     obj.header = Header(frame_id=frame_id, stamp=stamp)
     return obj
 
 
 class TypeException(Exception):
-    """A type that nobody registered."""
+    """A type that isn't registered."""
 
     def __init__(self, errstr: str) -> None:
         self.errstr = errstr
 
 
 class NotImplementedException(Exception):
-    """A buffer without its own lookup was asked."""
+    """The buffer doesn't implement the lookup."""
 
     def __init__(self) -> None:
         self.errstr = "CanTransform or LookupTransform not implemented"
@@ -128,7 +128,7 @@ def _entry(table: dict[Any, Callable[[Any], Any]], key: Any) -> Callable[[Any], 
 
 
 class TransformRegistration:
-    """The functions `(object, TransformStamped) -> object` of all types, common to all instances."""
+    """The functions `(object, TransformStamped) -> object` of all types, shared by all instances."""
 
     _functions: dict[Any, Callable[[Any, Any], Any]] = {}
 
@@ -148,39 +148,39 @@ class TransformRegistration:
 
 
 class ConvertRegistration:
-    """The functions that turn other types into messages and back, common to all instances."""
+    """The functions that convert other types to messages and back, shared by all instances."""
 
     _to_msg: dict[Any, Callable[[Any], Any]] = {}
     _from_msg: dict[Any, Callable[[Any], Any]] = {}
     _direct: dict[Any, Callable[[Any], Any]] = {}
 
     def add_from_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Register what makes a `key` of a message."""
+        """Register the function that converts a message to a `key`."""
         self._from_msg[key] = callback
 
     def add_to_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Register what makes a message of a `key`."""
+        """Register the function that converts a `key` to a message."""
         self._to_msg[key] = callback
 
     def add_convert(self, key: tuple[Any, Any], callback: Callable[[Any], Any]) -> None:
-        """Register what makes a `key[1]` of a `key[0]`."""
+        """Register the function that converts a `key[0]` to a `key[1]`."""
         self._direct[key] = callback
 
     def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes a `key` of a message. Raises TypeException."""
+        """Return the function that converts a message to a `key`. Raises TypeException."""
         return _entry(self._from_msg, key)
 
     def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes a message of a `key`. Raises TypeException."""
+        """Return the function that converts a `key` to a message. Raises TypeException."""
         return _entry(self._to_msg, key)
 
     def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
-        """Return what makes a `key[1]` of a `key[0]`. Raises TypeException."""
+        """Return the function that converts a `key[0]` to a `key[1]`. Raises TypeException."""
         return _entry(self._direct, key)
 
 
 def convert(a: Any, b_type: Any) -> Any:
-    """Return `a` as a `b_type`: by their own conversion, as a copy of the same type, or by way of a message."""
+    """Return `a` as a `b_type`: by a direct conversion, as a copy of the same type, or through a message."""
     registry = ConvertRegistration()
     try:
         return registry.get_convert((type(a), b_type))(a)

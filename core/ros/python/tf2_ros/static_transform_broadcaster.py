@@ -1,4 +1,4 @@
-"""Says where fixed frames are, once and for everybody who comes later."""
+"""Publishes static transforms, once, also for late joiners."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms on /tf_static. Every message repeats all frames before it, since late joiners get only the last.
+    """Publishes transforms on /tf_static. Every message repeats all earlier frames: late joiners get only the last one.
 
-    As in real ROS 2 the first transform of a frame stays: sending another one for the same frame changes nothing.
+    As in real ROS 2 the first transform of a frame stays: a later one for the same frame changes nothing.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
@@ -29,7 +29,7 @@ class StaticTransformBroadcaster:
         self._child_frame_ids: set[str] = set()
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Publish a transform or several, with all sent before."""
+        """Publish one or several transforms, together with all earlier ones."""
         for each in as_list(transform):
             if each.child_frame_id not in self._child_frame_ids:
                 self._child_frame_ids.add(each.child_frame_id)

@@ -1,4 +1,4 @@
-"""Says where moving frames are."""
+"""Publishes the transforms of moving frames."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 
 class TransformBroadcaster:
-    """Publishes transforms on /tf, by default with a history of 100."""
+    """Publishes transforms on /tf, by default with a history depth of 100."""
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Publish a transform or several."""
+        """Publish one or several transforms."""
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
 

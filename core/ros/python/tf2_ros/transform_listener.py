@@ -22,10 +22,10 @@ _AUTHORITY = "default_authority"
 
 
 class TransformListener:
-    """Puts every transform its node hears into a buffer.
+    """Stores every transform that its node receives in a buffer.
 
-    Its callbacks run where the node spins; with `spin_thread` it spins the node itself, on a thread that ends with the
-    context. With `static_only` it does not listen to moving transforms.
+    Its callbacks run where the node is spun; with `spin_thread` it spins the node itself, on a thread that ends with the
+    context. With `static_only` it ignores moving transforms.
     """
 
     def __init__(
@@ -74,17 +74,17 @@ class TransformListener:
             self.unregister()
 
     def unregister(self) -> None:
-        """Stop listening."""
+        """Destroy the subscriptions."""
         if self.tf_sub is not None:
             self.node.destroy_subscription(self.tf_sub)
         self.node.destroy_subscription(self.tf_static_sub)
 
     def callback(self, data: TFMessage) -> None:
-        """Take moving transforms."""
+        """Store moving transforms."""
         for transform in data.transforms:
             self.buffer.set_transform(transform, _AUTHORITY)
 
     def static_callback(self, data: TFMessage) -> None:
-        """Take fixed transforms."""
+        """Store static transforms."""
         for transform in data.transforms:
             self.buffer.set_transform_static(transform, _AUTHORITY)

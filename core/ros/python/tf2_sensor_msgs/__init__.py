@@ -1,4 +1,4 @@
-"""The ROS package tf2_sensor_msgs: importing it teaches tf2_ros to transform point clouds."""
+"""The ROS package tf2_sensor_msgs: importing it registers the transform of point clouds with tf2_ros."""
 
 from tf2_sensor_msgs.tf2_sensor_msgs import do_transform_cloud as do_transform_cloud
 from tf2_sensor_msgs.tf2_sensor_msgs import transform_points as transform_points

@@ -1,4 +1,4 @@
-"""Point clouds in other frames."""
+"""Transforms point clouds."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return the message itself: it is one already."""
+    """Return the message itself: it needs no conversion."""
     return msg
 
 
 def from_msg_msg(msg: Any) -> Any:
-    """Return the message itself: a message was asked for."""
+    """Return the message itself: it needs no conversion."""
     return msg
 
 
 def transform_points(point_cloud: np.ndarray[Any, Any], transform: Transform) -> np.ndarray[Any, Any]:
-    """Return points (N x 3) turned and moved by a transform."""
+    """Return points, shape (N, 3), rotated and translated by a transform."""
     offset, turn = transform.translation, transform.rotation
     moved: np.ndarray[Any, Any] = point_cloud @ _matrix(turn.w, turn.x, turn.y, turn.z).T
     return moved + np.array([offset.x, offset.y, offset.z])
 
 
 def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
-    """Return the cloud with x, y and z transformed; with a TransformStamped it is in that one's frame.
+    """Return the cloud with x, y and z transformed; with a TransformStamped it gets that frame.
 
-    AssertionError for a cloud without these fields.
+    Raises AssertionError for a cloud without these fields.
     """
     header = Header(stamp=cloud.header.stamp, frame_id=cloud.header.frame_id)
     if isinstance(transform, TransformStamped):
@@ -51,7 +51,7 @@ def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamp
 
 
 def _matrix(w: float, x: float, y: float, z: float) -> np.ndarray[Any, Any]:
-    """Return the matrix of a rotation; a quaternion of length 0 counts as none."""
+    """Return the matrix of a rotation; a quaternion of length 0 counts as the identity."""
     size = w * w + x * x + y * y + z * z
     if size < np.finfo(np.float64).eps:
         return np.eye(3)

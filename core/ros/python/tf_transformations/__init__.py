@@ -1,7 +1,7 @@
 """The ROS package tf_transformations: rotations and homogeneous matrices.
 
 A quaternion is (x, y, z, w), a matrix a numpy array of shape (4, 4), angles are radians. The usual functions, from Euler
-angles to quaternions and back, work without numpy.
+angles to quaternions and back, don't import numpy.
 """
 
 from typing import TYPE_CHECKING, Any

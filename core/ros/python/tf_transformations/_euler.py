@@ -1,7 +1,7 @@
 """Euler angles about any of the 24 sequences of axes, after Ken Shoemake (Graphics Gems IV, "Euler Angle Conversion").
 
-A sequence is a word such as `sxyz`: s for axes that stay, r for axes that turn along, then the three axes. Its tuple says:
-the innermost axis, whether the order of the axes is odd, whether the last axis is the first again, and whether they turn.
+A sequence is a word such as `sxyz`: s for static axes, r for rotating axes, then the three axes. Its tuple has the innermost
+axis, the parity of the axes' order, whether the last axis is the first again, and whether the axes rotate.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ TUPLE_TO_AXES = {value: key for key, value in AXES_TO_TUPLE.items()}
 
 
 def _order(axes: Axes) -> tuple[int, int, int, bool, bool, bool]:
-    """Return the axes i, j, k and whether their order is odd, repeated, turning. Raises KeyError for no such sequence."""
+    """Return the axes i, j, k and whether their order is odd, repeated, turning. Raises KeyError for an unknown sequence."""
     if isinstance(axes, str):
         first, odd, repeated, turning = AXES_TO_TUPLE[axes.lower()]
     else:
@@ -47,7 +47,7 @@ def _order(axes: Axes) -> tuple[int, int, int, bool, bool, bool]:
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = "sxyz") -> tuple[float, float, float, float]:
-    """Return the quaternion (x, y, z, w) of Euler angles (radians); by default roll, pitch, yaw. KeyError for unknown axes."""
+    """Return the quaternion (x, y, z, w) of Euler angles (radians); by default roll, pitch, yaw. Raises KeyError."""
     i, j, k, odd, repeated, turning = _order(axes)
     if turning:
         ai, ak = ak, ai
@@ -70,7 +70,7 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = "sxyz") 
 
 
 def rotation_rows(quaternion: Sequence[float]) -> list[list[float]]:
-    """Return the rotation matrix of a quaternion of any length as three rows; that of length 0 does not rotate."""
+    """Return the rotation matrix of a quaternion of any length as three rows; length 0 gives the identity."""
     x, y, z, w = quaternion
     square = w * w + x * x + y * y + z * z
     if square < _EPSILON / 4.0:
@@ -95,7 +95,7 @@ def _angles(m: Any, axes: Axes) -> tuple[float, float, float]:
         away = math.sqrt(m[i][i] * m[i][i] + m[j][i] * m[j][i])
         first, third = math.atan2(m[k][j], m[k][k]), math.atan2(m[j][i], m[i][i])
         second = math.atan2(-m[k][i], away)
-    if away <= _EPSILON:  # the outer axes coincide: only their sum is known
+    if away <= _EPSILON:  # gimbal lock: only the sum of the outer angles is known
         first, third = math.atan2(-m[j][k], m[j][j]), 0.0
     if odd:
         first, second, third = -first, -second, -third
@@ -103,13 +103,13 @@ def _angles(m: Any, axes: Axes) -> tuple[float, float, float]:
 
 
 def euler_from_matrix(matrix: Any, axes: Axes = "sxyz") -> tuple[float, float, float]:
-    """Return Euler angles (radians) of a rotation, shape (3, 3) or (4, 4). KeyError for unknown axes."""
+    """Return Euler angles (radians) of a rotation, shape (3, 3) or (4, 4). Raises KeyError for unknown axes."""
     return _angles([[float(matrix[row][column]) for column in range(3)] for row in range(3)], axes)
 
 
 def euler_from_quaternion(quaternion: Sequence[float], axes: Axes = "sxyz") -> tuple[float, float, float]:
-    """Return Euler angles (radians), by default roll, pitch, yaw, of a quaternion (x, y, z, w). KeyError for unknown axes."""
-    # Adding 0.0 leaves no negative zeros, which would turn the sign of another one.
+    """Return Euler angles (radians), by default roll, pitch, yaw, of a quaternion (x, y, z, w). Raises KeyError."""
+    # Adding 0.0 removes negative zeros, which would change the sign of an angle.
     return _angles([[float(value) + 0.0 for value in row] for row in rotation_rows(quaternion)], axes)
 
 
@@ -138,7 +138,7 @@ def rotation_from_euler(ai: float, aj: float, ak: float, axes: Axes = "sxyz") ->
 
 
 def euler_matrix(ai: float, aj: float, ak: float, axes: Axes = "sxyz") -> NDArray[float64]:
-    """Return the homogeneous matrix of Euler angles (radians). KeyError for unknown axes."""
+    """Return the homogeneous matrix of Euler angles (radians). Raises KeyError for unknown axes."""
     import numpy
 
     matrix = numpy.identity(4)

@@ -27,7 +27,7 @@ def _affine(linear: Any = None, offset: Any = None) -> Array:
 
 
 def _eigenvector(matrix: Any, value: float, tolerance: float, last: bool, message: str) -> Array:
-    """Return the first (or last) eigenvector with an eigenvalue. Raises ValueError with `message` without one."""
+    """Return the first (or last) eigenvector of an eigenvalue. Raises ValueError with `message` if there is none."""
     import numpy
 
     values, vectors = numpy.linalg.eig(matrix)
@@ -39,17 +39,17 @@ def _eigenvector(matrix: Any, value: float, tolerance: float, last: bool, messag
 
 
 def identity_matrix() -> Array:
-    """Return the matrix that changes nothing."""
+    """Return the identity matrix."""
     return _affine()
 
 
 def translation_matrix(direction: Any) -> Array:
-    """Return the matrix that moves by a vector."""
+    """Return the translation by a vector."""
     return _affine(offset=direction)
 
 
 def translation_from_matrix(matrix: Any) -> Array:
-    """Return the vector a matrix moves the origin by."""
+    """Return the translation vector of a matrix."""
     import numpy
 
     vector: Array = numpy.asarray(matrix)[:3, 3]
@@ -57,7 +57,7 @@ def translation_from_matrix(matrix: Any) -> Array:
 
 
 def reflection_matrix(point: Any, normal: Any) -> Array:
-    """Return the mirror at the plane through a point, perpendicular to a vector."""
+    """Return the reflection in the plane through a point with a normal."""
     import numpy
 
     unit = unit_vector(normal[:3])
@@ -65,7 +65,7 @@ def reflection_matrix(point: Any, normal: Any) -> Array:
 
 
 def reflection_from_matrix(matrix: Any) -> tuple[Array, Array]:
-    """Return a point of the mirror's plane and its normal. Raises ValueError for a matrix that does not mirror."""
+    """Return a point of the reflection's plane and its normal. Raises ValueError for any other matrix."""
     import numpy
 
     matrix = numpy.asarray(matrix, dtype=numpy.float64)
@@ -103,7 +103,7 @@ def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Array:
 
 
 def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
-    """Return angle, axis and a point of the axis (4 numbers). Raises ValueError for a matrix that is no rotation."""
+    """Return angle (radians), axis and a point of the axis (4 numbers). Raises ValueError unless it is a rotation."""
     import numpy
 
     matrix = numpy.asarray(matrix, dtype=numpy.float64)
@@ -115,7 +115,7 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
         raise ValueError(message)
     axis = numpy.real(vectors[:, found[-1]])
     cosine = (numpy.trace(turn) - 1.0) / 2.0
-    # The sine from the element opposite to a component of the axis that is not nearly 0.
+    # The sine follows from the element opposite to a component of the axis that isn't close to 0.
     for component, row, column in ((2, 1, 0), (1, 0, 2), (0, 2, 1)):
         if component == 0 or abs(axis[component]) > 1e-8:
             sine = (turn[row, column] + (cosine - 1.0) * axis[row] * axis[column]) / axis[component]
@@ -124,7 +124,7 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
 
 
 def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Array:
-    """Return the matrix that scales from a point, in all directions or in one; factor -1 mirrors."""
+    """Return the scaling from a point, in all directions or in one; factor -1 reflects."""
     import numpy
 
     if direction is None:
@@ -153,7 +153,7 @@ def scale_from_matrix(matrix: Any) -> tuple[float, Array, Array | None]:
 def projection_matrix(
     point: Any, normal: Any, direction: Any = None, perspective: Any = None, pseudo: bool = False
 ) -> Array:
-    """Return the projection on a plane: along a direction, from a point (`perspective`), or perpendicularly.
+    """Return the projection onto a plane: along a direction, from a point (`perspective`), or perpendicular.
 
     With `pseudo` a perspective projection keeps relative depth.
     """
@@ -180,7 +180,7 @@ def projection_matrix(
 
 
 def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Any, Any, Any, Any, bool]:
-    """Return the arguments of `projection_matrix`. Raises ValueError for a matrix that is no projection."""
+    """Return the arguments of `projection_matrix`. Raises ValueError unless the matrix is a projection."""
     import numpy
 
     matrix = numpy.array(matrix, dtype=numpy.float64)
@@ -210,7 +210,7 @@ def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Any, Any,
 def clip_matrix(
     left: float, right: float, bottom: float, top: float, near: float, far: float, perspective: bool = False
 ) -> Array:
-    """Return the matrix that makes a viewing box (or, with `perspective`, a frustum) the cube from -1 to 1.
+    """Return the matrix that maps a viewing box (or, with `perspective`, a frustum) to the cube from -1 to 1.
 
     Raises ValueError for a box without volume, or a frustum that begins behind the eye.
     """
@@ -289,7 +289,7 @@ def decompose_matrix(matrix: Any) -> tuple[Array, Array, tuple[float, float, flo
 def compose_matrix(
     scale: Any = None, shear: Any = None, angles: Any = None, translate: Any = None, perspective: Any = None
 ) -> Array:
-    """Return the matrix that shears, scales, rotates and moves. As in the real package `perspective` does nothing."""
+    """Return the matrix that shears, scales, rotates and translates. As in the real package `perspective` has no effect."""
     import numpy
 
     stretch = numpy.identity(3)
@@ -303,7 +303,7 @@ def compose_matrix(
 
 
 def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
-    """Return the matrix of a crystal's cell with edges of such lengths and angles (degrees)."""
+    """Return the matrix of a crystallographic cell with these edge lengths and angles (degrees)."""
     import numpy
 
     a, b, c = lengths
@@ -320,9 +320,9 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
 
 
 def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Array:
-    """Return the rotation and translation (and with `scaling` one factor) that bring points nearest to others.
+    """Return the rotation and translation (with `scaling` also a factor) that best map one set of points to another.
 
-    Both have shape (3, n) or (4, n), n at least 3. By Kabsch's method, or without `usesvd` by Horn's. ValueError otherwise.
+    Both have shape (3, n) or (4, n), n at least 3. Kabsch's method, or Horn's without `usesvd`. Raises ValueError.
     """
     import numpy
 
@@ -379,7 +379,7 @@ def concatenate_matrices(*matrices: Any) -> Array:
 
 
 def is_same_transform(matrix0: Any, matrix1: Any) -> bool:
-    """Say whether two matrices do the same."""
+    """Return whether two matrices are the same transformation."""
     import numpy
 
     first = numpy.array(matrix0, dtype=numpy.float64)

@@ -33,7 +33,7 @@ def quaternion_matrix(quaternion: Sequence[float]) -> NDArray[float64]:
 def quaternion_from_matrix(matrix: Any) -> tuple[float, float, float, float]:
     """Return the rotation in a homogeneous matrix, with w not negative; scale and shear do not matter.
 
-    The largest eigenvector of a symmetric matrix made of its elements (Bar-Itzhack, "New method for extracting the quaternion
+    It is the largest eigenvector of a symmetric matrix of its elements (Bar-Itzhack, "New method for extracting the quaternion
     from a rotation matrix", 2000). Raises numpy.linalg.LinAlgError for a singular matrix.
     """
     import numpy
@@ -66,7 +66,7 @@ def quaternion_multiply(
 
 
 def quaternion_conjugate(quaternion: Sequence[float]) -> NDArray[float64]:
-    """Return the conjugate, of a unit quaternion the inverse."""
+    """Return the conjugate, which is the inverse of a unit quaternion."""
     import numpy
 
     x, y, z, w = quaternion[0], quaternion[1], quaternion[2], quaternion[3]
@@ -84,7 +84,7 @@ def quaternion_inverse(quaternion: Sequence[float]) -> NDArray[float64]:
 def quaternion_slerp(
     quat0: Sequence[float], quat1: Sequence[float], fraction: float, spin: float = 0, shortestpath: bool = True
 ) -> NDArray[float64]:
-    """Return the rotation a fraction of the way from one to the other, with `spin` half turns more on the way."""
+    """Return the rotation at a fraction of the way from `quat0` to `quat1`, with `spin` additional half turns."""
     import numpy
 
     q0: NDArray[float64] = unit_vector(quat0[:4])
@@ -106,7 +106,7 @@ def quaternion_slerp(
 
 
 def random_quaternion(rand: Any = None) -> NDArray[float64]:
-    """Return a random rotation, all equally likely, from three numbers between 0 and 1 (by default random ones)."""
+    """Return a uniformly distributed random rotation, from three numbers between 0 and 1 (by default random ones)."""
     import numpy
 
     if rand is None:

@@ -1,4 +1,4 @@
-"""A ball turned by a pointer that drags it (Ken Shoemake's arcball)."""
+"""A trackball, turned by dragging it with the pointer (Ken Shoemake's arcball)."""
 
 from __future__ import annotations
 
@@ -44,24 +44,24 @@ class Arcball:
         self._qdown = self._qpre = self._qnow = start
 
     def place(self, center: Sequence[float], radius: float) -> None:
-        """Say where the ball is in the window and how large (pixels)."""
+        """Set the ball's position in the window and its radius (pixels)."""
         self._radius = float(radius)
         self._center = [center[0], center[1]]
 
     def setaxes(self, *axes: Any) -> None:
-        """Set the axes to which turning can be restricted."""
+        """Set the axes to which rotation can be restricted."""
         self._axes = [unit_vector(axis) for axis in axes]
 
     def setconstrain(self, constrain: bool) -> None:
-        """Restrict turning to the axes, or not."""
+        """Set whether rotation is restricted to the axes."""
         self._constrain = constrain is True
 
     def getconstrain(self) -> bool:
-        """Say whether turning is restricted."""
+        """Return whether rotation is restricted."""
         return self._constrain
 
     def down(self, point: Sequence[float]) -> None:
-        """Take hold of the ball at a point of the window."""
+        """Grab the ball at a point of the window."""
         self._vdown = arcball_map_to_sphere(point, self._center, self._radius)
         self._qdown = self._qpre = self._qnow
         self._axis = None
@@ -70,7 +70,7 @@ class Arcball:
             self._vdown = arcball_constrain_to_axis(self._vdown, self._axis)
 
     def drag(self, point: Sequence[float]) -> None:
-        """Turn the ball so that what was taken hold of comes to a point of the window."""
+        """Rotate the ball so that the grabbed point moves to a point of the window."""
         import numpy
 
         now = arcball_map_to_sphere(point, self._center, self._radius)
@@ -84,7 +84,7 @@ class Arcball:
             self._qnow = quaternion_multiply([*turn, numpy.dot(self._vdown, now)], self._qdown)
 
     def next(self, acceleration: float = 0.0) -> None:
-        """Turn on as in the last drag."""
+        """Continue the rotation of the last drag."""
         self._qpre, self._qnow = self._qnow, quaternion_slerp(self._qpre, self._qnow, 2.0 + acceleration, False)
 
     def matrix(self) -> NDArray[float64]:
@@ -93,7 +93,7 @@ class Arcball:
 
 
 def arcball_map_to_sphere(point: Sequence[float], center: Sequence[float], radius: float) -> NDArray[float64]:
-    """Return the point of the unit ball under a point of the window; outside, the nearest one of its rim."""
+    """Return the point of the unit ball under a point of the window; outside it, the nearest point of its rim."""
     import numpy
 
     x, y = (point[0] - center[0]) / radius, (center[1] - point[1]) / radius
@@ -104,7 +104,7 @@ def arcball_map_to_sphere(point: Sequence[float], center: Sequence[float], radiu
 
 
 def arcball_constrain_to_axis(point: Any, axis: Any) -> NDArray[float64]:
-    """Return the point of the ball nearest to `point` on the circle around an axis, on the side that is seen."""
+    """Return the point of the ball nearest to `point` on the circle around an axis, on the visible side."""
     import numpy
 
     point = numpy.array(point, dtype=numpy.float64)

@@ -6,11 +6,11 @@ import math
 from typing import Any
 
 EPSILON = 4.0 * 2.220446049250313e-16
-"""What counts as zero."""
+"""Smaller numbers count as zero."""
 
 
 def vector_norm(data: Any, axis: int | None = None, out: Any = None) -> Any:
-    """Return the Euclidean length along an axis; a float for a plain vector; into `out` (and None) if that is given."""
+    """Return the Euclidean length along an axis, a float for a plain vector; with `out` it is stored there."""
     import numpy
 
     data = numpy.array(data, dtype=numpy.float64)
@@ -24,7 +24,7 @@ def vector_norm(data: Any, axis: int | None = None, out: Any = None) -> Any:
 
 
 def unit_vector(data: Any, axis: int | None = None, out: Any = None) -> Any:
-    """Return `data` divided by its length along an axis; into `out` (and None) if that is given."""
+    """Return `data` divided by its length along an axis; with `out` it is stored there."""
     import numpy
 
     given = numpy.array(data, dtype=numpy.float64)
@@ -40,7 +40,7 @@ def unit_vector(data: Any, axis: int | None = None, out: Any = None) -> Any:
 
 
 def random_vector(size: Any) -> Any:
-    """Return random numbers from 0 (included) to 1 (excluded)."""
+    """Return random numbers in [0, 1)."""
     import numpy
 
     return numpy.random.random(size)

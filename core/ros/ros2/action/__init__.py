@@ -1,3 +1,6 @@
-"""`ros2 action …`."""
+"""`ros2 action …`.
+
+Each public module is a verb, imported by the command tree only (see `ros2`).
+"""
 
 SUMMARY = "Various action related sub-commands"

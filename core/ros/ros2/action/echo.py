@@ -1,4 +1,4 @@
-"""`ros2 action echo` (ros2cli 0.38, ROS 2 Kilted): what goes on between the clients and the server of an action."""
+"""`ros2 action echo` (ros2cli 0.38, ROS 2 Kilted): the messages between the clients and the server of an action."""
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ async def main(session: Session, args: Namespace) -> str | None:
             if name not in INTERFACES:
                 return f'"{word.strip()}" is incorrect interface name.'
     if args.action_type is None:
-        async with graph_node(session, args) as asked:
-            kind = _class_of_type(_type_of_action(asked, args.action_name))
+        async with graph_node(session, args) as query_node:
+            kind = _class_of_type(_type_of_action(query_node, args.action_name))
     else:
         kind = _class_of_type(args.action_type)
     printer = EventPrinter(session, args)

@@ -59,9 +59,9 @@ def _full_name(node: Node, action_name: str) -> str:
 
 
 def _owners(node: Node, action: str, names_and_types: Callable[..., Any]) -> list[tuple[str, list[str]]]:
-    """Return `(node, types)` of the nodes that have an end of the action."""
+    """Return `(node, types)` of the nodes that have a client or a server of the action."""
     return [
-        # The two slashes that a node of the root namespace gets are ros2cli's.
+        # ros2cli too prints two slashes before a node of the root namespace.
         (f"{namespace}/{name}", types)
         for name, namespace in node.get_node_names_and_namespaces()
         for found, types in names_and_types(node, name, namespace)

@@ -66,7 +66,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
     def feedback(message: Any) -> None:
         if early is not None:
-            early.append(message)  # it came together with the acceptance, which is told first
+            early.append(message)  # it arrived together with the acceptance, which is printed first
         else:
             session.print(f"Feedback:\n    {message_to_yaml(message.feedback)}")
 
@@ -87,7 +87,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 async def _send(
     session: Session, client: ActionClient[Any, Any, Any], goal: Any, feedback: Any
 ) -> ClientGoalHandle[Any, Any, Any] | None:
-    """Send the goal; None if the server does not want it."""
+    """Send the goal; returns None if the server rejects it."""
     future = client.send_goal_async(goal, feedback)
     await session.spin_until(future)
     handle = future.result()
@@ -97,14 +97,14 @@ async def _send(
 
 
 async def _result(session: Session, handle: ClientGoalHandle[Any, Any, Any]) -> Any:
-    """Wait for the result; on Ctrl-C ask the server to stop."""
+    """Wait for the result; Ctrl-C cancels the goal."""
     future = handle.get_result_async()
     try:
         await session.spin_until(future)
     except KeyboardInterrupt:
         session.print("Canceling goal...")
         handle.cancel_goal_async()
-        # In the real tool Ctrl-C has shut the context down by now: the request goes out, the answer never comes in.
+        # In the real tool Ctrl-C has shut the context down by now: the request goes out, the response never arrives.
         raise RuntimeError("Exception while canceling goal: None") from None
     result = future.result()
     if result is None:

@@ -1,4 +1,8 @@
-"""`ros2 bag …`: records, plays and describes bags; what a bag is, is in `rosbag2_py`."""
+"""`ros2 bag …`: records, plays and describes bags; the bags themselves are `rosbag2_py`'s.
+
+Each public module is a verb, imported by the command tree only (see `ros2`); modules with an underscore are shared by
+them.
+"""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ NO_TERMINAL = "stdin is not a terminal device. Keyboard handling disabled."
 
 
 def keyboard(session: Session, *, disabled: bool) -> AbstractContextManager[None]:
-    """Inside, keys come one by one. Where there is no keyboard, says so, as the real one does."""
+    """Return a context in which keys arrive one by one. Without a keyboard it prints so, as the real one does."""
     if disabled:
         return nullcontext()
     if not session.stdin.isatty():
@@ -23,6 +23,6 @@ def keyboard(session: Session, *, disabled: bool) -> AbstractContextManager[None
 
 
 async def listen(session: Session, press: Callable[[str], None]) -> None:
-    """Hand every key to `press` until there are no more."""
+    """Call `press` with every key until the input ends."""
     while key := await session.stdin.read_key():
         press(key)

@@ -1,4 +1,4 @@
-"""What the verbs of `ros2 bag` share: checked values of options, paths, the texts of ros2bag/api."""
+"""Shared by the verbs of `ros2 bag`: checked values of options, paths, the texts of ros2bag/api."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.ros2.cli.completion import Typed
+from day6_tui.core.ros.ros2.cli.completion import CompletionContext
 from day6_tui.core.ros.ros2.cli.options import completed
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
+    from rclpy.node import Node
     from rclpy.qos import QoSProfile
 
 STORAGES = ("mcap", "sqlite3")
@@ -19,12 +20,12 @@ LOG_LEVELS = ("debug", "info", "warn", "error", "fatal")
 
 
 def error(text: str) -> str:
-    """An error in the words of ros2bag."""
+    """Return an error line as ros2bag words it."""
     return f"[ERROR] [ros2bag]: {text}"
 
 
 def warning(text: str) -> str:
-    """A warning in the words of ros2bag."""
+    """Return a warning line as ros2bag words it."""
     return f"[WARN] [ros2bag]: {text}"
 
 
@@ -71,17 +72,24 @@ def regular_expression(text: str) -> str:
     try:
         user_pattern(text)
     except re.error as problem:
-        raise ArgumentTypeError(f"'{text}' is no regular expression: {problem}") from None
+        raise ArgumentTypeError(f"'{text}' is not a regular expression: {problem}") from None
     return text
 
 
+def set_log_level(node: Node, level: str) -> None:
+    """Set the log level of a node, a name of LOG_LEVELS."""
+    from rclpy.logging import LoggingSeverity
+
+    node.get_logger().set_level(LoggingSeverity[level.upper()])
+
+
 def path_of(parser: Any, text: str) -> str:
-    """A path as the session's working directory has it."""
+    """Return a path resolved against the session's working directory."""
     return str(Path(parser.session.cwd, text))
 
 
 def existing_path(parser: Any) -> Callable[[str], str]:
-    """Return the argparse type of a bag's path, which must be there."""
+    """Return the argparse type of a bag's path, which must exist."""
 
     def check(text: str) -> str:
         if not Path(path_of(parser, text)).exists():
@@ -92,7 +100,7 @@ def existing_path(parser: Any) -> Callable[[str], str]:
 
 
 def add_bag_path(parser: ArgumentParser, *, required: bool = True) -> None:
-    """Add the bag to open, and how it is stored."""
+    """Add the bag to open and its storage format."""
     bag = parser.add_argument(
         "bag_path", nargs=None if required else "?", type=existing_path(parser), help="Bag to open"
     )
@@ -106,11 +114,11 @@ def add_bag_path(parser: ArgumentParser, *, required: bool = True) -> None:
     )
 
 
-def bag_names(typed: Typed) -> list[str]:
-    """Complete a bag: the folders that are bags, and those that lead to one."""
-    head, _, _ = typed.prefix.rpartition("/")
-    folder = Path(typed.session.cwd, head or ("/" if typed.prefix.startswith("/") else ""))
-    start = f"{head}/" if "/" in typed.prefix else ""
+def bag_names(context: CompletionContext) -> list[str]:
+    """Complete the path of a bag: a folder with metadata.yaml, a .mcap or .db3 file."""
+    head, _, _ = context.prefix.rpartition("/")
+    folder = Path(context.session.cwd, head or ("/" if context.prefix.startswith("/") else ""))
+    start = f"{head}/" if "/" in context.prefix else ""
     try:
         entries = sorted(folder.iterdir())
     except OSError:
@@ -128,7 +136,7 @@ def add_qos_overrides(parser: ArgumentParser) -> None:
 
 
 def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
-    """Read the file of QoS overrides; RuntimeError with ros2bag's text if it is wrong."""
+    """Read the file of QoS overrides. Raises RuntimeError with ros2bag's text if it is wrong."""
     if not path:
         return {}
     import yaml
@@ -147,5 +155,5 @@ def qos_overrides(session: Session, path: str | None) -> dict[str, QoSProfile]:
 
 
 def event_topics(services: list[str] | None) -> list[str]:
-    """The topics of the events of services."""
+    """Return the service event topics of `services`."""
     return [f"{service}/_service_event" for service in services or ()]

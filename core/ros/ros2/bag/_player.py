@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros.ros2.bag._keyboard import keyboard, listen
-from day6_tui.core.ros.ros2.bag._options import error, qos_overrides
+from day6_tui.core.ros.ros2.bag._options import error, qos_overrides, set_log_level
 from day6_tui.core.session.task import Signal, wait_for
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ _UP = "\x1b[3A\r"
 async def play(
     session: Session, inputs: list[list[str]], options: PlayOptions, args: Namespace, burst: int | None = None
 ) -> str | None:
-    """Play bags, each given as its path and perhaps its storage, to the end or Ctrl-C."""
+    """Play bags, each given as `[path]` or `[path, storage_id]`, to the end or until Ctrl-C."""
     readers: list[SequentialReader] = []
 
     def close() -> None:
@@ -61,13 +61,13 @@ async def _play(
     from rosbag2_py._play_services import offer_services
     from rosbag2_py._playing import NODE_NAME, Playing
 
-    from day6_tui.core.ros.programs._rclcpp import create_node
+    from day6_tui.core.ros.programs.rclcpp import create_node
     from day6_tui.core.ros.ros2.cli.node import settle
 
     await settle(session)
     rules = [word for rule in args.remap for word in ("--remap", rule)]
-    level = ["--log-level", getattr(args, "log_level", "info")]
-    node = create_node(session, NODE_NAME, cli_args=["--ros-args", *level, *rules])
+    node = create_node(session, NODE_NAME, cli_args=["--ros-args", *rules])
+    set_log_level(node, getattr(args, "log_level", "info"))
     changed = Signal()
     with_keys = not options.disable_keyboard_controls
     with keyboard(session, disabled=not with_keys):
@@ -94,7 +94,7 @@ async def _play(
                 if playing.finished:
                     break
                 await wait_for(changed, due)
-                # A bag that is late must not hold up the others.
+                # A bag that is late must not hold up other programs.
                 if due is not None and due <= session.clock.steady_ns():
                     await session.sleep(0)
         except KeyboardInterrupt:
@@ -105,7 +105,7 @@ async def _play(
 
 
 class _ProgressBar:
-    """Two lines below what the player says, drawn again a few times a second; only where there is a terminal."""
+    """Two lines below the player's log, redrawn a few times a second; only on a terminal."""
 
     def __init__(self, session: Session, node: Any, playing: Playing, rate: int) -> None:
         self._session = session
@@ -126,7 +126,7 @@ class _ProgressBar:
             self._draw()
 
     def _log(self, text: str) -> None:
-        """A line of the log goes where the bar begins, and the bar below it."""
+        """Write a line of the log where the bar begins, and draw the bar below it."""
         self._session.stdout.control(_BELOW)
         self._session.stdout.flush()
         self._write(text)

@@ -42,4 +42,4 @@ async def main(session: Session, args: Namespace) -> None:
             raise RuntimeError(f"--input expects 1 or 2 arguments, {len(bag)} provided")
         inputs.append(StorageOptions(str(Path(session.cwd, bag[0])), storage_id=bag[1] if len(bag) > 1 else ""))
     for _ in rewrite(inputs, os.path.join(session.cwd, args.output_options), session.cwd):
-        await session.sleep(0)  # a large bag must not hold up the others
+        await session.sleep(0)  # a large bag must not hold up other programs

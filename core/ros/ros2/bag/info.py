@@ -38,7 +38,7 @@ async def main(session: Session, args: Namespace) -> None:
     try:
         metadata = info.read_metadata(path, args.storage)
     except RuntimeError as error:
-        # The path as it was typed, not as we resolved it.
+        # Show the path as the user typed it, not as we resolved it.
         raise RuntimeError(str(error).replace(path, args.bag_path)) from None
     if args.verbose:
         session.print(info.verbose_text(path, metadata, args.sort))

@@ -29,7 +29,7 @@ _PLUGINS: dict[str, tuple[_Plugin, ...]] = {
         _Plugin(
             "zstd",
             "Zstandard, when Python has a library for it",
-            "rosbag2_py.zstd_codec",
+            "rosbag2_py.zstd_compress",
             "rosbag2_compression::BaseCompressorInterface",
         ),
     ),
@@ -37,7 +37,7 @@ _PLUGINS: dict[str, tuple[_Plugin, ...]] = {
         _Plugin(
             "zstd",
             "Zstandard, when Python has a library for it",
-            "rosbag2_py.zstd_codec",
+            "rosbag2_py.decompress",
             "rosbag2_compression::BaseDecompressorInterface",
         ),
     ),

@@ -107,7 +107,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def add_reading(parser: ArgumentParser) -> None:
-    """Add what `play` and `burst` both have."""
+    """Add the options that `play` and `burst` share."""
     parser.add_argument(
         "--read-ahead-queue-size",
         type=int,
@@ -128,7 +128,7 @@ def add_reading(parser: ArgumentParser) -> None:
 
 
 def add_remapping(parser: ArgumentParser) -> None:
-    """Add the list of other names for topics."""
+    """Add the list of topic remappings."""
     parser.add_argument(
         "--remap",
         "-m",

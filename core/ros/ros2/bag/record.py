@@ -15,6 +15,7 @@ from day6_tui.core.ros.ros2.bag._options import (
     event_topics,
     qos_overrides,
     regular_expression,
+    set_log_level,
     warning,
 )
 from day6_tui.core.ros.ros2.cli.completion import message_types, service_names, topic_names
@@ -267,7 +268,7 @@ def _add_compression(parser: ArgumentParser) -> None:
 
 
 def _refusal(session: Session, args: Namespace, folder: Path) -> str | None:
-    """What ros2bag answers to options that do not fit together; warnings are printed."""
+    """Return ros2bag's error for options that contradict each other; warnings are printed."""
     if args.topics_positional:
         session.print(
             warning('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
@@ -329,7 +330,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     try:
         await _record(session, args, folder, overrides)
     except KeyboardInterrupt:
-        pass  # how a recording ends
+        pass  # the usual end of a recording
     except (BrokenPipeError, WriteError):
         raise
     except OSError as problem:
@@ -342,7 +343,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 async def _record(session: Session, args: Namespace, folder: Path, overrides: dict[str, Any]) -> None:
     from rosbag2_py._recording import Recording
 
-    from day6_tui.core.ros.programs._rclcpp import create_node
+    from day6_tui.core.ros.programs.rclcpp import create_node
     from day6_tui.core.ros.ros2.bag._keyboard import keyboard, listen
     from day6_tui.core.ros.ros2.cli.node import settle
     from rclpy.parameter import Parameter
@@ -351,9 +352,10 @@ async def _record(session: Session, args: Namespace, folder: Path, overrides: di
     node = create_node(
         session,
         args.node_name,
-        cli_args=["--ros-args", "--log-level", args.log_level],
+        cli_args=[],
         parameter_overrides=[Parameter("use_sim_time", value=args.use_sim_time)],
     )
+    set_log_level(node, args.log_level)
     with keyboard(session, disabled=args.disable_keyboard_controls):
         with_keys = not args.disable_keyboard_controls
         recording = Recording(node, _storage(args, folder), _options(args, overrides), keyboard=with_keys)
@@ -365,7 +367,7 @@ async def _record(session: Session, args: Namespace, folder: Path, overrides: di
             async for _ in session.every(max(args.polling_interval, 1) / 1000):
                 recording.poll()
         finally:
-            # What was received until now is in the queues still.
+            # Messages received so far may still be in the queues.
             session.spin_some()
             recording.stop()
 

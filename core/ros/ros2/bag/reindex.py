@@ -26,10 +26,10 @@ async def main(session: Session, args: Namespace) -> str | None:
     if not path.is_dir():
         return error("Must specify a bag directory")
 
-    def say(text: str) -> None:
+    def log(text: str) -> None:
         seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
         shown = text.replace(str(path), args.bag_path)
         session.print_error(f"[INFO] [{seconds}.{nanoseconds:09d}] [rosbag2_cpp]: {shown}")
 
-    Reindexer(say).reindex(StorageOptions(str(path), storage_id=args.storage))
+    Reindexer(log).reindex(StorageOptions(str(path), storage_id=args.storage))
     return None

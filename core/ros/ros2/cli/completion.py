@@ -1,4 +1,4 @@
-"""Tab completion: which words can stand where the cursor is."""
+"""Tab completion: the words that are possible at the cursor."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 
-class Typed(NamedTuple):
-    """What a completer knows: the session, the arguments before the cursor by their names, the word begun."""
+class CompletionContext(NamedTuple):
+    """A completer's input: the session, the arguments before the cursor by name, the beginning of the current word."""
 
     session: Session
     values: dict[str, str]
     prefix: str
     words: list[str]
-    """All arguments before the cursor, in their order."""
+    """All arguments before the cursor, in order."""
 
 
 Words = Iterable[str]
-Completer = Callable[[Typed], "Words | Awaitable[Words]"]
+Completer = Callable[[CompletionContext], "Words | Awaitable[Words]"]
 
 
 async def complete_words(words: list[str], session: Session) -> list[str]:
@@ -42,7 +42,7 @@ async def complete_words(words: list[str], session: Session) -> list[str]:
 
 
 class _Walk:
-    """Follows a command line word by word through the parsers and knows what may come next."""
+    """Follows a command line word by word through the parsers and knows which words may come next."""
 
     def __init__(self, parser: argparse.ArgumentParser) -> None:
         self.values: dict[str, str] = {}
@@ -97,105 +97,105 @@ class _Walk:
 
             return [str(choice) for choice in action.choices if str(choice) not in HIDDEN]
         completer: Completer | None = getattr(action, "completer", None)
-        return completer(Typed(session, self.values, prefix, self.words)) if completer is not None else []
+        return completer(CompletionContext(session, self.values, prefix, self.words)) if completer is not None else []
 
 
-async def topic_names(typed: Typed) -> Iterable[str]:
+async def topic_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a topic; hidden ones once an underscore was typed."""
-    return await _names(typed, "MP", "MS")
+    return await _names(context, "MP", "MS")
 
 
-async def service_names(typed: Typed) -> Iterable[str]:
+async def service_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a service; hidden ones once an underscore was typed."""
-    return await _names(typed, "SS")
+    return await _names(context, "SS")
 
 
-async def action_names(typed: Typed) -> Iterable[str]:
+async def action_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of an action."""
-    mark = "/_action/"
-    return sorted({name.partition(mark)[0] for name, _ in await _all_names(typed, "SS", "MP") if mark in name})
+    infix = "/_action/"
+    return sorted({name.partition(infix)[0] for name, _ in await _all_names(context, "SS", "MP") if infix in name})
 
 
-async def node_names(typed: Typed) -> Iterable[str]:
+async def node_names(context: CompletionContext) -> Iterable[str]:
     """Complete the full name of a node; hidden ones once an underscore was typed."""
-    graph = await _graph(typed)
+    graph = await _graph(context)
     found = [f"{node.namespace.rstrip('/')}/{node.name}" for node in graph.nodes] if graph is not None else []
-    return [name for name in found if _shown(name, typed.prefix)]
+    return [name for name in found if _shown(name, context.prefix)]
 
 
-async def topic_types(typed: Typed) -> Iterable[str]:
+async def topic_types(context: CompletionContext) -> Iterable[str]:
     """Complete a message type: the topic's own if the topic named before exists, else any."""
-    own = dict(await _all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""))
-    return own or message_types(typed)
+    own = dict(await _all_names(context, "MP", "MS")).get(context.values.get("topic_name", ""))
+    return own or message_types(context)
 
 
-async def service_types_of_service(typed: Typed) -> Iterable[str]:
+async def service_types_of_service(context: CompletionContext) -> Iterable[str]:
     """Complete a service type: the service's own if the one named before exists, else any."""
-    own = dict(await _all_names(typed, "SS")).get(typed.values.get("service_name", ""))
-    return own or service_types(typed)
+    own = dict(await _all_names(context, "SS")).get(context.values.get("service_name", ""))
+    return own or service_types(context)
 
 
-async def action_types_of_action(typed: Typed) -> Iterable[str]:
+async def action_types_of_action(context: CompletionContext) -> Iterable[str]:
     """Complete an action type: the action's own if the one named before exists, else any."""
-    own = dict(await _all_names(typed, "SS")).get(f"{typed.values.get('action_name', '')}/_action/send_goal")
-    return [each.removesuffix("_SendGoal") for each in own] if own else action_types(typed)
+    own = dict(await _all_names(context, "SS")).get(f"{context.values.get('action_name', '')}/_action/send_goal")
+    return [each.removesuffix("_SendGoal") for each in own] if own else action_types(context)
 
 
-def message_types(typed: Typed) -> Iterable[str]:
+def message_types(context: CompletionContext) -> Iterable[str]:
     """Complete a message type."""
-    return _types(typed, "msg")
+    return _types(context, "msg")
 
 
-def service_types(typed: Typed) -> Iterable[str]:
+def service_types(context: CompletionContext) -> Iterable[str]:
     """Complete a service type."""
-    return _types(typed, "srv")
+    return _types(context, "srv")
 
 
-def action_types(typed: Typed) -> Iterable[str]:
+def action_types(context: CompletionContext) -> Iterable[str]:
     """Complete an action type."""
-    return _types(typed, "action")
+    return _types(context, "action")
 
 
-def interface_types(typed: Typed) -> Iterable[str]:
+def interface_types(context: CompletionContext) -> Iterable[str]:
     """Complete any interface type."""
-    return _types(typed, "msg", "srv", "action")
+    return _types(context, "msg", "srv", "action")
 
 
-def interface_packages(typed: Typed) -> Iterable[str]:
+def interface_packages(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a package that defines interfaces."""
     from rosidl_runtime_py.get_interfaces import get_interface_packages
 
-    return get_interface_packages(typed.session.env)
+    return get_interface_packages(context.session.env)
 
 
-def package_names(typed: Typed) -> Iterable[str]:
+def package_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a package."""
     from day6_tui.core.ros.ros2.pkg._index import packages
 
-    return packages(typed.session)
+    return packages(context.session)
 
 
-def executable_names(typed: Typed) -> Iterable[str]:
+def executable_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of an executable of the package named before."""
     from day6_tui.core.ros.ros2.pkg._index import executables
 
-    return [each.name for each in executables(typed.session, typed.values.get("package_name", "")) or ()]
+    return [each.name for each in executables(context.session, context.values.get("package_name", "")) or ()]
 
 
-async def parameter_names(typed: Typed) -> Iterable[str]:
-    """Complete the name of a parameter of the node named before, by asking that node."""
+async def parameter_names(context: CompletionContext) -> Iterable[str]:
+    """Complete the name of a parameter; the node named before is asked for its list."""
     from day6_tui.core.ros.ros2.param._services import listed_parameters
 
-    return await listed_parameters(typed.session, typed.values.get("node_name", ""))
+    return await listed_parameters(context.session, context.values.get("node_name", ""))
 
 
-async def topic_fields(typed: Typed) -> Iterable[str]:
+async def topic_fields(context: CompletionContext) -> Iterable[str]:
     """Complete a field of the topic's messages, part by part: `pose`, then `pose.position` …"""
     from rosidl_runtime_py.utilities import get_message
 
-    own = [typed.values["message_type"]] if "message_type" in typed.values else None
-    types = own or dict(await _all_names(typed, "MP", "MS")).get(typed.values.get("topic_name", ""), [])
-    path = typed.prefix.split(".")[:-1]
+    own = [context.values["message_type"]] if "message_type" in context.values else None
+    types = own or dict(await _all_names(context, "MP", "MS")).get(context.values.get("topic_name", ""), [])
+    path = context.prefix.split(".")[:-1]
     try:
         kind = get_message(types[0])
         for part in path:
@@ -206,19 +206,19 @@ async def topic_fields(typed: Typed) -> Iterable[str]:
     return [".".join([*path, name]) for name in fields]
 
 
-def message_prototype(typed: Typed) -> Iterable[str]:
-    """Complete the values of a message by the default ones."""
-    return _prototype(typed.values.get("message_type", ""), None)
+def message_prototype(context: CompletionContext) -> Iterable[str]:
+    """Complete the values of a message with the default ones."""
+    return _prototype(context.values.get("message_type", ""), None)
 
 
-def request_prototype(typed: Typed) -> Iterable[str]:
-    """Complete the values of a service request by the default ones."""
-    return _prototype(typed.values.get("service_type", ""), "Request")
+def request_prototype(context: CompletionContext) -> Iterable[str]:
+    """Complete the values of a service request with the default ones."""
+    return _prototype(context.values.get("service_type", ""), "Request")
 
 
-def goal_prototype(typed: Typed) -> Iterable[str]:
-    """Complete the values of an action goal by the default ones."""
-    return _prototype(typed.values.get("action_type", ""), "Goal")
+def goal_prototype(context: CompletionContext) -> Iterable[str]:
+    """Complete the values of an action goal with the default ones."""
+    return _prototype(context.values.get("action_type", ""), "Goal")
 
 
 def _prototype(type_name: str, part: str | None) -> Iterable[str]:
@@ -231,38 +231,38 @@ def _prototype(type_name: str, part: str | None) -> Iterable[str]:
         message = (getattr(found, part) if part else found)()
     except (AttributeError, ImportError, ValueError):
         return []
-    # On one line, unlike the real tool's: a line break would end the command that is being typed.
+    # On one line, unlike the real tool's: a line break would end the command that is being context.
     return [one_line(message_to_ordereddict(message))]
 
 
-def _types(typed: Typed, *kinds: str) -> list[str]:
+def _types(context: CompletionContext, *kinds: str) -> list[str]:
     from rosidl_runtime_py.get_interfaces import get_interfaces
 
     return [
         f"{package}/{name}"
-        for package, names in get_interfaces(environment=typed.session.env).items()
+        for package, names in get_interfaces(environment=context.session.env).items()
         for name in names
         if name.partition("/")[0] in kinds
     ]
 
 
-async def _names(typed: Typed, *kinds: str) -> list[str]:
-    return [name for name, _ in await _all_names(typed, *kinds) if _shown(name, typed.prefix)]
+async def _names(context: CompletionContext, *kinds: str) -> list[str]:
+    return [name for name, _ in await _all_names(context, *kinds) if _shown(name, context.prefix)]
 
 
-async def _all_names(typed: Typed, *kinds: str) -> list[tuple[str, list[str]]]:
+async def _all_names(context: CompletionContext, *kinds: str) -> list[tuple[str, list[str]]]:
     from day6_tui.core.graph.endpoints import EndpointKind
 
-    graph = await _graph(typed)
+    graph = await _graph(context)
     return graph.names_and_types(*map(EndpointKind, kinds)) if graph is not None else []
 
 
-async def _graph(typed: Typed) -> Graph | None:
-    """The graph, once it knows what other processes have."""
+async def _graph(context: CompletionContext) -> Graph | None:
+    """Return the graph once the entities of other processes are in it."""
     from day6_tui.core.ros.ros2.cli.node import settle
 
-    await settle(typed.session)
-    return typed.session.graph
+    await settle(context.session)
+    return context.session.graph
 
 
 def _shown(name: str, prefix: str) -> bool:

@@ -1,8 +1,8 @@
-"""The daemon of `ros2`: a hidden node that stays, so that commands know the graph at once.
+"""The daemon of `ros2`: a hidden node that outlives the commands, so that they know the graph at once.
 
-Our commands need none (the graph of the desktop is always there), but it is part of what people see: `ros2 daemon …`,
-`/_ros2cli_daemon_0_…` in `node list -a`, its publisher in the count of /rosout. So it is a real node here too, one for
-each graph of a machine that goes on after the command; a command in a terminal of its own has nothing to keep it in.
+Our commands don't need it (the desktop's graph is always there), but users see it: `ros2 daemon …`,
+`/_ros2cli_daemon_0_…` in `node list -a`, its publisher in the count of /rosout. So it is a real node here too, one per
+graph, in a process that outlives the command; a command in a terminal of its own has no such process.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ _daemons: WeakKeyDictionary[Graph, _Daemon] = WeakKeyDictionary()
 
 
 @contextmanager
-def answering() -> Iterator[None]:
-    """Inside, a wrong question raises what it raises where the real daemon, a server of its own, reports it back."""
+def reporting_faults() -> Iterator[None]:
+    """Raise wrong names as xmlrpc's Fault, which is how the real daemon, a separate server, reports them back."""
     try:
         yield
     except Exception as error:
@@ -46,25 +46,25 @@ def answering() -> Iterator[None]:
 
 
 def is_running(session: Session) -> bool:
-    """Say whether this machine has a daemon, ours or one that another process on the link keeps."""
+    """Return whether this machine has a daemon, ours or one in another process on the link."""
     if node_of(session) is not None:
         return True
     return session.graph is not None and any(node.name.startswith(f"{PREFIX}_") for node in session.graph.nodes)
 
 
 def node_of(session: Session) -> Node | None:
-    """Return the node of the daemon that this process keeps."""
+    """Return the node of this process's daemon, None if it has none."""
     running = _daemons.get(session.graph) if session.graph is not None else None
     return running.node if running is not None else None
 
 
 def can_run(session: Session) -> bool:
-    """Say whether this process goes on after the command (the desktop does, `day6-tui ros2 …` does not)."""
-    return session.graph is not None and session.shell is not None
+    """Return whether this process outlives the command (the desktop does, `day6-tui ros2 …` does not)."""
+    return session.graph is not None and session.host is not None
 
 
 def start(session: Session) -> bool:
-    """Start the daemon; False if there is one already, or nothing to keep it in."""
+    """Start the daemon; returns False if there is one already, or if this process ends with the command."""
     if is_running(session) or not can_run(session) or session.graph is None:
         return False
     from rclpy.context import Context
@@ -84,7 +84,7 @@ def start(session: Session) -> bool:
 
 
 def stop(session: Session) -> bool:
-    """Stop the daemon that this process keeps; False if there is none."""
+    """Stop this process's daemon; returns False if it has none."""
     running = _daemons.pop(session.graph, None) if session.graph is not None else None
     if running is None:
         return False

@@ -1,4 +1,4 @@
-"""Printing what services and actions with introspection tell of themselves."""
+"""Prints the events of services and actions that have introspection switched on."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def add_printing_options(parser: ArgumentParser) -> None:
-    """Add the options that say how events are printed."""
+    """Add the options for the format of events."""
     parser.add_argument(
         "--csv", action="store_true", help="Output all recursive fields separated by commas (e.g. for plotting)."
     )
@@ -20,7 +20,7 @@ def add_printing_options(parser: ArgumentParser) -> None:
 
 
 class EventPrinter:
-    """Prints service events, with the name of what happened instead of its number."""
+    """Prints service events, with the name of the event type instead of its number."""
 
     def __init__(self, session: Session, args: Namespace) -> None:
         from service_msgs.msg import ServiceEventInfo
@@ -36,7 +36,7 @@ class EventPrinter:
         }
 
     def receive(self, message: Any, heading: str = "") -> None:
-        """Print one event (or another message of an action), below a heading."""
+        """Print one event (or another message of an action) below a heading."""
         from rosidl_runtime_py.convert import message_to_csv, message_to_ordereddict
         from rosidl_runtime_py.yaml_text import dump
 

@@ -1,4 +1,4 @@
-"""How an exception becomes the lines a user reads. Never a traceback of ours; the last lines are Python's own."""
+"""Turns an exception into the lines that the user reads: Python's own last lines, never our traceback."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import traceback
 def failure_text(error: BaseException) -> str:
     """Return what Python prints below the traceback of an uncaught exception, with the hint `Did you mean`."""
     text = "".join(traceback.format_exception_only(type(error), error))
-    # Python 3.12 and later, and a backport that some packages install, put it into the text already.
+    # Python 3.12 and later, and a backport that some packages install, have put it into the text already.
     hint = "" if "Did you mean" in text else _hint(error)
     return f"{text.rstrip()}{hint}\n" if hint else text
 
@@ -21,7 +21,7 @@ def _hint(error: BaseException) -> str:
 
 
 def nearest_name(wrong: str, names: list[str]) -> str | None:
-    """Return the name that Python 3.11 would suggest for a misspelt attribute, None if none is near enough.
+    """Return the name that Python 3.11 would suggest for a misspelt attribute, None if nothing is near enough.
 
     CPython, Python/suggestions.c: two points for an inserted, removed or changed letter, one for a change of case, and at
     most (both lengths + 3) / 3 points.
@@ -39,11 +39,11 @@ def nearest_name(wrong: str, names: list[str]) -> str | None:
     return best[1] if best else None
 
 
-def _distance(one: str, other: str) -> int:
-    row = [2 * number for number in range(len(other) + 1)]
-    for number, letter in enumerate(one, 1):
+def _distance(wrong: str, right: str) -> int:
+    row = [2 * number for number in range(len(right) + 1)]
+    for number, letter in enumerate(wrong, 1):
         left, row[0] = row[0], 2 * number
-        for position, candidate in enumerate(other, 1):
+        for position, candidate in enumerate(right, 1):
             change = 0 if letter == candidate else 1 if letter.lower() == candidate.lower() else 2
             left, row[position] = row[position], min(left + change, row[position] + 2, row[position - 1] + 2)
     return row[-1]

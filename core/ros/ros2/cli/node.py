@@ -1,4 +1,4 @@
-"""The nodes by which `ros2` looks at the graph: the daemon's if there is one, else one of its own, `/_ros2cli_<pid>`."""
+"""The node through which `ros2` queries the graph: the daemon's if there is one, else its own, `/_ros2cli_<pid>`."""
 
 from __future__ import annotations
 
@@ -8,10 +8,12 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
+from day6_tui.core.graph.names import is_hidden
 from day6_tui.core.ros.ros2.cli import daemon
 from day6_tui.core.session.task import Signal
 
 if TYPE_CHECKING:
+    from day6_tui.core.graph.graph import Transport
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
 
@@ -19,32 +21,32 @@ PREFIX = "_ros2cli"
 HIDDEN_PREFIX = "_"
 
 
-_settled: WeakSet[Any] = WeakSet()
+_settled: WeakSet[Transport] = WeakSet()
 
 
 async def settle(session: Session, timeout: float = 1.0) -> None:
-    """Wait until the link, if there is one, has told this process's graph what the others have: once for each link.
+    """Wait until the link, if there is one, has brought the other processes' entities into the graph; once per link.
 
-    `timeout` is in seconds of the wall, because the link lives in it.
+    `timeout` is in seconds of wall time, because the link does not follow the world's clock.
     """
-    link: Any = getattr(session.graph, "transport", None)
-    if not hasattr(link, "wait_settled") or link in _settled:
+    link = session.graph.transport if session.graph is not None else None
+    if link is None or link in _settled:
         return
     known = Signal()
 
-    def look() -> None:
+    def wait() -> None:
         try:
             if link.wait_settled(timeout):
                 _settled.add(link)
         finally:
             known.set()
 
-    threading.Thread(target=look, name="day6-settle", daemon=True).start()
+    threading.Thread(target=wait, name="day6-settle", daemon=True).start()
     await session.wait(known)
 
 
 async def direct_node(session: Session, args: Any = None, name: str | None = None) -> Node:
-    """Make this command's own node; ROS arguments of the command line are not for it. Destroyed with the session."""
+    """Create this command's own node, without the command line's ROS arguments. It is destroyed with the session."""
     from rclpy.parameter import Parameter
 
     await settle(session)
@@ -60,26 +62,26 @@ async def direct_node(session: Session, args: Any = None, name: str | None = Non
     )
     spin_time = getattr(args, "spin_time", None)
     if spin_time:
-        # Our graph is known without waiting; who asks for a time gets it, for what is about to appear.
+        # Our graph is known without waiting; but a given time is waited, for entities that are about to appear.
         await session.sleep(spin_time)
     return node
 
 
 async def plain_node(session: Session, name: str) -> Node:
-    """Make a node with everything a user's node has (what `service call` and `action send_goal` do)."""
+    """Create a node with everything a user's node has (for `service call` and `action send_goal`)."""
     await settle(session)
     return session.create_node(name, cli_args=[])
 
 
 @asynccontextmanager
 async def graph_node(session: Session, args: Any = None) -> AsyncIterator[Node]:
-    """Give a node to ask the graph with: the daemon's, or with `--no-daemon` (or where none can be) a passing own one."""
+    """Yield a node for queries of the graph: the daemon's, or a temporary one (`--no-daemon`, or no daemon possible)."""
     await settle(session)
     if not getattr(args, "no_daemon", False):
         daemon.start(session)
         running = daemon.node_of(session)
         if running is not None:
-            with daemon.answering():
+            with daemon.reporting_faults():
                 yield running
             return
     node = await direct_node(session, args)
@@ -87,11 +89,6 @@ async def graph_node(session: Session, args: Any = None) -> AsyncIterator[Node]:
         yield node
     finally:
         node.destroy_node()
-
-
-def is_hidden(name: str) -> bool:
-    """Say whether a topic, service or action is hidden: one part of its name begins with an underscore."""
-    return any(part.startswith(HIDDEN_PREFIX) for part in name.split("/"))
 
 
 def topics(node: Node, *, hidden: bool) -> list[tuple[str, list[str]]]:
@@ -105,7 +102,7 @@ def services(node: Node, *, hidden: bool) -> list[tuple[str, list[str]]]:
 
 
 def node_names(node: Node, *, hidden: bool) -> list[str]:
-    """Return the full names of all nodes; a name that two nodes share is there twice."""
+    """Return the full names of all nodes; a name that two nodes share is in it twice."""
     return [
         f"{namespace.rstrip('/')}/{name}"
         for name, namespace in node.get_node_names_and_namespaces()
@@ -114,7 +111,7 @@ def node_names(node: Node, *, hidden: bool) -> list[str]:
 
 
 def absolute(node_name: str) -> str:
-    """Return a node's name with the leading slash that users leave out."""
+    """Return a node's name with the leading slash that users often leave out."""
     return node_name if node_name.startswith("/") else f"/{node_name}"
 
 

@@ -6,6 +6,7 @@ from argparse import Action, ArgumentParser, ArgumentTypeError
 from collections.abc import Callable
 from typing import Any
 
+from day6_tui.core.graph.qos import Durability, History, Liveliness, Reliability
 from day6_tui.core.ros.ros2.cli.completion import Completer
 
 PROFILES = (
@@ -20,22 +21,21 @@ PROFILES = (
     "best_available",
     "rosout_default",
 )
-HISTORIES = ("system_default", "keep_last", "keep_all", "unknown")
-RELIABILITIES = ("system_default", "reliable", "best_effort", "unknown", "best_available")
-DURABILITIES = ("system_default", "transient_local", "volatile", "unknown", "best_available")
-LIVELINESSES = ("system_default", "automatic", "manual_by_topic", "unknown", "best_available")
+HISTORIES, RELIABILITIES, DURABILITIES, LIVELINESSES = (
+    tuple(name.lower() for name in policy.__members__) for policy in (History, Reliability, Durability, Liveliness)
+)
 
 TRUNCATE_LENGTH = 128
 
 
 def completed(action: Action, completer: Completer) -> Action:
-    """Say how the values of an argument are completed."""
+    """Set the completer for the values of an argument; returns the argument."""
     action.completer = completer  # type: ignore[attr-defined]
     return action
 
 
 def add_discovery_options(parser: ArgumentParser) -> None:
-    """Add the options of verbs that make a node of their own."""
+    """Add the options of verbs that create their own node."""
     parser.add_argument(
         "--spin-time",
         type=float,
@@ -45,13 +45,13 @@ def add_discovery_options(parser: ArgumentParser) -> None:
 
 
 def add_strategy_options(parser: ArgumentParser) -> None:
-    """Add the options of verbs that ask the daemon, or a node of their own."""
+    """Add the options of verbs that query the graph through the daemon or their own node."""
     add_discovery_options(parser)
     parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
 
 
 def add_hidden_option(parser: ArgumentParser, things: str) -> None:
-    """Add `--include-hidden-THINGS`, things being topics, services or nodes."""
+    """Add `--include-hidden-THINGS`, where `things` is 'topics', 'services' or 'nodes'."""
     parser.add_argument(f"--include-hidden-{things}", action="store_true", help=f"Consider hidden {things} as well")
 
 
@@ -83,7 +83,7 @@ def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
     parser.add_argument(
         "--qos-durability", choices=DURABILITIES, help=overriding(f"{quality} durability", "durability", adapted)
     )
-    # The two that follow lack their closing bracket in the real tool.
+    # In the real tool the next two lack their closing bracket.
     parser.add_argument(
         "--qos-liveliness", choices=LIVELINESSES, help=overriding(f"{quality} liveliness", "liveliness", "")
     )
@@ -95,7 +95,7 @@ def add_qos_options(parser: ArgumentParser, doing: str, profile: str) -> None:
 
 
 def add_length_options(parser: ArgumentParser) -> None:
-    """Add the options that say how much of a message is printed (`service echo` has them too)."""
+    """Add the options that limit how much of a message is printed (`service echo` has them too)."""
     parser.add_argument(
         "--full-length",
         "-f",
@@ -120,7 +120,7 @@ def add_length_options(parser: ArgumentParser) -> None:
 
 
 def number_type(convert: Callable[[str], Any], allowed: Callable[[Any], bool], message: str) -> Callable[[str], Any]:
-    """Return an argparse type that answers a wrong value with `message`."""
+    """Return an argparse type that rejects a wrong value with `message`."""
 
     def parse(text: str) -> Any:
         try:

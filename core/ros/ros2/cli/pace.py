@@ -1,4 +1,4 @@
-"""Repeating something at a rate, without taking the whole machine when the rate is too high for it."""
+"""Repeats something at a rate, without taking the whole machine when the rate is too high for it."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 SHARE = 2
-"""A command gets at most every second moment: as long as its turn took, the others have theirs."""
+"""A command gets at most half of the time: after each turn the others get as long as it took."""
 
 
 class Pace:
-    """Whole periods of world time from now on; longer ones where a turn takes more than half a period of the wall.
+    """Whole periods of world time from now on; longer ones where a turn takes more than half a period of wall time.
 
-    The world clock skips no period, it falls behind the wall instead. For turtlesim that is right; but `topic pub -r 1000000`
+    The world clock skips no period, it falls behind wall time instead. For turtlesim that is right; but `topic pub -r 1000000`
     must not make the world stand still, and in real ROS it would not reach its rate either.
     """
 

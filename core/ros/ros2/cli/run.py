@@ -7,8 +7,8 @@ import signal
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.ros import environment
-from day6_tui.core.ros.ros2.cli.parser import ParserExit
 from day6_tui.core.ros.ros2.cli.tree import build_parser
+from day6_tui.core.session.argument_parser import ParserExit
 from day6_tui.core.session.streams import WriteError
 
 if TYPE_CHECKING:
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
 _log = logging.getLogger(__name__)
 
 VERSION = "0.36.1"
-"""The ros2cli whose behaviour and words these are."""
+"""The version of ros2cli whose behaviour and texts these are."""
 
 
 async def run_command(session: Session) -> int:
-    """Parse `session.argv` and run the verb; exit statuses as ros2cli's: 2 for Ctrl-C, 1 for a failure that was told."""
+    """Parse `session.argv` and run the verb; exit statuses as ros2cli's: 2 for Ctrl-C, 1 for a reported failure."""
     environment.activate()
     argv = session.argv[1:]
     if argv == ["--version"]:
         session.print(f"ros2 {VERSION} (day6-tui)")
-        session.print_error("note: the ros2 of a real installation has no --version, it answers with its usage")
+        session.print_error("note: the ros2 of a real installation has no --version, it prints its usage")
         return 0
     try:
         args = build_parser(session, argv).parse_args(argv)

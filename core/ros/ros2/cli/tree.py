@@ -1,4 +1,4 @@
-"""The command tree, read from the folders: which commands and verbs there are, and the parser for one command line."""
+"""The command tree, read from the folders: the commands, their verbs, and the parser for one command line."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from day6_tui.core.ros.ros2.cli.parser import Parser
+from day6_tui.core.session.argument_parser import Parser
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -27,7 +27,7 @@ def command_names() -> list[str]:
 
 
 def verb_names(command: str) -> list[str]:
-    """Return the verbs of a command, sorted; none for a command without verbs."""
+    """Return the verbs of a command, sorted; empty for a command without verbs."""
     folder = _FOLDER / command
     modules = pkgutil.iter_modules([str(folder)]) if folder.is_dir() else ()
     return sorted(module.name for module in modules if not module.name.startswith("_"))
@@ -44,9 +44,9 @@ def summary(command: str, verb: str | None = None) -> str:
 
 
 def chosen_words(argv: list[str]) -> tuple[str | None, str | None]:
-    """Return the command and the verb of a command line (without `ros2`), None where there is none.
+    """Return the command and the verb of a command line (without `ros2`), None where one is missing.
 
-    No option before them takes a value, so they are simply the first two words that are not options.
+    No option before them takes a value, so they are the first two words that are not options.
     """
     words = [word for word in argv if not word.startswith("-")]
     return (words[0] if words else None), (words[1] if len(words) > 1 else None)
@@ -55,7 +55,7 @@ def chosen_words(argv: list[str]) -> tuple[str | None, str | None]:
 def build_parser(session: Session, argv: list[str]) -> Parser:
     """Return the parser for `ros2 ARGV…`. Only the modules of the chosen command and verb are imported.
 
-    The namespace it returns has `run`, the `main` of the verb, or `help_of`, the parser whose help answers a command line
+    The parsed namespace has `run`, the verb's `main`, or `help_of`, the parser whose help is printed for a command line
     that stops before a verb.
     """
     command, verb = chosen_words(argv)

@@ -1,4 +1,4 @@
-"""Reads the YAML of a command line or a file without keeping other programs waiting."""
+"""Reads the YAML of a command line or a file without blocking other programs."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 _Result = TypeVar("_Result")
 
 SHORT = 1000
-"""Characters that are read at once; what is longer may take seconds (PyYAML reads 100,000 `[` for five)."""
+"""Characters that are read at once; longer texts may take seconds (PyYAML takes five for 100,000 `[`)."""
 
 
 def load(text: str | bytes | TextIO, abandoned: threading.Event) -> Any:
-    """As `yaml.safe_load`, until nobody wants the answer any more. Raises yaml.YAMLError, RecursionError."""
+    """Like `yaml.safe_load`, but stops once `abandoned` is set. Raises yaml.YAMLError, RecursionError."""
     import yaml
 
     class Loader(yaml.SafeLoader):
@@ -35,7 +35,7 @@ def load(text: str | bytes | TextIO, abandoned: threading.Event) -> Any:
 
 
 async def in_turns_with_others(read: Callable[[threading.Event], _Result]) -> _Result:
-    """Run what reads YAML in a thread of its own; it is told when Ctrl-C has ended its command."""
+    """Run `read` in its own thread; its event is set when Ctrl-C has ended the command."""
     abandoned = threading.Event()
     try:
         return await in_thread(lambda: read(abandoned))
@@ -44,7 +44,7 @@ async def in_turns_with_others(read: Callable[[threading.Event], _Result]) -> _R
 
 
 async def safe_load(text: str | bytes) -> Any:
-    """What a YAML text says. Raises yaml.YAMLError, RecursionError."""
+    """Return the value of a YAML text. Raises yaml.YAMLError, RecursionError."""
     if len(text) <= SHORT:
         return load(text, threading.Event())
     return await in_turns_with_others(lambda abandoned: load(text, abandoned))

@@ -1,4 +1,4 @@
-"""Finds component containers and talks to their services; the arguments that say which component, and how it is called."""
+"""Finds component containers and calls their services; the arguments for the component and its node."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from day6_tui.core.ros.ros2.cli.options import completed
 from day6_tui.core.ros.ros2.component._index import package_names, type_names
 
 if TYPE_CHECKING:
-    from day6_tui.core.ros.ros2.cli.completion import Typed
+    from day6_tui.core.ros.ros2.cli.completion import CompletionContext
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
 
@@ -32,7 +32,7 @@ def add_container_argument(parser: ArgumentParser, help_text: str, nargs: str | 
 
 
 def add_component_arguments(parser: ArgumentParser) -> None:
-    """Add PACKAGE_NAME and PLUGIN_NAME, and the options for the node that comes of them."""
+    """Add PACKAGE_NAME and PLUGIN_NAME, and the options for the component's node."""
     completed(
         parser.add_argument("package_name", help="Name of the package where the component is to be found"),
         package_names,
@@ -49,9 +49,9 @@ def add_component_arguments(parser: ArgumentParser) -> None:
         parser.add_argument(short, long, action="append", dest=name, help=help_text)
 
 
-def container_names(typed: Typed) -> Iterable[str]:
+def container_names(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a running container."""
-    graph = typed.session.graph
+    graph = context.session.graph
     found = graph.names_and_types(EndpointKind.SERVICE) if graph is not None else []
     ending = f"/{_SERVICES['LoadNode']}"
     return [name.removesuffix(ending) for name, _ in found if name.endswith(ending)]
@@ -82,6 +82,7 @@ class Container:
     @classmethod
     @asynccontextmanager
     async def of(cls, session: Session, args: Namespace, name: str) -> AsyncIterator[Container]:
+        """Create the command's node for calls to the container `name`; it is destroyed at the end of the context."""
         node = await direct_node(session, args)
         session.executor.add_node(node)
         try:
@@ -91,7 +92,7 @@ class Container:
             node.destroy_node()
 
     async def call(self, kind: str, request: Any = None) -> Any:
-        """Call one of the three services; TimeoutError if it does not come, or its answer not."""
+        """Call one of the three services. Raises TimeoutError if the service or its response does not come."""
         import composition_interfaces.srv
 
         client = self.node.create_client(getattr(composition_interfaces.srv, kind), f"{self.name}/{_SERVICES[kind]}")
@@ -101,18 +102,18 @@ class Container:
                 raise TimeoutError("service found")
             await self.session.sleep(POLL_SECONDS)
         future = client.call_async(client.srv_type.Request() if request is None else request)
-        # A component may take its time to come up; only who lists them does not wait for ever.
+        # A component may need a long time to load; only ListNodes has a time limit.
         if not await self.session.spin_until(future, LONGEST_WAIT if kind == "ListNodes" else None):
             raise TimeoutError("service response")
         return future.result()
 
     async def components(self) -> list[tuple[int, str]]:
-        """Return `(number, full node name)` of what the container has; TimeoutError as `call`."""
+        """Return `(number, full node name)` of the container's components. Raises TimeoutError, like `call`."""
         response = await self.call("ListNodes")
         return list(zip(response.unique_ids, response.full_node_names, strict=False))
 
     async def load(self, args: Namespace) -> tuple[int, str]:
-        """Load the component that the arguments name; returns its number and node name, RuntimeError if it cannot be."""
+        """Load the component named by the arguments; returns its number and node name. Raises RuntimeError if it fails."""
         try:
             response = await self.call("LoadNode", _load_request(args))
         except TimeoutError:
@@ -122,7 +123,7 @@ class Container:
         return response.unique_id, response.full_node_name
 
     async def unload(self, number: int) -> str | None:
-        """Unload a component; returns the reason if it cannot be."""
+        """Unload a component; returns the reason if that fails."""
         from composition_interfaces.srv import UnloadNode
 
         try:

@@ -1,4 +1,4 @@
-"""Which component types are registered: the resources `rclcpp_components` of the ament index."""
+"""The registered component types: the resources `rclcpp_components` of the ament index."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ament_index_python.search_paths import get_search_paths
 
 if TYPE_CHECKING:
-    from day6_tui.core.ros.ros2.cli.completion import Typed
+    from day6_tui.core.ros.ros2.cli.completion import CompletionContext
     from day6_tui.core.session.session import Session
 
 _RESOURCES = Path("share", "ament_index", "resource_index", "rclcpp_components")
@@ -26,7 +26,7 @@ def packages_with_components(session: Session) -> list[str]:
 
 
 def component_types(session: Session, package: str) -> list[str]:
-    """Return the component types of a package in their order; none for a package that registers none."""
+    """Return the component types of a package in the file's order; empty for a package that registers none."""
     return [line.partition(";")[0] for line in resource_lines(session, package)]
 
 
@@ -39,11 +39,11 @@ def resource_lines(session: Session, package: str) -> list[str]:
     return []
 
 
-def package_names(typed: Typed) -> Iterable[str]:
+def package_names(context: CompletionContext) -> Iterable[str]:
     """Complete a package that registers components."""
-    return packages_with_components(typed.session)
+    return packages_with_components(context.session)
 
 
-def type_names(typed: Typed) -> Iterable[str]:
+def type_names(context: CompletionContext) -> Iterable[str]:
     """Complete a component type of the package named before."""
-    return component_types(typed.session, typed.values.get("package_name", ""))
+    return component_types(context.session, context.values.get("package_name", ""))

@@ -31,9 +31,9 @@ async def main(session: Session, args: Namespace) -> str | None:
     for name in found:
         session.print(name)
         if not args.containers_only:
-            complaint = await _print(session, args, name, "  ", "")
-            if complaint is not None:
-                session.print(complaint)
+            problem = await _print(session, args, name, "  ", "")
+            if problem is not None:
+                session.print(problem)
     return None
 
 

@@ -27,7 +27,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 async def main(session: Session, args: Namespace) -> int | None:
-    from day6_tui.core.ros.programs.rclcpp_components._manager import ComponentManager
+    from day6_tui.core.ros.programs.rclcpp_components.component_manager import ComponentManager
 
     manager = ComponentManager(session, args.container_node_name)
     session.executor.add_node(manager.node)

@@ -25,5 +25,5 @@ async def main(session: Session, args: Namespace) -> str | None:
     elif daemon.start(session):
         session.print("The daemon has been started")
     else:
-        return "no daemon is needed here: it runs inside of day6-tui as long as that is open"
+        return "no daemon is needed here: it runs inside day6-tui while the desktop is open"
     return None

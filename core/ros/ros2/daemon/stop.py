@@ -23,7 +23,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     if daemon.stop(session):
         session.print("The daemon has been stopped")
     elif daemon.is_running(session):
-        return "the daemon belongs to another day6-tui: stop it in a terminal of that one"
+        return "the daemon belongs to another day6-tui: stop it in a terminal there"
     else:
         session.print("The daemon is not running")
     return None

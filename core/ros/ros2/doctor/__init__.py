@@ -1,4 +1,4 @@
-"""`ros2 doctor`: checks what can go wrong with a graph, and reports what this machine is. It asks nothing of the internet."""
+"""`ros2 doctor`: checks a graph for common problems and reports on this machine. It needs no internet."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SUMMARY = "Check ROS setup and other potential issues"
 _SKIPPED = ("/parameter_events", "/rosout")
 
 
-class Complaint(NamedTuple):
+class Finding(NamedTuple):
     """One finding; warnings do not fail a check unless `--include-warnings` is given."""
 
     is_error: bool
@@ -40,7 +40,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     if args.report or args.report_failed:
-        await in_thread(_ask_platform)
+        await in_thread(_query_platform)
     async with graph_node(session) as node:
         if args.report:
             for title, (category, _) in REPORTS.items():
@@ -49,10 +49,10 @@ async def main(session: Session, args: Namespace) -> None:
             return
         failed: list[str] = []
         for category, check in CHECKS.items():
-            complaints = list(check(session, node))
-            for complaint in complaints:
-                _warn(session, complaint)
-            if any(complaint.is_error or args.include_warnings for complaint in complaints):
+            findings = list(check(session, node))
+            for finding in findings:
+                _warn(session, finding)
+            if any(finding.is_error or args.include_warnings for finding in findings):
                 failed.append(category)
         if not failed:
             session.print(f"\nAll {len(CHECKS)} checks passed\n")
@@ -65,11 +65,11 @@ async def main(session: Session, args: Namespace) -> None:
                     _print_report(session, node, title)
 
 
-def _warn(session: Session, complaint: Complaint) -> None:
+def _warn(session: Session, finding: Finding) -> None:
     frame = currentframe()
     line = frame.f_lineno if frame is not None else 0
-    error = "ERROR: " if complaint.is_error else ""
-    session.print_error(f"{__file__}: {line}: UserWarning: {error}{complaint.text}")
+    error = "ERROR: " if finding.is_error else ""
+    session.print_error(f"{__file__}: {line}: UserWarning: {error}{finding.text}")
 
 
 def _print_report(session: Session, node: Node, title: str) -> None:
@@ -81,44 +81,44 @@ def _print_report(session: Session, node: Node, title: str) -> None:
         session.print(f"{name:{width}}: {value}")
 
 
-def _check_network(session: Session, node: Node) -> Iterator[Complaint]:
-    """Say whether the graph this command sees can be seen by other programs, and how it stands with other machines."""
+def _check_network(session: Session, node: Node) -> Iterator[Finding]:
+    """Check whether other programs can see this command's graph, and the connections to other machines."""
     import os
 
     from day6_tui.core.link import state_of
-    from day6_tui.core.ros.programs.day6_inspector._rules import link_findings
+    from day6_tui.core.ros.programs.day6_inspector.rules import link_findings
 
     if session.graph is not None:
         for finding in link_findings(state_of(session.graph)):
-            yield Complaint(finding.level == "error", finding.text)
+            yield Finding(finding.level == "error", finding.text)
     if os.environ.get("DAY6_LINK") == "off":
-        yield Complaint(False, "The link to other programs is switched off (DAY6_LINK=off).")
+        yield Finding(False, "The link to other programs is switched off (DAY6_LINK=off).")
 
 
-def _check_qos(session: Session, node: Node) -> Iterator[Complaint]:
+def _check_qos(session: Session, node: Node) -> Iterator[Finding]:
     from rclpy.qos import QoSCompatibility
 
     for topic, _, _, compatibility, reason in _pairs(node):
         text = reason.partition(": ")[2] if reason.lower().startswith(("warning: ", "error: ")) else reason
         if compatibility == QoSCompatibility.WARNING:
-            yield Complaint(False, f"QoS compatibility warning found on topic '{topic}': {text}")
+            yield Finding(False, f"QoS compatibility warning found on topic '{topic}': {text}")
         elif compatibility == QoSCompatibility.ERROR:
-            yield Complaint(True, f"QoS compatibility error found on topic '{topic}': {text}")
+            yield Finding(True, f"QoS compatibility error found on topic '{topic}': {text}")
 
 
-def _check_topics(session: Session, node: Node) -> Iterator[Complaint]:
+def _check_topics(session: Session, node: Node) -> Iterator[Finding]:
     for topic, _ in node.get_topic_names_and_types():
         publishers, subscribers = node.count_publishers(topic), node.count_subscribers(topic)
         if topic in _SKIPPED:
             continue
         if publishers and not subscribers:
-            yield Complaint(False, f"Publisher without subscriber detected on {topic}.")
+            yield Finding(False, f"Publisher without subscriber detected on {topic}.")
         elif subscribers and not publishers:
-            yield Complaint(False, f"Subscriber without publisher detected on {topic}.")
+            yield Finding(False, f"Subscriber without publisher detected on {topic}.")
 
 
 def _pairs(node: Node) -> Iterator[tuple[str, Any, Any, Any, str]]:
-    """Yield `(topic, publisher, subscription, compatibility, reason)` of everyone with everyone on a topic."""
+    """Yield `(topic, publisher, subscription, compatibility, reason)` for every publisher and subscription of every topic."""
     from rclpy.qos import qos_check_compatible
 
     for topic, _ in node.get_topic_names_and_types():
@@ -130,7 +130,7 @@ def _pairs(node: Node) -> Iterator[tuple[str, Any, Any, Any, str]]:
 
 def _report_network(session: Session, node: Node) -> Iterator[tuple[str, object]]:
     from day6_tui.core.link import state_of
-    from day6_tui.core.ros.programs.day6_inspector._rules import link_findings
+    from day6_tui.core.ros.programs.day6_inspector.rules import link_findings
     from day6_tui.core.ros.ros2.doctor._network import interfaces
 
     if session.graph is not None:
@@ -140,7 +140,7 @@ def _report_network(session: Session, node: Node) -> Iterator[tuple[str, object]
 
 
 def _report_packages(session: Session, node: Node) -> Iterator[tuple[str, object]]:
-    """What is installed; which version is the newest one only the internet knows, and this machine may have none."""
+    """Report the installed packages. Their newest versions are on the internet only, which this machine may not reach."""
     from pathlib import Path
     from xml.etree import ElementTree
 
@@ -162,8 +162,8 @@ def _report_distribution(session: Session, node: Node) -> Iterator[tuple[str, ob
         yield "distribution type", f"ros{session.env.get('ROS_VERSION', '2')}"
 
 
-def _ask_platform() -> None:
-    """Python starts `uname` and `ver` for this, and remembers what they said."""
+def _query_platform() -> None:
+    """Fill the cache of `platform`, which starts `uname` or `ver` the first time."""
     import platform
 
     platform.platform()
@@ -209,12 +209,12 @@ def _report_topics(session: Session, node: Node) -> Iterator[tuple[str, object]]
         yield "subscriber count", node.count_subscribers(topic) if topics else 0
 
 
-CHECKS: dict[str, Callable[[Session, Node], Iterator[Complaint]]] = {
+CHECKS: dict[str, Callable[[Session, Node], Iterator[Finding]]] = {
     "network": _check_network,
     "middleware": _check_qos,
     "topic": _check_topics,
 }
-"""By category: what `Failed modules:` names."""
+"""By category, the names that `Failed modules:` lists."""
 
 REPORTS: dict[str, tuple[str, Callable[[Session, Node], Iterator[tuple[str, object]]]]] = {
     "NETWORK CONFIGURATION": ("network", _report_network),
@@ -225,4 +225,4 @@ REPORTS: dict[str, tuple[str, Callable[[Session, Node], Iterator[tuple[str, obje
     "ROS 2 INFORMATION": ("platform", _report_distribution),
     "TOPIC LIST": ("topic", _report_topics),
 }
-"""By title: the category they belong to, and what gives their rows."""
+"""By title: the category, and the function that yields the rows."""

@@ -1,4 +1,4 @@
-"""`ros2 doctor hello`: says hello on a topic and by multicast, and counts from which other machines a hello comes."""
+"""`ros2 doctor hello`: sends a hello on a topic and by multicast, and counts the hellos of each other machine."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _positive(kind: type[float]) -> Callable[[str], Any]:
         except ValueError:
             value = kind(-1)
         if value <= 0:
-            # The braces are the real command's.
+            # The braces are in the real command's text too.
             raise ArgumentTypeError("value must be a positive {type_.__name__}")
         return value
 
@@ -71,13 +71,13 @@ async def main(session: Session, args: Namespace) -> None:
     node = await direct_node(session, None, name)
     counts = _Counts()
 
-    def hear(message: Any) -> None:
+    def receive(message: Any) -> None:
         sender = _sender(message.data)
         if sender not in ("", host):
             counts.subscribed[sender] += 1
 
     publisher = node.create_publisher(String, args.topic, qos_profile_system_default)
-    node.create_subscription(String, args.topic, hear, qos_profile_system_default)
+    node.create_subscription(String, args.topic, receive, qos_profile_system_default)
     session.executor.add_node(node)
     hello = f"hello, it's me {host}"
     with member(GROUP, PORT) as receiver:
@@ -118,7 +118,7 @@ def _sender(text: str) -> str:
 
 
 class _Counts:
-    """What was sent and heard since the last table."""
+    """Messages sent and received since the last table."""
 
     def __init__(self) -> None:
         self.emitted = 0

@@ -27,7 +27,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     from rosidl_runtime_py.get_interfaces import get_interfaces
 
     if not args.package_name:
-        raise AssertionError("The resource name must not be empty")  # as the ament index does
+        raise AssertionError("The resource name must not be empty")  # as in the ament index
     wanted = {"msg": args.only_msgs, "srv": args.only_srvs, "action": args.only_actions}
     try:
         found = get_interfaces([args.package_name], session.env)
@@ -42,5 +42,5 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 def kinds_order(name: str) -> int:
-    """Messages first, then services, then actions."""
+    """Return the sort key of a name: messages first, then services, then actions."""
     return ("msg", "srv", "action").index(name.partition("/")[0])

@@ -1,4 +1,4 @@
-"""`ros2 interface show`: the text of a definition, with the definitions of its fields' types indented below them."""
+"""`ros2 interface show`: the text of a definition, with the definitions of the fields' types indented below the fields."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def definition_lines(
 
 
 def _nested_type(line: str, package: str) -> str | None:
-    """Return the full name of the message type of a field, None for every other line."""
+    """Return the full name of a field's message type, None for any other line."""
     words = line.partition("#")[0].split()
     if len(words) < 2 or _PRIMITIVE.match(words[0]) or words[0] == "---":
         return None
@@ -87,5 +87,5 @@ def _nested_type(line: str, package: str) -> str | None:
 
 
 def _without_comment(line: str) -> str | None:
-    """Return what a line says beside its comment, None if nothing."""
+    """Return a line without its comment, None if nothing is left."""
     return line.partition("#")[0].rstrip() or None

@@ -1,8 +1,8 @@
-"""`ros2 launch`: finds the launch file, checks the arguments, and starts the launch as a process of its own.
+"""`ros2 launch`: finds the launch file, checks the arguments, and starts the launch as a separate process.
 
-The process is `core/ros/python/launch/_process`: a launch file is its author's program, and neither it nor what it launches may
-hold up this one. Programs of ours that it launches come back here to be run, with their windows, if this is in the desktop (or
-`day6-tui exec`); see `_host`. In a real terminal they are processes like all others.
+The process is `_process` in this folder: a launch file is its author's program, and neither it nor what it launches may
+block this one. In the desktop (or `day6-tui exec`) this process runs those of our programs that it launches, with their
+windows; see `_host`. In a real terminal they are processes like all others.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from day6_tui.core.ros.environment import PYTHON_PATH
-from day6_tui.core.ros.ros2.cli.completion import Typed, package_names
+from day6_tui.core.ros.environment import LAUNCH_PROCESS
+from day6_tui.core.ros.ros2.cli.completion import CompletionContext, package_names
 from day6_tui.core.ros.ros2.cli.options import completed
 from day6_tui.core.session.real_streams import RealOutput
 
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
 
 SUMMARY = "Run a launch file"
-_PROCESS = PYTHON_PATH / "launch" / "_process"
 _EXTENSIONS = ("launch.py", "launch.xml", "xml", "launch", "launch.yaml", "launch.yml", "yaml", "yml")
-"""How the names of launch files end."""
+"""The endings of launch file names."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -87,7 +86,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         ),
         launch_arguments,
     )
-    rest.required = True  # Pythons before 3.13 name it among the missing ones
+    rest.required = True  # Python before 3.13 lists it among the missing arguments
 
 
 async def main(session: Session, args: Namespace) -> int:
@@ -99,7 +98,7 @@ async def main(session: Session, args: Namespace) -> int:
     if args.launch_prefix_filter:
         arguments.append(f"launch-prefix-filter:={args.launch_prefix_filter}")
     show = "description" if args.print else "arguments" if args.show_args else ""
-    options = {
+    options: dict[str, object] = {
         "path": path,
         "argv": arguments,
         "arguments": [] if show else list(parsed_arguments(arguments).items()),
@@ -107,25 +106,31 @@ async def main(session: Session, args: Namespace) -> int:
         "noninteractive": args.noninteractive,
         "show": show,
         "guarded": isinstance(session.stdout, RealOutput),
+        "terminals": (),
     }
     env = dict(session.env)
     if args.show_all_subprocesses_output:
         env["OVERRIDE_LAUNCH_PROCESS_OUTPUT"] = "both"
-    words = [str(_PROCESS), "launch", json.dumps(options)]
-    if session.shell is None and os.name == "posix":
-        _become_python(session, words, env)
-    if not show and hasattr(session.shell, "desk"):
+    if session.host is None and os.name == "posix":
+        _become_python(session, _words(options), env)
+    if not show and session.host is not None and session.host.starts_programs:
         from day6_tui.core.ros.ros2.launch._host import VARIABLE, Host
 
-        host = Host(session)
+        host = Host(session, session.host)
         session.defer(host.close)
         env[VARIABLE] = host.address
+        options["terminals"] = session.host.terminals
     session.env = env
-    return await session.run_python(words)
+    return await session.run_python(_words(options))
+
+
+def _words(options: dict[str, object]) -> list[str]:
+    """Return the arguments of the Python process that launches."""
+    return [str(LAUNCH_PROCESS), "launch", json.dumps(options)]
 
 
 def _become_python(session: Session, words: list[str], env: dict[str, str]) -> NoReturn:
-    """Go on as the launch in this very process: that of `ros2` in a real terminal has nothing left to do."""
+    """Replace this process with the launch: a `ros2` in a real terminal has nothing left to do."""
     session.stdout.flush()
     session.stderr.flush()
     os.chdir(session.cwd)
@@ -133,7 +138,7 @@ def _become_python(session: Session, words: list[str], env: dict[str, str]) -> N
 
 
 def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
-    """Return the launch file's path, relative to the session's folder as given, and the words that are its arguments."""
+    """Return the launch file's path (relative to the session's folder if so given) and the words of its arguments."""
     words = list(args.launch_arguments)
     if (session.cwd / args.package_name).is_file():
         if args.launch_file_name is not None:
@@ -162,70 +167,70 @@ def _path_and_words(session: Session, args: Namespace) -> tuple[str, list[str]]:
 
 
 def parsed_arguments(words: list[str]) -> dict[str, str]:
-    """Return `{name: value}` of the words `name:=value`; RuntimeError for any other word."""
+    """Return `{name: value}` of the words `name:=value`. Raises RuntimeError for any other word."""
     found: dict[str, str] = {}
     for word in words:
-        name, sign, value = word.partition(":=")
-        if not sign or not name or (not value and word.count(":=") == 1):
+        name, separator, value = word.partition(":=")
+        if not separator or not name or (not value and word.count(":=") == 1):
             raise RuntimeError(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
         found.pop(name, None)
         found[name] = value
     return found
 
 
-def packages_and_files(typed: Typed) -> Iterable[str]:
+def packages_and_files(context: CompletionContext) -> Iterable[str]:
     """Complete the name of a package, or the path of a launch file."""
-    folder = os.path.dirname(typed.prefix)
+    folder = os.path.dirname(context.prefix)
     begun = folder.rstrip("/") + "/" if folder else ""
-    where = _path(typed, begun)
+    where = _path(context, begun)
     try:
         entries = sorted(where.iterdir())
     except OSError:
         entries = []
-    hidden = os.path.basename(typed.prefix).startswith(".")
+    hidden = os.path.basename(context.prefix).startswith(".")
     shown = [each for each in entries if hidden or not each.name.startswith(".")]
     folders = [f"{begun}{each.name}/" for each in shown if each.is_dir()]
     files = [f"{begun}{each.name}" for each in shown if _is_launch_file(each)]
-    return [*([] if begun else package_names(typed)), *folders, *files]
+    return [*([] if begun else package_names(context)), *folders, *files]
 
 
-def launch_file_names(typed: Typed) -> Iterable[str]:
-    """Complete the names of launch files of the package that was typed before; after a file, its arguments."""
-    if _typed_file(typed).is_file():
-        return launch_arguments(typed)
-    share = _typed_share(typed)
+def launch_file_names(context: CompletionContext) -> Iterable[str]:
+    """Complete the names of launch files of the package named before; after a file, its arguments."""
+    if _named_file(context).is_file():
+        return launch_arguments(context)
+    share = _named_share(context)
     return [path.name for path in Path(share).rglob("*") if _is_launch_file(path)] if share else []
 
 
-def launch_arguments(typed: Typed) -> Iterable[str]:
-    """Complete `name:=`, then the value, of the arguments that the launch file declares."""
+def launch_arguments(context: CompletionContext) -> Iterable[str]:
+    """Complete `name:=`, then the value, of an argument that the launch file declares."""
     from day6_tui.core.ros.ros2.launch._declared import find_file, offered
 
-    file: Path | None = _typed_file(typed)
+    file: Path | None = _named_file(context)
     if file is None or not file.is_file():
-        share = _typed_share(typed)
-        file = find_file(share, typed.values.get("launch_file_name", "")) if share else None
-    return offered(file, typed.prefix, typed.words) if file is not None else []
+        share = _named_share(context)
+        file = find_file(share, context.values.get("launch_file_name", "")) if share else None
+    return offered(file, context.prefix, context.words) if file is not None else []
 
 
-def _typed_file(typed: Typed) -> Path:
-    """What the first word would be as a file."""
-    return _path(typed, typed.values.get("package_name", ""))
+def _named_file(context: CompletionContext) -> Path:
+    """Return the first word as a path."""
+    return _path(context, context.values.get("package_name", ""))
 
 
-def _path(typed: Typed, text: str) -> Path:
-    """A path as it is typed; `~` is the home of the session."""
-    home = typed.session.env.get("HOME", "")
-    return typed.session.cwd / (home + text[1:] if text.startswith("~/") else text)
+def _path(context: CompletionContext, text: str) -> Path:
+    """Return the path that a text names; `~` is the session's home."""
+    home = context.session.env.get("HOME", "")
+    return context.session.cwd / (home + text[1:] if text.startswith("~/") else text)
 
 
-def _typed_share(typed: Typed) -> str:
+def _named_share(context: CompletionContext) -> str:
     from ament_index_python.packages import get_package_share_directory
 
     try:
         return str(
             get_package_share_directory(
-                typed.values.get("package_name", ""), print_warning=False, environment=typed.session.env
+                context.values.get("package_name", ""), print_warning=False, environment=context.session.env
             )
         )
     except (KeyError, ValueError):

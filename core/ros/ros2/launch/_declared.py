@@ -1,6 +1,6 @@
-"""Which arguments a launch file declares, read from its text: Tab must not run a program of the user's.
+"""The arguments that a launch file declares, read from its text: Tab must not run a user's program.
 
-Names and values that a Python file computes, and those of files it includes, are seen by `ros2 launch --show-args` only.
+Only `ros2 launch --show-args` sees names and values that a Python file computes, and those of included files.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from typing import NamedTuple
 
 _TRUTH = ("true", "false")
 _MOST = 1_000_000
-"""Bytes of a file that is still read; a launch file is never as long."""
+"""The largest file that is read, in bytes; launch files are never that long."""
 
 
 class Declared(NamedTuple):
-    """An argument: its name, and the values that are worth offering (the choices, or the default and what is like it)."""
+    """An argument: its name, and the values worth offering (the choices, or the default and its opposite)."""
 
     name: str
     values: tuple[str, ...]
 
 
 def declared_arguments(file: Path) -> list[Declared]:
-    """Return the arguments that a launch file declares, in its order; none for a file that cannot be read."""
+    """Return the arguments that a launch file declares, in its order; empty for a file that cannot be read."""
     try:
         text = file.read_text(encoding="utf-8") if file.stat().st_size <= _MOST else ""
         if file.name.endswith(".py"):
@@ -40,12 +40,12 @@ def _declared(name: object, default: object, choices: Iterable[object] = ()) -> 
     offered = [str(choice) for choice in choices] or [default if isinstance(default, str) else ""]
     if offered[0].lower() in _TRUTH and len(offered) == 1:
         offered += [word for word in _TRUTH if word != offered[0].lower()]
-    # A substitution, as `$(find-pkg-share …)`, is no text to begin with.
+    # A substitution such as `$(find-pkg-share …)` isn't worth completing.
     return Declared(name, tuple(value for value in offered if value and "$(" not in value))
 
 
 def _python(text: str) -> Iterable[Declared]:
-    # ast.walk goes level by level; the order of the file is that of the lines.
+    # ast.walk goes level by level; we want the order of the lines.
     calls = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Call)]
     for call in sorted(calls, key=lambda node: (node.lineno, node.col_offset)):
         function = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
@@ -77,7 +77,7 @@ def _xml(text: str) -> Iterable[Declared]:
         return
     for element in root.iter("arg"):
         choices = [choice.get("value") for choice in element.iter("choice")]
-        # Inside <include> an <arg> sets one of the other file's; those have a value.
+        # Inside <include> an <arg> sets an argument of the other file; only such ones have a value.
         found = None if element.get("value") else _declared(element.get("name"), element.get("default"), choices)
         if found is not None:
             yield found
@@ -102,15 +102,15 @@ def _yaml(text: str) -> Iterable[Declared]:
 
 
 def offered(file: Path, prefix: str, given: Iterable[str]) -> list[str]:
-    """Return what can stand for a word that begins with `prefix`: `name:=` of arguments not `given`, or `name:=value`."""
+    """Return completions of `prefix`: `name:=` of arguments that aren't in `given`, or `name:=value`."""
     arguments = declared_arguments(file)
-    name, sign, _ = prefix.partition(":=")
-    if sign:
+    name, separator, _ = prefix.partition(":=")
+    if separator:
         return [f"{name}:={value}" for argument in arguments if argument.name == name for value in argument.values]
     taken = {word.partition(":=")[0] for word in given}
     return [f"{argument.name}:=" for argument in arguments if argument.name not in taken]
 
 
 def find_file(folder: str, name: str) -> Path | None:
-    """Return the first file of that name below a package's share folder."""
-    return next((Path(place, name) for place, _, files in os.walk(folder) if name in files), None)
+    """Return the first file called `name` below a package's share folder."""
+    return next((Path(parent, name) for parent, _, files in os.walk(folder) if name in files), None)

@@ -1,6 +1,6 @@
-"""Runs programs of ours for a launch, which is a process of its own. The other end, and what is said, is `launch/_host.py`.
+"""Runs our programs for a launch, which is a separate process. `launch/_host.py` is the other end and has the protocol.
 
-They are programs of the desk like all others, with their windows; in `day6-tui exec`, which has no screen, they log.
+They are ordinary programs of the desk, with their windows; in `day6-tui exec`, which has no screen, they log.
 """
 
 from __future__ import annotations
@@ -20,22 +20,25 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from day6_tui.core.link.paths import LONGEST_SOCKET_PATH
+from day6_tui.core.session import host
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.session.streams import OutputStream
 
 VARIABLE = "DAY6_LAUNCH_HOST"
 ROOM = 1024 * 1024
-"""Characters of output that wait for the launch at most; what comes then is dropped, whole writes at a time, and counted."""
+"""The most characters of output that wait for the launch; beyond that whole writes are dropped, and counted."""
 
 _log = logging.getLogger(__name__)
 
 
 class Host:
-    """Listens for one launch. `close` ends the programs that run for it."""
+    """Serves one launch. `close` ends the programs that run for it."""
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, machine: host.Host) -> None:
         self._session = session
+        self._machine = machine
         self._programs: dict[int, Program] = {}
         self._connection: socket.socket | None = None
         self._folder: str | None = None
@@ -50,8 +53,9 @@ class Host:
 
     def _listen(self) -> socket.socket:
         if hasattr(socket, "AF_UNIX") and os.name == "posix":
-            # A folder that only this user can enter; short, because the path of a socket may have 104 characters.
-            self._folder = tempfile.mkdtemp(prefix="day6-")
+            # A folder that only this user can enter; in /tmp if a socket's name would be too long in TMPDIR.
+            long = len(os.fsencode(tempfile.gettempdir())) + len("/day6-12345678/launch") > LONGEST_SOCKET_PATH
+            self._folder = tempfile.mkdtemp(prefix="day6-", dir="/tmp" if long else None)
             path = os.path.join(self._folder, "launch")
             listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
             listener.bind(path)
@@ -79,15 +83,15 @@ class Host:
 
     def _interrupted(self) -> bool:
         self._send({"is": "interrupted"})
-        return False  # and what waits for the process hears it too
+        return False  # whatever waits for the process gets the signal too
 
-    # -- the connection, on threads of its own -------------------------------------------------------------------------
+    # -- connection, on its own threads --------------------------------------------------------------------------------
 
     def _serve(self) -> None:
         try:
             connection, _ = self._listener.accept()
         except OSError:
-            return  # closed before anybody came
+            return  # closed before the launch connected
         self._connection = connection
         with connection, connection.makefile("r", encoding="utf-8") as lines:
             if self._secret and not hmac.compare_digest(lines.readline().strip(), self._secret):
@@ -96,9 +100,9 @@ class Host:
             try:
                 for line in lines:
                     message = json.loads(line)
-                    self._session.scheduler.call_soon_threadsafe(partial(self._obey, message))
+                    self._session.scheduler.call_soon_threadsafe(partial(self._handle, message))
             except OSError:
-                pass  # as good as its end
+                pass  # the launch is gone: the same as the end of its input
             finally:
                 self._session.scheduler.call_soon_threadsafe(self._end_programs)
 
@@ -120,7 +124,7 @@ class Host:
                 return
 
     def _send(self, message: dict[str, Any]) -> bool:
-        """Queue a message; output is not queued (False) while too much is waiting."""
+        """Queue a message; returns False for output that finds the queue full."""
         data = json.dumps(message).encode("utf-8") + b"\n"
         with self._changed:
             if self._closed:
@@ -134,7 +138,7 @@ class Host:
 
     # -- programs, on the scheduler's thread ---------------------------------------------------------------------------
 
-    def _obey(self, message: dict[str, Any]) -> None:
+    def _handle(self, message: dict[str, Any]) -> None:
         if self._closed:
             return
         number: int = message["id"]
@@ -156,32 +160,22 @@ class Host:
         status = await program.wait()
         self._programs.pop(number, None)
         if program.killed_by == 2:
-            status = 0  # a node that is well written ends cleanly on Ctrl-C
+            status = 0  # a well-written node exits cleanly on Ctrl-C
         elif program.killed_by:
             status = -program.killed_by
         for stream in (program.session.stdout, program.session.stderr):
             if isinstance(stream, HostedOutput):
-                stream.tell_dropped()
+                stream.report_dropped()
         self._send({"is": "ended", "id": number, "code": status})
 
     def _start(self, number: int, message: dict[str, Any]) -> Program:
-        session = self._session
         argv, cwd = message["argv"], Path(message["cwd"])
         main, argv = self._main_of(message["kind"], argv)
-        out, err = (HostedOutput(partial(self._tell, number, fd)) for fd in (1, 2))
-        desk = session.shell.desk
-        from day6_tui.core.shell.language.redirection import Streams
-
-        program: Program = desk.start_program(
-            argv, main, Streams(InputStream(), out, err), env=message["env"], cwd=cwd, shell=session.shell
-        )
-        program.session.background = True
-        return program
+        out, err = (HostedOutput(partial(self._send_output, number, fd)) for fd in (1, 2))
+        return self._machine.start_beside(argv, main, out, err, env=message["env"], cwd=cwd)
 
     def _main_of(self, kind: str, argv: list[str]) -> tuple[Main, list[str]]:
-        """Return the program for a request, and its argv. LookupError if there is none."""
-        from day6_tui.core.shell.commands import builtin
-
+        """Return the program for a request, and its argv. Raises LookupError if there is none."""
         if kind == "program":
             from day6_tui.core.ros.programs import load
 
@@ -189,12 +183,12 @@ class Host:
             return load(package, name), argv
         if kind == "line":
             argv = ["bash", "-c", argv[0]]
-        command = builtin(argv[0].rpartition("/")[2])
+        command = self._machine.command(argv[0].rpartition("/")[2])
         if command is None:
             raise LookupError(f"{argv[0]}: command not found")
         return command, argv
 
-    def _tell(self, number: int, fd: int, text: str) -> bool:
+    def _send_output(self, number: int, fd: int, text: str) -> bool:
         return self._send({"is": "output", "id": number, "fd": fd, "text": text})
 
     def _end_programs(self) -> None:
@@ -203,24 +197,24 @@ class Host:
 
 
 class HostedOutput(OutputStream):
-    """Output of a program that runs for a launch: `tell(text)` sends it there, False when it is full."""
+    """Output of a program that runs for a launch; `send(text)` sends it there and returns False when the queue is full."""
 
-    def __init__(self, tell: Callable[[str], bool]) -> None:
-        self._tell = tell
+    def __init__(self, send: Callable[[str], bool]) -> None:
+        self._send = send
         self._dropped = 0
 
     def write(self, text: str) -> int:
         if not text:
             return 0
         if self._dropped:
-            self.tell_dropped()
-        if self._dropped or not self._tell(text):
+            self.report_dropped()
+        if self._dropped or not self._send(text):
             self._dropped += text.count("\n")
         return len(text)
 
-    def tell_dropped(self) -> None:
-        """Say how much is missing, if that finds room."""
-        if self._dropped and self._tell(f"… {self._dropped} lines dropped\n"):
+    def report_dropped(self) -> None:
+        """Write how many lines are missing, if the queue has room."""
+        if self._dropped and self._send(f"… {self._dropped} lines dropped\n"):
             self._dropped = 0
 
 

@@ -1,4 +1,4 @@
-"""Finds lifecycle nodes and talks to their services."""
+"""Finds lifecycle nodes and calls their services."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from day6_tui.core.ros.ros2.cli.node import direct_node, graph_node, node_names,
 from day6_tui.core.ros.ros2.cli.options import add_hidden_option, add_strategy_options, completed
 
 if TYPE_CHECKING:
-    from day6_tui.core.ros.ros2.cli.completion import Typed
+    from day6_tui.core.ros.ros2.cli.completion import CompletionContext
     from day6_tui.core.session.session import Session
     from rclpy.node import Node
 
@@ -27,7 +27,7 @@ def add_node_argument(
 
 
 async def lifecycle_nodes(session: Session, args: Namespace, *, hidden: bool) -> list[str]:
-    """Return the full names of the nodes that have a life cycle (a service `~/get_state` of the right type)."""
+    """Return the full names of the lifecycle nodes (those with a service `~/get_state` of the right type)."""
     async with graph_node(session, args) as node:
         return _with_lifecycle(node, hidden=hidden)
 
@@ -46,6 +46,7 @@ class LifecycleServices:
 
     @classmethod
     async def of(cls, session: Session, args: Namespace) -> LifecycleServices:
+        """Create the command's node."""
         node = await direct_node(session, args)
         session.executor.add_node(node)
         return cls(session, node)
@@ -53,7 +54,7 @@ class LifecycleServices:
     async def call(self, remote: str, service: str, kind: str, **fields: Any) -> Any:
         """Wait for a service of the node `remote`, call it and return the response.
 
-        RuntimeError if the call fails; it waits for a service that does not come, as the real command does.
+        Like the real command it waits for ever if the service does not appear. Raises RuntimeError if the call fails.
         """
         import lifecycle_msgs.srv
 
@@ -71,15 +72,15 @@ class LifecycleServices:
         return response
 
     async def transitions(self, remote: str, *, graph: bool = False) -> list[Any]:
-        """Return the transitions possible now as `lifecycle_msgs/msg/TransitionDescription`, or all there are."""
+        """Return the transitions possible now, or all (`graph`), as `lifecycle_msgs/msg/TransitionDescription`."""
         service = "get_transition_graph" if graph else "get_available_transitions"
         response = await self.call(remote, service, "GetAvailableTransitions")
         return list(response.available_transitions)
 
 
-def lifecycle_node_names(typed: Typed) -> Iterable[str]:
-    """Complete the name of a node that has a life cycle."""
-    graph = typed.session.graph
+def lifecycle_node_names(context: CompletionContext) -> Iterable[str]:
+    """Complete the name of a lifecycle node."""
+    graph = context.session.graph
     if graph is None:
         return []
     return sorted(
@@ -92,15 +93,15 @@ def lifecycle_node_names(typed: Typed) -> Iterable[str]:
     )
 
 
-async def transition_labels(typed: Typed) -> Iterable[str]:
-    """Complete a transition by what the node named before can do now."""
-    remote = typed.values.get("node_name", "")
-    if remote not in lifecycle_node_names(typed):
+async def transition_labels(context: CompletionContext) -> Iterable[str]:
+    """Complete a transition that is possible now in the node named before."""
+    remote = context.values.get("node_name", "")
+    if remote not in lifecycle_node_names(context):
         return []
-    node = await direct_node(typed.session)
-    typed.session.executor.add_node(node)
+    node = await direct_node(context.session)
+    context.session.executor.add_node(node)
     try:
-        found = await LifecycleServices(typed.session, node).transitions(remote)
+        found = await LifecycleServices(context.session, node).transitions(remote)
     finally:
         node.destroy_node()
     return [each.transition.label for each in found]

@@ -1,4 +1,4 @@
-"""The arguments of both verbs, and the sockets."""
+"""The arguments that both verbs share, and the sockets."""
 
 from __future__ import annotations
 
@@ -6,18 +6,17 @@ import socket
 import struct
 from argparse import ArgumentParser
 
-from day6_tui.core.ros.ros2.cli.options import number_type
+from day6_tui.core.ros.ros2.cli.options import positive_int
 
 GROUP = "225.0.0.1"
 PORT = 49150
 LARGEST = 4096
 
-positive = number_type(int, lambda value: value > 0, "value must be a positive integer")
-
 
 def add_group_arguments(parser: ArgumentParser) -> None:
+    """Add the address and the port of the group."""
     parser.add_argument("--group", default=GROUP, help="The multicast group address")
-    parser.add_argument("--port", type=positive, default=PORT, help="The multicast port")
+    parser.add_argument("--port", type=positive_int, default=PORT, help="The multicast port")
 
 
 def send(data: bytes, group: str, port: int, ttl: int | None) -> None:
@@ -29,11 +28,11 @@ def send(data: bytes, group: str, port: int, ttl: int | None) -> None:
 
 
 def member(group: str, port: int) -> socket.socket:
-    """Return a socket that hears the group; close it in the end. Raises OSError or OverflowError."""
+    """Return a socket that receives from the group; the caller closes it. Raises OSError or OverflowError."""
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP)
     try:
         receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        if hasattr(socket, "SO_REUSEPORT"):  # Windows has none
+        if hasattr(socket, "SO_REUSEPORT"):  # Windows doesn't have it
             receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
         receiver.bind(("", port))
         membership = struct.pack("=4sl", socket.inet_aton(group), socket.INADDR_ANY)

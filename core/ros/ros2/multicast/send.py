@@ -5,7 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from day6_tui.core.ros.ros2.multicast._group import add_group_arguments, positive, send
+from day6_tui.core.ros.ros2.cli.options import positive_int
+from day6_tui.core.ros.ros2.multicast._group import add_group_arguments, send
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -15,7 +16,7 @@ SUMMARY = "Send a single UDP multicast packet"
 
 def add_arguments(parser: ArgumentParser) -> None:
     add_group_arguments(parser)
-    parser.add_argument("--ttl", type=positive, help="The multicast TTL")
+    parser.add_argument("--ttl", type=positive_int, help="The multicast TTL")
 
 
 async def main(session: Session, args: Namespace) -> None:

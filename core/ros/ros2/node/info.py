@@ -6,8 +6,9 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from day6_tui.core.graph.names import is_hidden
 from day6_tui.core.ros.ros2.cli import completion
-from day6_tui.core.ros.ros2.cli.node import graph_node, is_hidden, node_names, split_name
+from day6_tui.core.ros.ros2.cli.node import graph_node, node_names, split_name
 from day6_tui.core.ros.ros2.cli.options import add_strategy_options, completed
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Talks to the parameter services of a node, and the arguments that all verbs of `ros2 param` share."""
+"""Calls the parameter services of a node; the arguments that all verbs of `ros2 param` share."""
 
 from __future__ import annotations
 
@@ -35,6 +35,7 @@ def add_node_argument(parser: ArgumentParser, *, optional: bool = False) -> None
 
 
 def add_timeout_option(parser: ArgumentParser) -> None:
+    """Add `--timeout`, the seconds to wait for the node."""
     parser.add_argument(
         "--timeout",
         metavar="N",
@@ -67,17 +68,17 @@ class ParameterServices:
 
     @classmethod
     async def of(cls, session: Session, args: Namespace, remote: str) -> ParameterServices:
-        """Make the command's node and the clients of all six services."""
+        """Create the command's node."""
         node = await direct_node(session, args)
         session.executor.add_node(node)
         return cls(session, node, remote)
 
     def for_node(self, remote: str) -> ParameterServices:
-        """Return the services of another node, called from the same one."""
+        """Return the services of another node, called from the same command's node."""
         return ParameterServices(self.session, self.node, remote)
 
     async def ready(self, seconds: float = SERVICES_SECONDS) -> bool:
-        """Wait until all services are there; False after some seconds."""
+        """Wait until all six services are available; returns False after `seconds`."""
         import rcl_interfaces.srv
 
         for kind, service in _SERVICES.items():
@@ -93,7 +94,7 @@ class ParameterServices:
         return True
 
     async def call(self, kind: str, **fields: Any) -> Any:
-        """Call a service and return its response; RuntimeError if the services do not come or the call fails."""
+        """Call a service and return its response. Raises RuntimeError if no services appear or the call fails."""
         if not await self.ready():
             raise RuntimeError(f"Wait for service timed out waiting for parameter services for node {self.remote}")
         client = self._clients[kind]
@@ -106,7 +107,7 @@ class ParameterServices:
 
 
 def print_result(session: Session, result: Any, success: str, failure: str) -> None:
-    """Print what a node answered to a change of one parameter: failures go to stderr, the exit status stays 0."""
+    """Print a node's result for a change of one parameter: failures go to stderr, the exit status stays 0."""
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:
         session.print(success + reason)
@@ -115,7 +116,7 @@ def print_result(session: Session, result: Any, success: str, failure: str) -> N
 
 
 async def listed_parameters(session: Session, node_name: str) -> list[str]:
-    """Return the parameter names of a node (for Tab); none if it is not there or does not answer soon."""
+    """Return the parameter names of a node (for Tab); empty if it doesn't exist or doesn't respond soon."""
     node = await direct_node(session)
     session.executor.add_node(node)
     try:

@@ -1,4 +1,4 @@
-"""Parameter values: from the text of a command line, to Python, and the names of their types."""
+"""Parameter values: read from the text of a command line, converted to Python, and the names of their types."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ def type_name(kind: int) -> str:
 
 
 def label(kind: int) -> str:
-    """Return what `param get` prints before a value."""
+    """Return the label that `param get` prints before a value."""
     return _KINDS[kind][2]
 
 
 def is_known(kind: int) -> bool:
-    """Say whether a type number has a value."""
+    """Return whether a type number is one of those that have a value."""
     return kind in _KINDS
 
 
 def python_value(value: ParameterValue) -> Any:
-    """Return the value as Python's own type, arrays as lists; None if it is not set."""
+    """Return the value as a Python type, arrays as lists; None if it is not set."""
     if value.type == NOT_SET:
         return None
     found = getattr(value, _KINDS[value.type][0])
@@ -66,7 +66,7 @@ def value_from_text(text: str) -> ParameterValue:
 
 
 def value_of(found: Any) -> ParameterValue:
-    """Return the ParameterValue of a value that is YAML already (a parameter file)."""
+    """Return the ParameterValue of a value that YAML has already parsed (from a parameter file)."""
     from rcl_interfaces.msg import ParameterValue
 
     kind = _kind_of(found)

@@ -34,7 +34,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     if not await found_node(session, args):
         return "Node not found"
     services = await ParameterServices.of(session, args, args.node_name)
-    # A parameter set to "not set" (the default value of the message) is one undeclared.
+    # Setting a parameter to "not set" (the message's default value) undeclares it.
     response = await services.call("SetParameters", parameters=[Parameter(name=args.parameter_name)])
     print_result(session, response.results[0], "Deleted parameter successfully", "Deleting parameter failed")
     return None

@@ -51,7 +51,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 def _insert(tree: dict[str, Any], name: str, value: Any) -> None:
-    """Put `a.b.c` into nested dicts."""
+    """Insert the value of `a.b.c` into nested dicts."""
     first, dot, rest = name.partition(".")
     if dot:
         _insert(tree.setdefault(first, {}), rest, value)

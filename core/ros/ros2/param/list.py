@@ -34,7 +34,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> str | None:
     async with graph_node(session, args) as node:
-        # By their names first and then by their namespaces, as the real command sorts them.
+        # Sorted by name first and then by namespace, as in the real command.
         names = sorted(set(node_names(node, hidden=args.include_hidden_nodes)), key=split_name)
     if args.node_name:
         wanted = absolute(args.node_name)
@@ -62,7 +62,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 def _node_name(full_name: str) -> str:
-    """Return what ros2cli prints for a node where it forgets to take its full name."""
+    """Return what ros2cli prints for a node where it formats the tuple instead of the full name."""
     name, namespace = split_name(full_name)
     return f"NodeName(name={name!r}, namespace={namespace!r}, full_name={full_name!r})"
 

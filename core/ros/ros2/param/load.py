@@ -19,7 +19,7 @@ from day6_tui.core.ros.ros2.param._services import (
     print_result,
 )
 from day6_tui.core.ros.ros2.param._values import value_of
-from day6_tui.core.session.patient_files import refuse
+from day6_tui.core.session.blocking_files import refuse
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -62,15 +62,15 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 MOST_PARAMETERS = 100_000
-"""Aliases of YAML make any number of them out of a few lines."""
+"""A few lines of YAML can expand to any number through aliases."""
 
 
 def parameters_of_file(
     session: Session, file_name: str, node_name: str, abandoned: threading.Event, *, wildcard: bool
 ) -> dict[str, Any]:
-    """Return `{name: value}` of what a parameter file has for a node; what is for the node itself overrides `/**`.
+    """Return `{name: value}` of a node's parameters in a parameter file; the node's own section overrides `/**`.
 
-    Raises OSError, yaml.YAMLError, KeyError for a section without `ros__parameters`, and RuntimeError if there is nothing.
+    Raises OSError, yaml.YAMLError, KeyError for a section without `ros__parameters`, RuntimeError without parameters.
     """
     try:
         path = session.cwd / file_name
@@ -80,7 +80,7 @@ def parameters_of_file(
     except OSError as error:
         error.filename = file_name
         raise
-    stream.name = file_name  # errors of YAML name the file as the user did
+    stream.name = file_name  # YAML's errors then name the file as the user did
     content = load(stream, abandoned)
     name, namespace = split_name(node_name)
     found: dict[str, Any] = {}
@@ -92,7 +92,7 @@ def parameters_of_file(
 
 
 def _sections(content: Any, full_name: str, name: str, namespace: str, wildcard: bool) -> list[Any]:
-    known = content.keys()  # AttributeError for a file that is no mapping, as the real command ends with it
+    known = content.keys()  # AttributeError for a file that isn't a mapping, as in the real command
     sections = [content["/**"]] if wildcard and "/**" in known else []
     if full_name in known:
         sections.append(content[full_name])

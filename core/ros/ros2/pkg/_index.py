@@ -1,4 +1,4 @@
-"""Packages and executables as a session sees them: its AMENT_PREFIX_PATH first, then what came with day6-tui."""
+"""The packages and executables of a session: those on its AMENT_PREFIX_PATH first, then those of day6-tui."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Executable(NamedTuple):
-    """An executable of a package. `path` is where it lies; a built-in one is a module there, not a file to start."""
+    """An executable of a package. A built-in one is a module of ours: its `path` is not a file that can be started."""
 
     name: str
     path: Path
@@ -42,7 +42,7 @@ def executables(session: Session, package: str) -> list[Executable] | None:
         return None
     folder = Path(prefix, "lib", package)
     if prefix == BUILT_IN_PREFIX:
-        from day6_tui.core.ros.programs import executables as built_in
+        from day6_tui.core.ros.program_index import executables as built_in
 
         return [Executable(name, folder / name, True) for name in sorted(built_in(package))]
     files = [
@@ -53,19 +53,19 @@ def executables(session: Session, package: str) -> list[Executable] | None:
         and not _in_hidden_folder(path, folder)
         and not _is_launcher(path)
     ]
-    return sorted([*files, *_stand_ins(prefix, package)], key=lambda each: each.path)
+    return sorted([*files, *_replacements(prefix, package)], key=lambda each: each.path)
 
 
-def _stand_ins(prefix: str, package: str) -> list[Executable]:
-    """Return our programs that take the place of C++ ones which the build of a package left out."""
-    from day6_tui.core.workspace.left_out import noted_programs, stand_ins
+def _replacements(prefix: str, package: str) -> list[Executable]:
+    """Return our programs that replace the C++ ones which the build of a package left out."""
+    from day6_tui.core.ros.left_out import noted_programs, replacements
 
     folder = Path(BUILT_IN_PREFIX, "lib", package)
-    return [Executable(name, folder / name, True) for name in stand_ins(package, noted_programs(prefix, package))]
+    return [Executable(name, folder / name, True) for name in replacements(package, noted_programs(prefix, package))]
 
 
 def _name(path: Path) -> str:
-    """On Windows the script of `talker` is talker-script.py, and talker.exe starts it."""
+    """Return the executable's name; on Windows the script of `talker` is talker-script.py, which talker.exe starts."""
     return path.name.removesuffix("-script.py") if sys.platform == "win32" else path.name
 
 

@@ -89,7 +89,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 def _user(session: Session) -> str:
-    """Return who is logged in, asked of the variables that getpass asks."""
+    """Return the user's name from the variables that getpass reads."""
     names = ("LOGNAME", "USER", "LNAME", "USERNAME")
     return next((session.env[name] for name in names if session.env.get(name)), "root")
 

@@ -21,6 +21,6 @@ async def main(session: Session, args: Namespace) -> None:
     from day6_tui.core.ros.ros2.pkg._index import packages, prefix_of
 
     for name in packages(session):
-        # Our own examples are in no real ROS: `ros2 pkg list | grep day6` has to find what the student has built, or nothing.
+        # Real ROS doesn't have our examples: `ros2 pkg list | grep day6` has to find the student's packages only.
         if not (name.startswith("day6_") and prefix_of(session, name) == BUILT_IN_PREFIX):
             session.print(name)

@@ -1,4 +1,4 @@
-"""The answer of every verb, and the arguments that several have."""
+"""The refusal of every verb, and the argument that several of them share."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ if TYPE_CHECKING:
 
 
 def add_root_argument(parser: ArgumentParser) -> None:
+    """Add ROOT, the path of the keystore."""
     parser.add_argument("ROOT", type=Path, help="root path of keystore")
 
 
 async def refuse(session: Session, args: Namespace) -> str:
-    """Say what the command cannot; exit status 1."""
+    """Return why the verb can't do anything; the exit status is 1."""
     return (
-        f"{' '.join(session.argv[:3])}: there is no security in day6-tui: its programs meet inside of this machine, "
+        f"{' '.join(session.argv[:3])}: there is no security in day6-tui: its programs communicate within this machine, "
         "without DDS and without keys.\nIn a real ROS 2 this command belongs to the package sros2, "
         "and ROS_SECURITY_ENABLE=true switches it on."
     )

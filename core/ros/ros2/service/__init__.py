@@ -1,4 +1,7 @@
-"""`ros2 service …`."""
+"""`ros2 service …`.
+
+Each public module is a verb, imported by the command tree only (see `ros2`).
+"""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 def _service_class(type_name: str) -> tuple[str, Any]:
-    """Return `(package, class)` of a service type, which may leave the `srv` out."""
+    """Return `(package, class)` of a service type, in which `srv/` may be missing."""
     parts = type_name.split("/")
     if len(parts) == 2:
         parts.insert(1, "srv")

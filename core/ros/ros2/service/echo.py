@@ -1,4 +1,4 @@
-"""`ros2 service echo`: what a service with introspection tells of its requests and responses."""
+"""`ros2 service echo`: the requests and responses of a service that has introspection switched on."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ async def main(session: Session, args: Namespace) -> None:
     from rclpy.qos import QoSPresetProfiles
 
     if args.service_type is None:
-        async with graph_node(session, args) as asked:
-            kind = _class_of_service(asked, args.service_name)
+        async with graph_node(session, args) as query_node:
+            kind = _class_of_service(query_node, args.service_name)
     else:
         kind = _class_of_type(args.service_type)
     topic = args.service_name + EVENT_TOPIC
@@ -51,7 +51,7 @@ async def main(session: Session, args: Namespace) -> None:
 
 
 def _class_of_service(node: Node, name: str) -> Any:
-    """Return the class of a service that is there; RuntimeError if nobody has it, or with several types or an unknown one."""
+    """Return the class of a service in the graph. Raises RuntimeError if it is missing or has several or unknown types."""
     types = dict(node.get_service_names_and_types()).get(name)
     if types is None:
         raise RuntimeError(f"Cannot find type for '{name}'")

@@ -1,4 +1,8 @@
-"""`ros2 topic …`."""
+"""`ros2 topic …`.
+
+Each public module is a verb, imported by the command tree only (see `ros2`); modules with an underscore are shared by
+them.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The expressions of `--filter`: Python's own syntax and meaning, but only what looks at a message, never what acts.
+"""The expressions of `--filter`: Python's syntax and meaning, restricted to reading a message, without side effects.
 
 The real tool gives the text to `eval`. Here the syntax tree is walked, and only the node types below exist: values,
 comparisons, arithmetic, indexing, public attributes, comprehensions, and calls of harmless functions and methods.
@@ -37,7 +37,7 @@ _GROWING = frozenset(
         "zfill",
     ]
 )
-"""Methods of str that make much out of little, or read attributes."""
+"""Methods of str that make large values from small ones, or read attributes."""
 
 _METHODS: dict[type, frozenset[str]] = {
     str: frozenset(name for name in dir(str) if not name.startswith("_")) - _GROWING,
@@ -76,23 +76,23 @@ _COMPARE: dict[type, Callable[[Any, Any], Any]] = {
     ast.GtE: operator.ge,
     ast.Is: operator.is_,
     ast.IsNot: operator.is_not,
-    ast.In: lambda one, many: one in many,
-    ast.NotIn: lambda one, many: one not in many,
+    ast.In: lambda item, container: item in container,
+    ast.NotIn: lambda item, container: item not in container,
 }
 
 LONGEST = 1_000_000
-"""Bits of a number, items of a sequence: a filter runs in the desktop and must not eat its memory."""
+"""The most bits of a number or items of a sequence: a filter runs in the desktop and must not use up its memory."""
 
 STEPS = 200_000
-"""Parts of the expression evaluated for one message (half a second): nor its time."""
+"""The most parts of an expression that are evaluated for one message (half a second): nor use up its time."""
 
 
 class FilterError(RuntimeError):
-    """The expression uses something that a filter cannot."""
+    """The expression uses something that filters don't allow."""
 
 
 def evaluate(expression: str, message: Any) -> Any:
-    """Return the value of the expression with `m` as the message; raises SyntaxError and what Python would raise."""
+    """Return the value of the expression with `m` as the message. Raises FilterError, SyntaxError, any error of Python."""
     return _Evaluation({**_NAMES, "m": message}).of(_parsed(expression))
 
 
@@ -229,7 +229,7 @@ def _bound(target: ast.expr, value: Any) -> dict[str, Any]:
 
 
 def _check_growth(op: ast.operator, left: Any, right: Any) -> None:
-    """Refuse what makes a huge value out of a short expression."""
+    """Refuse an operation that makes a huge value from a short expression. Raises FilterError."""
     if isinstance(op, ast.Pow) and isinstance(left, int) and isinstance(right, int):
         _check_size(left.bit_length() * abs(right))
     elif isinstance(op, ast.LShift) and isinstance(left, int) and isinstance(right, int):

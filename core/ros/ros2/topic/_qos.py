@@ -31,7 +31,7 @@ _OVERRIDES = (
 
 
 def profile_from_options(args: Namespace) -> QoSProfile:
-    """Return the preset of `--qos-profile` with what the other options override."""
+    """Return the preset of `--qos-profile`, overridden by the other options."""
     profile = _preset(args)
     if args.qos_history:
         profile.history = QoSHistoryPolicy.get_from_short_key(args.qos_history)
@@ -52,7 +52,7 @@ def profile_from_options(args: Namespace) -> QoSProfile:
 
 
 def profile_for_echo(session: Session, node: Node, args: Namespace) -> QoSProfile:
-    """Return what `topic echo` subscribes with: as asked for, else adapted to the publishers that are there."""
+    """Return the profile that `topic echo` subscribes with: the options', else one adapted to the present publishers."""
     if any(getattr(args, option) is not None for option in _OVERRIDES):
         return profile_from_options(args)
     profile = _preset(args)

@@ -16,7 +16,7 @@ POLL_SECONDS = 0.1
 
 
 def message_class(type_name: str) -> Any:
-    """Return the class of a message type that the user named; RuntimeError if there is none."""
+    """Return the class of a message type that the user named. Raises RuntimeError if there is none."""
     from rosidl_runtime_py.utilities import get_message
 
     try:
@@ -26,7 +26,7 @@ def message_class(type_name: str) -> Any:
 
 
 def class_of_topic(node: Node, topic: str) -> Any | None:
-    """Return the message class of a topic, None if nobody has it; RuntimeError if it has several or an unknown one."""
+    """Return the message class of a topic, None if it doesn't exist. Raises RuntimeError for several types or an unknown one."""
     from rosidl_runtime_py.utilities import get_message
 
     try:
@@ -46,12 +46,12 @@ def class_of_topic(node: Node, topic: str) -> Any | None:
 
 
 def warn_unpublished(session: Session, topic: str) -> None:
-    """Print the warning that every beginner meets."""
+    """Print the warning for a topic without a publisher."""
     session.print(f"WARNING: topic [{topic}] does not appear to be published yet")
 
 
 async def wait_for_class(session: Session, node: Node, topic: str) -> Any:
-    """Return the message class of a topic; if nobody has it yet, warn and wait until somebody has."""
+    """Return the message class of a topic; if it doesn't exist yet, warn and wait until it does."""
     found = class_of_topic(node, topic)
     if found is None:
         warn_unpublished(session, topic)

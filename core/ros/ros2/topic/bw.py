@@ -45,7 +45,7 @@ async def main(session: Session, args: Namespace) -> None:
 
 
 class _Meter:
-    """Knows when the last messages came (nanoseconds) and how large they were (bytes of CDR)."""
+    """The arrival times (nanoseconds) and sizes (bytes of CDR) of the last messages."""
 
     def __init__(self, session: Session, node: Node, window: int) -> None:
         self.session = session

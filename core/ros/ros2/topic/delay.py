@@ -43,7 +43,7 @@ async def main(session: Session, args: Namespace) -> None:
 
 
 class _Meter:
-    """Collects how long after their stamps messages came, in nanoseconds."""
+    """Collects the delays between messages' stamps and their arrival, in nanoseconds."""
 
     def __init__(self, session: Session, node: Node, window: int) -> None:
         self.session = session
@@ -51,7 +51,7 @@ class _Meter:
         self.window = window
         self.first = -1
         self.last = 0
-        self.told = 0
+        self.reported = 0
         self.delays: list[int] = []
 
     def count(self, message: Any) -> None:
@@ -76,10 +76,10 @@ class _Meter:
     def report(self) -> None:
         if not self.delays:
             return
-        if self.last == self.told:
+        if self.last == self.reported:
             self.session.print("no new messages")
             return
-        self.told = self.last
+        self.reported = self.last
         number = len(self.delays)
         mean = sum(self.delays) / number
         deviation = math.sqrt(sum((delay - mean) ** 2 for delay in self.delays) / number)

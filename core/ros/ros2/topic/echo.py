@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SUMMARY = "Output messages from a topic"
 CLEAR = "\x1b[H\x1b[2J"
 START_SECONDS = 1.0
-"""How long a topic may take to appear: the real command itself needs that long to start, and launch files count on it."""
+"""Time in which a topic may appear: the real command itself needs that long to start, and launch files rely on it."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -71,13 +71,13 @@ async def main(session: Session, args: Namespace) -> None:
     from day6_tui.core.ros.ros2.topic._types import POLL_SECONDS, class_of_topic, message_class, warn_unpublished
 
     echo = _Echo(session, args)
-    async with graph_node(session, args) as asked:
+    async with graph_node(session, args) as query_node:
         kind = message_class(args.message_type) if args.message_type is not None else None
         waited = 0.0
-        while kind is None and (kind := class_of_topic(asked, args.topic_name)) is None and waited < START_SECONDS:
+        while kind is None and (kind := class_of_topic(query_node, args.topic_name)) is None and waited < START_SECONDS:
             await session.sleep(POLL_SECONDS)
             waited += POLL_SECONDS
-        profile = profile_for_echo(session, asked, args)
+        profile = profile_for_echo(session, query_node, args)
         if kind is None:
             warn_unpublished(session, args.topic_name)
             raise RuntimeError("Could not determine the type for the passed topic")
@@ -110,7 +110,7 @@ def _lost_callbacks(session: Session, args: Namespace) -> Any:
 
 
 class _Echo:
-    """Prints what arrives, as the options say. `future` is done when the command is to end; None without an end."""
+    """Prints received messages as the options say. `future` is done when the command should end; None if never."""
 
     def __init__(self, session: Session, args: Namespace) -> None:
         self.session = session
@@ -135,7 +135,7 @@ class _Echo:
 
     def receive(self, message: Any, info: Any) -> None:
         if self.future is not None and self.future.done():
-            return  # the message after the one and only
+            return  # a second message, before the command has ended
         selected = self._select(message)
         if self.args.filter_expr and not self._passes(selected):
             return

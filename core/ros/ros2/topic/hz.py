@@ -84,14 +84,14 @@ def _receive(meter: _Meter, filter_expr: str | None, message: Any) -> None:
 
 async def _report(session: Session, meters: dict[str, _Meter]) -> None:
     async for _ in session.every(1.0):
-        await session.sleep(0.001)  # messages that come at this very moment count
+        await session.sleep(0.001)  # messages that arrive at this very moment count too
         rates = {topic: rate for topic, meter in meters.items() if (rate := meter.rate()) is not None}
         if rates:
             session.print(_line(*rates.values()) if len(meters) == 1 else _table(rates))
 
 
 class Rate(NamedTuple):
-    """What was measured in one window; periods in seconds."""
+    """The measurements of one window; periods in seconds."""
 
     hertz: float
     shortest: float
@@ -101,7 +101,7 @@ class Rate(NamedTuple):
 
 
 class _Meter:
-    """Measures the time between messages of one topic, in nanoseconds of a clock."""
+    """Measures the periods between messages of one topic, in nanoseconds of a clock."""
 
     def __init__(self, session: Session, clock: Clock, window: int) -> None:
         self.session = session
@@ -109,7 +109,7 @@ class _Meter:
         self.window = window
         self.first = -1
         self.last = 0
-        self.told = 0
+        self.reported = 0
         self.periods: list[int] = []
 
     def count(self) -> None:
@@ -129,10 +129,10 @@ class _Meter:
         self.last = now
 
     def rate(self) -> Rate | None:
-        """Return what was measured, None if nothing is new."""
-        if not self.periods or self.last == self.told:
+        """Return the rate of the window, None if no message has arrived since the last call."""
+        if not self.periods or self.last == self.reported:
             return None
-        self.told = self.last
+        self.reported = self.last
         number = len(self.periods)
         mean = sum(self.periods) / number
         deviation = math.sqrt(sum((period - mean) ** 2 for period in self.periods) / number)

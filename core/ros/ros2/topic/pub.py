@@ -128,7 +128,7 @@ async def main(session: Session, args: Namespace) -> str | None:
 
 
 class _Publication:
-    """One message, published again and again; its stamps are set anew every time."""
+    """One message, published repeatedly; its stamps are set anew every time."""
 
     def __init__(
         self, session: Session, node: Any, publisher: Publisher[Any], message: Any, stamps: list[Any], print_nth: int
@@ -154,10 +154,10 @@ class _Publication:
 async def _wait_for_subscriptions(
     session: Session, publisher: Publisher[Any], wanted: int, longest: float | None
 ) -> str | None:
-    """Wait for `wanted` subscriptions, saying so every second; return the complaint when `longest` seconds have passed."""
+    """Wait for `wanted` subscriptions, printing so every second; return the error once `longest` seconds have passed."""
     if wanted == 0:
         return None
-    # A publisher that was made this moment has met nobody yet, in a real network; so the first look finds none.
+    # On a real network a new publisher has not discovered any subscription yet, so the count starts at zero.
     present = 0
     waited = polls = 0.0
     while present < wanted:

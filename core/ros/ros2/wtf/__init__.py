@@ -1,4 +1,4 @@
-"""`ros2 wtf`, the other name of `ros2 doctor`."""
+"""`ros2 wtf`, an alias of `ros2 doctor`."""
 
 from day6_tui.core.ros.ros2.doctor import add_arguments, main
 

@@ -1,4 +1,4 @@
-"""`ros2 wtf hello`, the other name of `ros2 doctor hello`."""
+"""`ros2 wtf hello`, an alias of `ros2 doctor hello`."""
 
 from day6_tui.core.ros.ros2.doctor.hello import SUMMARY, add_arguments, main
 

@@ -11,7 +11,7 @@ DEEPEST = 60
 
 
 class ConfigError(ValueError):
-    """The file is no RViz configuration; `str()` says why."""
+    """The file isn't an RViz configuration; `str()` says why."""
 
 
 def read_config(text: str) -> dict[str, Any]:

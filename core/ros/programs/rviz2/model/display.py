@@ -1,4 +1,4 @@
-"""What all displays have: a check box, properties, statuses, a place in the .rviz file, and a part of the scene.
+"""The base of all displays: a check box, properties, statuses, a place in the .rviz file, and a part of the scene.
 
 User interfaces on other threads change properties only; a display acts on that in `update`, on the program's thread.
 """

@@ -132,7 +132,7 @@ class RViz:
         return int(self.node.get_clock().now().nanoseconds)
 
     def frame_names(self) -> list[str]:
-        """Choices for the Fixed Frame: what /tf spoke of."""
+        """Choices for the Fixed Frame: the frames in /tf."""
         return self.frames.names()
 
     def frame_choices(self) -> list[str]:
@@ -140,7 +140,7 @@ class RViz:
         return [FIXED_FRAME, *self.frames.names()]
 
     def topics(self) -> list[tuple[str, list[str]]]:
-        """Topics somebody publishes or hears, with their types."""
+        """Topics with publishers or subscriptions, and their types."""
         return self.node.get_topic_names_and_types()
 
     def touch(self) -> None:
@@ -160,7 +160,7 @@ class RViz:
         self.node.get_logger().error(text)
 
     def hint(self, key: str, **parameters: Any) -> None:
-        """Say something to the user in the window, in plain words."""
+        """Show the user a message in the window, in plain words."""
         self.message = (key, parameters)
         self._redraw = True
 

@@ -32,11 +32,11 @@ CHUNK = 200_000
 
 
 class MeshError(ValueError):
-    """The file is no mesh that can be read."""
+    """The file isn't a readable mesh."""
 
 
 class Cancelled(ValueError):
-    """Nobody wants the mesh any more."""
+    """The mesh is no longer needed."""
 
 
 @dataclass(frozen=True, eq=False)

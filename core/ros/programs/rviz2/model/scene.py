@@ -1,4 +1,4 @@
-"""What there is to see, as plain data in the fixed frame: shapes, lines, points, meshes, labels. Metres, colours 0..1.
+"""The visible objects as plain data in the fixed frame: shapes, lines, points, meshes, labels. Metres, colours 0..1.
 
 A display puts its part together in `draw`; whoever paints it (tui/render) knows nothing of displays. Objects are frozen and
 are handed on unchanged as long as they look the same, so that a painter may remember what it made of them.

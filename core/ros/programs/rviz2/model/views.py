@@ -1,4 +1,4 @@
-"""Where the viewer stands: RViz's view controllers, with their properties and their rules for the mouse.
+"""The viewpoint: RViz's view controllers, with their properties and their rules for the mouse.
 
 Mouse movements are in pixels of a picture 600 pixels high, whatever the size of ours, so that a drag across the window does
 what it does in RViz. All turning and moving is also offered in angles and parts of the picture, for keys.

@@ -1,4 +1,4 @@
-"""What a launch can do."""
+"""The actions of launch files."""
 
 from __future__ import annotations
 

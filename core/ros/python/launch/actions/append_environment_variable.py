@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @expose_action("append_env")
 class AppendEnvironmentVariable(Action):
-    """Puts `value` after what the variable is (before it with `prepend`), with `separator` between."""
+    """Appends `value` to the variable's value (with `prepend`: puts it before), with `separator` between them."""
 
     def __init__(
         self,

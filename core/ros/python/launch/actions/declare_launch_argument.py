@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 @expose_action("arg")
 class DeclareLaunchArgument(Action):
-    """The argument `name`: where nobody gave it, the launch configuration of that name becomes `default_value`.
+    """The argument `name`: unless it is given, the launch configuration of that name becomes `default_value`.
 
-    Without a default it must be given. With `choices` it must be one of them. RuntimeError if it is not so.
+    Raises RuntimeError if it has no default and isn't given, or isn't one of `choices`.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class DeclareLaunchArgument(Action):
                 self.__fail(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
         self.__description = _description(description, choices)
         self._conditionally_included = False
-        """Whether it depends on a condition; found out by `LaunchDescription.get_launch_arguments`."""
+        """Whether it depends on a condition; set by `LaunchDescription.get_launch_arguments`."""
 
     def __fail(self, text: str) -> None:
         launch.logging.get_logger(__name__).error(text)

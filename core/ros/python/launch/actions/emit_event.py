@@ -1,4 +1,4 @@
-"""Makes something happen."""
+"""Emits an event."""
 
 from __future__ import annotations
 

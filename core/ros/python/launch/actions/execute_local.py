@@ -1,4 +1,4 @@
-"""Runs an executable: its start, output, end, and what a shutdown does to it."""
+"""Runs an executable: its start, output, end, and shutdown."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
-from launch import _host
 from launch._escalation import escalation
 from launch._output_lines import OutputLines
-from launch._programs import Ours, what_runs
+from launch._programs import BuiltIn, resolve
 from launch._subprocess import LocalProcess
 from launch.action import Action
 from launch.actions.emit_event import EmitEvent
@@ -47,11 +46,11 @@ if TYPE_CHECKING:
 class ExecuteLocal(Action):
     """Runs `process_description`.
 
-    - `shell`: the command is one line for the shell. `emulate_tty`: its output is a terminal to it (not on Windows).
+        - `shell`: the command is one line for the shell. `emulate_tty`: its output is a pty (not on Windows).
     - `output`: see `launch.logging.get_output_loggers`; `output_format` has `{line}` and `{this}`.
     - `sigterm_timeout`, `sigkill_timeout`: seconds between SIGINT and SIGTERM, and from there to SIGKILL.
-    - `cached_output`: keep it for `get_stdout()` and `get_stderr()`. `log_cmd`: log the command line too.
-    - `on_exit`: what to visit at its end. `respawn`: start it again then, after `respawn_delay` seconds, at most
+    - `cached_output`: keep the output for `get_stdout()` and `get_stderr()`. `log_cmd`: log the command line too.
+        - `on_exit`: the entities to visit at its end. `respawn`: start it again then, after `respawn_delay` seconds, at most
       `respawn_max_retries` times (negative: always).
     """
 
@@ -103,7 +102,7 @@ class ExecuteLocal(Action):
         self.__timers: list[TimerAction] = []
         self.__executed = False
 
-    # -- what it is ----------------------------------------------------------------------------------------------------
+    # -- properties ----------------------------------------------------------------------------------------------------
 
     @property
     def process_description(self) -> Executable:
@@ -131,16 +130,16 @@ class ExecuteLocal(Action):
 
     @property
     def process_details(self) -> Any:
-        """`name`, `cmd`, `cwd`, `env`, and once it runs `pid`; None before it is executed."""
+        """`name`, `cmd`, `cwd`, `env`, and, once it runs, `pid`; None before it is executed."""
         return self.__details
 
     @property
     def return_code(self) -> int | None:
-        """How it ended, None while it has not."""
+        """The exit code, None until it has ended."""
         return self.__returncode
 
     def get_stdout(self) -> str:
-        """Return what it has written; RuntimeError without `cached_output`."""
+        """Return its standard output so far. Raises RuntimeError without `cached_output`."""
         return self.__cached(1)
 
     def get_stderr(self) -> str:
@@ -162,7 +161,7 @@ class ExecuteLocal(Action):
     # -- starting ------------------------------------------------------------------------------------------------------
 
     def prepare(self, context: LaunchContext) -> None:
-        """Perform the substitutions."""
+        """Perform the substitutions of the description."""
         description = self.__process_description
         description.prepare(context, self)
         self.__details = {
@@ -243,9 +242,10 @@ class ExecuteLocal(Action):
         def on_ended(code: int) -> None:
             call(self.__has_ended, context, code)
 
-        owner = _host.host()
-        plan = what_runs(details["cmd"], self.__shell, hosted=owner is not None)
-        if isinstance(plan, Ours) and owner is not None:
+        owner = context._host
+        terminals = owner.terminals if owner is not None else ()
+        plan = resolve(details["cmd"], self.__shell, hosted=owner is not None, terminals=terminals)
+        if isinstance(plan, BuiltIn) and owner is not None:
             return owner.start(
                 plan.kind,
                 plan.argv,
@@ -256,7 +256,7 @@ class ExecuteLocal(Action):
                 on_ended=on_ended,
                 on_failed=lambda reason: call(self.__failed, reason),
             )
-        assert not isinstance(plan, Ours)
+        assert not isinstance(plan, BuiltIn)
         return LocalProcess(
             plan.args,
             shell=plan.shell,
@@ -277,7 +277,7 @@ class ExecuteLocal(Action):
         self.__logger.error(f"exception occurred while executing process:\n{reason}")
         self.__clean_up()
 
-    # -- what happens to it --------------------------------------------------------------------------------------------
+    # -- events of the process -----------------------------------------------------------------------------------------
 
     def __has_started(self, context: LaunchContext) -> None:
         assert self.__details is not None
@@ -361,7 +361,7 @@ class ExecuteLocal(Action):
             stopping.set_result(None)
             return None
         if not self.__started:
-            # It is being started. When that is done it can be ended.
+            # It is still starting; shut it down once it runs.
             context.register_event_handler(
                 OnProcessStart(
                     target_action=self,
@@ -372,7 +372,7 @@ class ExecuteLocal(Action):
             return None
         stopping.set_result(None)
         if not send_sigint and self.__process.hosted:
-            # The Ctrl-C that ends this launch reached its processes, but not what others run for it.
+            # The Ctrl-C that ends this launch reached its own processes, but not the programs that the host runs for it.
             self.__process.send_signal(signal.SIGINT)
         assert self.__details is not None
         self.__timers = escalation(

@@ -25,7 +25,7 @@ _OTHERS: dict[str, type] = {"respawn_max_retries": int, "shell": bool, "emulate_
 
 @expose_action("executable")
 class ExecuteProcess(ExecuteLocal):
-    """Runs `cmd`, a list of words each of which may consist of several substitutions. The rest as in `ExecuteLocal`."""
+    """Runs `cmd`, a list of words that may each consist of several substitutions. The rest is as in `ExecuteLocal`."""
 
     def __init__(
         self,
@@ -43,7 +43,7 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser, ignore: Iterable[str] = ()) -> tuple[Any, dict[str, Any]]:
-        """Read what the tag `executable` may have; `ignore` names what a derived tag reads in its own way."""
+        """Read the attributes of the tag `executable`, except those in `ignore`, which a derived tag reads itself."""
         _, keywords = super().parse(entity, parser)
         if "cmd" not in ignore:
             keywords["cmd"] = cls._parse_cmdline(entity.get_attr("cmd"), parser)

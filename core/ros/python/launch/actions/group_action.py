@@ -1,4 +1,4 @@
-"""Several actions with configurations and environment of their own."""
+"""Several actions with their own launch configurations and environment."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 class GroupAction(Action):
     """Visits `actions`.
 
-    `scoped`: what they change of the launch configurations and the environment is undone after them. `forwarding`: they see
-    those from around the group (else only `launch_configurations`, which are set for them in both cases).
+        `scoped`: their changes to launch configurations and environment are undone after them. `forwarding`: they see
+    those from outside the group (else only `launch_configurations`, which are set for them in both cases).
     """
 
     def __init__(

@@ -29,7 +29,7 @@ _Arguments = Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]]
 class IncludeLaunchDescription(Action):
     """Visits the launch description of a source, or of the launch file at a path.
 
-    `launch_arguments` become launch configurations. RuntimeError if a declared argument without default is not among them.
+    `launch_arguments` become launch configurations. Raises RuntimeError if a declared argument without default is missing.
     """
 
     def __init__(
@@ -72,8 +72,8 @@ class IncludeLaunchDescription(Action):
         description = self.__source.try_get_launch_description_without_context()
         return [] if description is None else [description]
 
-    def _leads_to_where(self, other: IncludeLaunchDescription) -> bool:
-        """Whether another include is one of the same file, as far as that can be said without launching."""
+    def _is_same_file(self, other: IncludeLaunchDescription) -> bool:
+        """Return whether another include is of the same file, as far as that is known without launching."""
         return self.__source.described_location == other.__source.described_location
 
     def _argument_names(self, context: LaunchContext) -> list[str]:
@@ -85,7 +85,7 @@ class IncludeLaunchDescription(Action):
         try:
             return self._argument_names(LaunchContext())
         except Exception as error:
-            # The names depend on the launch: nothing can be said about them before.
+            # The names depend on the launch: they aren't known beforehand.
             launch.logging.get_logger(__name__).debug(
                 f"Failed to get launch arguments names for launch description '{self.__source.location}', "
                 f"with exception: {error}"
@@ -96,7 +96,7 @@ class IncludeLaunchDescription(Action):
         description = self.__source.get_launch_description(context)
         location = self.__source.location
         path = os.path.abspath(location)
-        folder = os.path.dirname(path) if os.path.exists(path) else location  # "<script>" has none
+        folder = os.path.dirname(path) if os.path.exists(path) else location  # "<script>" isn't in a folder
         context.extend_locals({"current_launch_file_path": path, "current_launch_file_directory": folder})
         self.__check_arguments(description, self._argument_names(context))
         return [*(SetLaunchConfiguration(name, value) for name, value in self.__arguments), description]

@@ -1,4 +1,4 @@
-"""Says something."""
+"""Logs a message."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @expose_action("log")
 class LogInfo(Action):
-    """Logs `msg` as 'launch.user'."""
+    """Logs `msg` with the logger 'launch.user'."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class OpaqueCoroutine(Action):
-    """Runs `coroutine(context, *args, **kwargs)` until it ends or the launch does; without context on `ignore_context`."""
+    """Runs `coroutine(context, *args, **kwargs)` until it or the launch ends; `ignore_context`: without `context`."""
 
     def __init__(
         self,

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PopEnvironment(Action):
-    """Makes the environment what it was at the last `PushEnvironment`."""
+    """Restores the environment of the last `PushEnvironment`."""
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         context._pop_environment()

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PopLaunchConfigurations(Action):
-    """Makes the launch configurations what they were at the last `PushLaunchConfigurations`."""
+    """Restores the launch configurations of the last `PushLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         context._pop_launch_configurations()

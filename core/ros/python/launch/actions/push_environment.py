@@ -1,4 +1,4 @@
-"""Remembers the environment."""
+"""Saves the environment."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PushEnvironment(Action):
-    """Remembers the environment for `PopEnvironment`."""
+    """Saves the environment for `PopEnvironment`."""
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         context._push_environment()

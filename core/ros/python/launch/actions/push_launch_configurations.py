@@ -1,4 +1,4 @@
-"""Remembers the launch configurations."""
+"""Saves the launch configurations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PushLaunchConfigurations(Action):
-    """Remembers the launch configurations for `PopLaunchConfigurations`."""
+    """Saves the launch configurations for `PopLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         context._push_launch_configurations()

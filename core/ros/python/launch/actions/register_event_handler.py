@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class RegisterEventHandler(Action):
-    """From now on `event_handler` handles events."""
+    """Registers `event_handler` for all later events."""
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)

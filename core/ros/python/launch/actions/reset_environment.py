@@ -1,4 +1,4 @@
-"""Restores the first environment."""
+"""Resets the environment."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @expose_action("reset_env")
 class ResetEnvironment(Action):
-    """Makes the environment what it was when the launch began."""
+    """Restores the environment that the launch began with."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[Any, dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""Forgets launch configurations."""
+"""Clears launch configurations."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @expose_action("reset")
 class ResetLaunchConfigurations(Action):
-    """Forgets all launch configurations but those given."""
+    """Clears all launch configurations except the given ones."""
 
     def __init__(
         self,
@@ -48,7 +48,7 @@ class ResetLaunchConfigurations(Action):
 
 
 def kept_configurations(keeps: Sequence[Entity], parser: Parser) -> dict[Any, Any]:
-    """Return what the `keep` tags in a tag say."""
+    """Return `{name: value}` of the `keep` tags in a tag."""
     found = {
         tuple(parser.parse_substitution(each.get_attr("name"))): parser.parse_substitution(each.get_attr("value"))
         for each in keeps

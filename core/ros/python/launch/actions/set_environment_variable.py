@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_env")
 class SetEnvironmentVariable(Action):
-    """For all that is launched later (in this group)."""
+    """Sets `name` to `value` for everything launched later (in this group)."""
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("let")
 class SetLaunchConfiguration(Action):
-    """For all that is visited later (in this group)."""
+    """Sets `name` to `value` for everything visited later (in this group)."""
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

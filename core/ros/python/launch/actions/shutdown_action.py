@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("shutdown")
 class Shutdown(EmitEvent):
-    """Queues the event that ends everything; as `on_exit` of a process it says which process was required."""
+    """Queues the event that ends the launch; as a process's `on_exit` it logs that this process was required."""
 
     def __init__(self, *, reason: str = "reason not given", **kwargs: Any) -> None:
         super().__init__(event=ShutdownEvent(reason=reason), **kwargs)

@@ -1,4 +1,4 @@
-"""Visits other actions some time later."""
+"""Visits other actions after a time."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from launch.frontend.parser import Parser
     from launch.launch_context import LaunchContext
 
-_HANDLER_IS_THERE = "_launch_timer_handler_is_there"
+_HANDLER_REGISTERED = "_launch_timer_handler_registered"
 
 
 @expose_action("timer")
@@ -45,7 +45,7 @@ class TimerAction(Action):
         ensure_argument_type(actions, Iterable, "actions", "TimerAction")
         if isinstance(period, str):
             period = float(period)
-            warnings.warn("TimerAction: the period is to be a float or a substitution", stacklevel=2)
+            warnings.warn("TimerAction: the period should be a float or a substitution", stacklevel=2)
         self.__period = normalize_typed_substitution(period, float)
         self.__actions = actions
         self.__cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
@@ -79,12 +79,12 @@ class TimerAction(Action):
         return [(f"{self.__period} seconds pass without being canceled", self.__actions)]
 
     def handle(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity]:
-        """Return what is due now; the locals are those of the moment when the timer was started."""
+        """Return the actions; the locals are those from when the timer was started."""
         context.extend_locals(self.__locals)
         return self.__actions
 
     def cancel(self) -> None:
-        """Do not visit the actions."""
+        """Stop the timer; the actions will not be visited."""
         self.__canceled = True
         for timer, future in self.__running:
             timer.cancel()
@@ -96,8 +96,8 @@ class TimerAction(Action):
         if self.__canceled:
             self._completed_future.set_result(None)
             return None
-        if not hasattr(context, _HANDLER_IS_THERE):
-            setattr(context, _HANDLER_IS_THERE, True)
+        if not hasattr(context, _HANDLER_REGISTERED):
+            setattr(context, _HANDLER_REGISTERED, True)
             context.register_event_handler(
                 EventHandler(
                     matcher=lambda event: is_a_subclass(event, TimerEvent),

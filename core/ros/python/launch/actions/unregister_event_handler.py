@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnregisterEventHandler(Action):
-    """From now on `event_handler` handles no events."""
+    """Unregisters `event_handler`: it handles no later events."""
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("unset_env")
 class UnsetEnvironmentVariable(Action):
-    """For all that is launched later (in this group)."""
+    """Removes `name` for everything launched later (in this group)."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("unlet")
 class UnsetLaunchConfiguration(Action):
-    """For all that is visited later (in this group)."""
+    """Removes `name` for everything visited later (in this group)."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -1,4 +1,4 @@
-"""What counts as true and false."""
+"""The texts that count as true and false."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ VALID_FALSE_EXPRESSIONS = ["false", "0"]
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Sequence[Substitution]) -> bool:
-    """Return what a text says, in upper or lower case; InvalidConditionExpressionError if it says neither."""
+    """Return the truth value of a text in any case. Raises InvalidConditionExpressionError if it is neither."""
     text = perform_substitutions(context, expression).strip().lower()
     if text in VALID_TRUE_EXPRESSIONS:
         return True

@@ -1,4 +1,4 @@
-"""The condition that a text says true."""
+"""The condition that a text is true."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class IfCondition(Condition):
-    """Holds for 'true' and '1', does not for 'false' and '0'."""
+    """Holds for 'true' and '1', does not hold for 'false' and '0'."""
 
     def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
         self.__expression = normalize_to_list_of_substitutions(predicate_expression)

@@ -8,7 +8,7 @@ from launch.substitution import Substitution
 
 
 class InvalidConditionExpressionError(ValueError):
-    """Raised with the text, the substitutions it came from, and the texts that would have been right."""
+    """Raised with the text, the substitutions it came from, and the valid texts."""
 
     def __init__(
         self, expression: str, unexpanded_expression: Sequence[Substitution], valid_expressions: Sequence[str]

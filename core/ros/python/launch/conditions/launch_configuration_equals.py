@@ -1,4 +1,4 @@
-"""The condition that a launch configuration has some value."""
+"""The condition that a launch configuration has a certain value."""
 
 from __future__ import annotations
 

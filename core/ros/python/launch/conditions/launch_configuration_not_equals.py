@@ -1,4 +1,4 @@
-"""The condition that a launch configuration has not some value."""
+"""The condition that a launch configuration does not have a certain value."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The condition that a text says false."""
+"""The condition that a text is false."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is to be run, apart from how."""
+"""Descriptions of executables, apart from how they are run."""
 
 from __future__ import annotations
 

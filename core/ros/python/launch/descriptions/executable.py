@@ -1,4 +1,4 @@
-"""A command line with its folder and environment."""
+"""A command line with its working directory and environment."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _Pairs = list[tuple[list[Substitution], list[Substitution]]]
 
 
 class Executable:
-    """An executable with its arguments. `final_…` are there once `prepare` has performed the substitutions.
+    """An executable with its arguments. `final_…` are set once `prepare` has performed the substitutions.
 
-    - `prefix`: words to put before the command, by default the launch configuration 'launch-prefix' (for those executables that
+    - `prefix`: words to put before the command, by default the launch configuration 'launch-prefix' (for the executables that
       match 'launch-prefix-filter').
-    - `name`: what is shown before its output, with a running number; by default the file's name.
+        - `name`: shown before its output, with a running number; by default the file's name.
     - `env` replaces the environment of the launch, `additional_env` adds to it.
     """
 
@@ -101,7 +101,7 @@ class Executable:
         return self.__final_env
 
     def prepare(self, context: LaunchContext, action: Action) -> None:
-        """Perform the substitutions and give the process its number."""
+        """Perform the substitutions and number the process."""
         cmd = [perform_substitutions(context, part) for part in self.__cmd]
         if self.__wants_prefix(context, cmd[0]):
             cmd = shlex.split(perform_substitutions(context, self.__prefix)) + cmd

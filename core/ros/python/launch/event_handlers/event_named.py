@@ -1,4 +1,4 @@
-"""A matcher by the event's name."""
+"""Matches events by name."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from launch.event import Event
 
 
 def event_named(name: str) -> Callable[[Event], bool]:
-    """Return a matcher for the events of that name."""
+    """Return a matcher for events with that name."""
     return lambda event: event.name == name

@@ -1,4 +1,4 @@
-"""What handlers for the events of one action have in common."""
+"""The base of the handlers for events of one action."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class OnActionEventBase(BaseEventHandler):
-    """Handles events of one class, of one action (or those for which a function is true, or of all: None).
+    """Handles events of one class, of one action (or of the actions for which a function is true; None: of all actions).
 
-    `on_event` is what to visit then, or a function `(event, context)` that returns it.
+    `on_event` is the entities to visit then, or a function `(event, context)` that returns them.
     """
 
     def __init__(

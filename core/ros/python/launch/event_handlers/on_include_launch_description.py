@@ -10,7 +10,7 @@ from launch.utilities.class_tools_impl import is_a_subclass
 
 
 class OnIncludeLaunchDescription(EventHandler):
-    """Every launch has this one from the start."""
+    """Visits the launch description of the event. Every launch has this handler from the start."""
 
     def __init__(self, **kwargs: Any) -> None:
         from launch.actions.opaque_function import OpaqueFunction

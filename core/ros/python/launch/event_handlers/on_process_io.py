@@ -16,7 +16,7 @@ _Function = Callable[[ProcessIO], "SomeEntitiesType | None"]
 
 
 class OnProcessIO(OnActionEventBase):
-    """Call `on_stdout(event)` or `on_stderr(event)` when a process has written, and visit what it returns."""
+    """Call `on_stdout(event)` or `on_stderr(event)` when a process has written, and visit the entities it returns."""
 
     def __init__(
         self,

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class IncludeLaunchDescription(Event):
-    """`launch_description` is to be visited."""
+    """`launch_description` is visited next."""
 
     name = "launch.events.IncludeLaunchDescription"
 

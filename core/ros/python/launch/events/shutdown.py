@@ -6,7 +6,7 @@ from launch.event import Event
 
 
 class Shutdown(Event):
-    """The launched system is to end. `due_to_sigint`: because of Ctrl-C, which the processes have received themselves."""
+    """The launched system shuts down. `due_to_sigint`: because of Ctrl-C, which the processes have received themselves."""
 
     name = "launch.events.Shutdown"
 

@@ -1,4 +1,4 @@
-"""The event that a timer's time has come."""
+"""The event that a timer is due."""
 
 from __future__ import annotations
 

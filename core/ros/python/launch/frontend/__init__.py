@@ -1,4 +1,4 @@
-"""XML and YAML launch files: what both have in common. The files themselves are read by `launch_xml` and `launch_yaml`."""
+"""Shared by XML and YAML launch files; `launch_xml` and `launch_yaml` read the files themselves."""
 
 from __future__ import annotations
 

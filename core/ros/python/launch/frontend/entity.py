@@ -1,4 +1,4 @@
-"""A tag of a launch file, whatever the file's language."""
+"""A tag of a launch file, in whatever language."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class Entity:
         raise NotImplementedError
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError if there is anything in it that nobody asked for."""
+        """Raise ValueError if it has an attribute or a child that was never read."""
         raise NotImplementedError
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """Return an attribute as `data_type` (`List[Entity]`: the children of that name); None if optional and not there.
+        """Return an attribute as `data_type` (`List[Entity]`: the children of that name); None if it is optional and missing.
 
-        Raises AttributeError if it is not there, TypeError if it is of another type.
+        Raises AttributeError if it is missing, TypeError if it has another type.
         """
         raise NotImplementedError

@@ -1,4 +1,4 @@
-"""The tags of launch files and the substitutions `$(name …)`: tables that actions and substitutions enter themselves in."""
+"""The tags of launch files and the substitutions `$(name …)`: tables in which actions and substitutions register."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ substitution_parse_methods: dict[str, Callable[..., Any]] = {}
 
 
 def instantiate_action(entity: Entity, parser: Parser) -> Action:
-    """Make the action of a tag; RuntimeError for a tag that does not exist."""
+    """Create the action of a tag. Raises RuntimeError for an unknown tag."""
     if entity.type_name not in action_parse_methods:
         raise RuntimeError(f"Unrecognized entity of the type: {entity.type_name}")
     kind, keywords = action_parse_methods[entity.type_name](entity, parser)
@@ -29,7 +29,7 @@ def instantiate_action(entity: Entity, parser: Parser) -> Action:
 
 
 def instantiate_substitution(type_name: str, args: Sequence[Any] | None = None) -> Substitution:
-    """Make the substitution `$(type_name args…)`; RuntimeError for one that does not exist."""
+    """Create the substitution `$(type_name args…)`. Raises RuntimeError for an unknown one."""
     if type_name not in substitution_parse_methods:
         raise RuntimeError(f"Unknown substitution: {type_name}")
     kind, keywords = substitution_parse_methods[type_name](args or [])
@@ -40,7 +40,7 @@ def instantiate_substitution(type_name: str, args: Sequence[Any] | None = None) 
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorate an action class (with a class method `parse`) or a parse function: it is the tag of that name."""
+    """Register the decorated action class (with a class method `parse`) or parse function as the tag `name`."""
 
     def expose(exposed: Exposed) -> Exposed:
         parse = _parse_method(exposed, name, "action")
@@ -51,17 +51,17 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
             entity.assert_entity_completely_parsed()
             return result
 
-        _enter(action_parse_methods, name, parse_all, "action")
+        _register(action_parse_methods, name, parse_all, "action")
         return exposed
 
     return expose
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorate a substitution class (with a class method `parse`) or a parse function: it is `$(name …)`."""
+    """Register the decorated substitution class (with a class method `parse`) or parse function as `$(name …)`."""
 
     def expose(exposed: Exposed) -> Exposed:
-        _enter(substitution_parse_methods, name, _parse_method(exposed, name, "substitution"), "substitution")
+        _register(substitution_parse_methods, name, _parse_method(exposed, name, "substitution"), "substitution")
         return exposed
 
     return expose
@@ -76,7 +76,7 @@ def _parse_method(exposed: Any, name: str, what: str) -> Callable[..., Any]:
     return exposed.parse  # type: ignore[no-any-return, attr-defined]
 
 
-def _enter(table: dict[str, Callable[..., Any]], name: str, method: Callable[..., Any], what: str) -> None:
+def _register(table: dict[str, Callable[..., Any]], name: str, method: Callable[..., Any], what: str) -> None:
     known = table.get(name)
     if known is not None and getattr(known, "__qualname__", "") != getattr(method, "__qualname__", ""):
         raise RuntimeError(f"Two {what} parsing methods exposed with the same name: [{name}].")

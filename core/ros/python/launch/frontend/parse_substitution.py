@@ -1,7 +1,7 @@
-r"""Texts with substitutions, as XML and YAML launch files and parameter files have them: `$(find-pkg-share demo)/config`.
+r"""Parses texts with substitutions, from XML and YAML launch files and parameter files: `$(find-pkg-share demo)/config`.
 
-`$(name ARGUMENT ARGUMENT)`; an argument ends at a space or a closing bracket unless it is quoted by ' or ", and may have
-substitutions in it. A backslash takes the next character's meaning away. A `$` that no bracket follows is a `$`.
+`$(name ARGUMENT ARGUMENT)`; an argument ends at a space or a closing bracket unless it is quoted with ' or ", and may contain
+substitutions. A backslash escapes the next character. A `$` without a bracket after it is a plain `$`.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ _WANTED = {
     "'": ["DOLLAR", "QUOTE", "SINGLE_QUOTED_STRING"],
     '"': ["DBLQUOTE", "DOLLAR", "DOUBLE_QUOTED_STRING"],
 }
-"""What may stand at a place, in the words of the real launch, which has them from its grammar."""
+"""The tokens allowed at a place, by the names in the real launch's grammar."""
 
 
 class UnexpectedInput(ValueError):
-    """A text that is no text with substitutions."""
+    """A text that cannot be parsed."""
 
 
 class UnexpectedCharacters(UnexpectedInput):
-    """Something else should stand at a place."""
+    """A character that isn't allowed at its place."""
 
 
 class UnexpectedEOF(UnexpectedInput):
@@ -38,16 +38,16 @@ class UnexpectedEOF(UnexpectedInput):
 
 
 class VisitError(RuntimeError):
-    """A substitution that does not exist, or not with these arguments."""
+    """An unknown substitution, or one that rejects its arguments."""
 
 
 def replace_escaped_characters(data: str) -> str:
-    """Drop each backslash that takes a character's meaning away."""
+    """Remove each backslash that escapes a character."""
     return re.sub(r"\\(.)", r"\1", data)
 
 
 def parse_substitution(string_value: str) -> list[Substitution]:
-    """Return the substitutions a text consists of. Raises UnexpectedInput and VisitError."""
+    """Return the substitutions that a text consists of. Raises UnexpectedInput, VisitError."""
     from launch.substitutions.text_substitution import TextSubstitution
 
     if not string_value:
@@ -56,7 +56,10 @@ def parse_substitution(string_value: str) -> list[Substitution]:
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """Return a text with substitutions parsed, one without as it is; for lists each item, which must be of one type."""
+    """Return a text with substitutions parsed, any other value unchanged; of a list every item.
+
+    Raises ValueError for a list of mixed types.
+    """
     from launch.substitutions.text_substitution import TextSubstitution
 
     kinds: set[type] = set()
@@ -83,7 +86,7 @@ class _Reader:
         self.at = 0
 
     def template(self, quote: str) -> list[Substitution]:
-        """Read up to the closing quote (or, with '', to the end)."""
+        """Read up to the closing quote (with '': to the end)."""
         parts: list[Substitution] = []
         plain = ""
         while self.at < len(self.text):
@@ -115,7 +118,7 @@ class _Reader:
         self.at += 1
         try:
             return instantiate_substitution(name.group(), arguments)
-        except Exception as error:  # whatever the substitution's own `parse` does not like
+        except Exception as error:  # the substitution's own `parse` may raise anything
             raise VisitError(f'Error trying to process rule "substitution":\n\n{error}') from error
 
     def _argument(self) -> list[Substitution]:
@@ -153,17 +156,17 @@ class _Reader:
         return self.text[self.at - 1]
 
     def _problem(self, wanted: str) -> UnexpectedInput:
-        """Say what is wanted where the reader stands."""
-        wishes = "".join(f"\t* {each}\n" for each in _WANTED[wanted])
+        """Return the error that lists the tokens allowed at the current place."""
+        expected = "".join(f"\t* {each}\n" for each in _WANTED[wanted])
         if self.at >= len(self.text):
-            return UnexpectedEOF(f"Unexpected end-of-input. Expected one of: \n{wishes}")
+            return UnexpectedEOF(f"Unexpected end-of-input. Expected one of: \n{expected}")
         before = self.text[: self.at].rpartition("\n")[2]
         rest = self.text[self.at :].partition("\n")[0]
         place = f"line {self.text.count(chr(10), 0, self.at) + 1} col {len(before) + 1}"
         shown = f"{before[-40:]}{rest[:40]}\n{' ' * len(before[-40:])}^"
         return UnexpectedCharacters(
             f"No terminal matches {self._here()!r} in the current parser context, at {place}\n\n{shown}\n"
-            f"Expected one of: \n{wishes}"
+            f"Expected one of: \n{expected}"
         )
 
 

@@ -21,7 +21,7 @@ _TYPES: dict[str, Any] = {
 
 
 def check_is_list_entity(data_type: Any) -> bool:
-    """Say whether a data type means "the children of that name"."""
+    """Return whether a data type is a list of entities, which stands for "the children of that name"."""
     if not is_typing_list(data_type):
         return False
     members = getattr(data_type, "__args__", None) or (None,)
@@ -29,7 +29,7 @@ def check_is_list_entity(data_type: Any) -> bool:
 
 
 def get_data_type_from_identifier(type_identifier: str) -> Any:
-    """Return the type that the attribute `type` of a `param` names."""
+    """Return the type that the attribute `type` of a `param` names. Raises ValueError for an unknown one."""
     if type_identifier not in _TYPES:
         raise ValueError(f"Got invalid type identifier '{type_identifier}'")
     return _TYPES[type_identifier]

@@ -34,13 +34,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """`launch_xml` and `launch_yaml` put their sources here too; they import this package."""
-    if name == "XMLLaunchDescriptionSource":
-        from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
+    """Return a source class of `launch_xml` or `launch_yaml`; those packages import this one."""
+    from launch import _entry_points
 
-        return XMLLaunchDescriptionSource
-    if name == "YAMLLaunchDescriptionSource":
-        from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource
-
-        return YAMLLaunchDescriptionSource
+    if name in _entry_points.SOURCES:
+        return _entry_points.load_source(name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

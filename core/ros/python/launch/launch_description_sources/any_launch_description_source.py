@@ -9,7 +9,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):
-    """A launch file in any of the languages, known by its ending, else by trying."""
+    """A launch file in any language, recognized by its extension, else by trying all."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, "interpreted launch file")

@@ -21,20 +21,20 @@ __all__ = ["InvalidLaunchFileError", "get_launch_description_from_any_launch_fil
 def get_launch_description_from_any_launch_file(
     launch_file_path: str, *, parser: type[Parser] = Parser
 ) -> LaunchDescription:
-    """Try what the file's name speaks for first, then the rest. InvalidLaunchFileError has what each said."""
+    """Load a launch file, trying the language of its extension first. Raises InvalidLaunchFileError with all errors."""
 
     def from_frontend(path: str) -> LaunchDescription:
         return get_launch_description_from_frontend_launch_file(path, parser=parser)
 
-    ways: list[Callable[[str], LaunchDescription]] = [from_frontend, get_launch_description_from_python_launch_file]
+    loaders: list[Callable[[str], LaunchDescription]] = [from_frontend, get_launch_description_from_python_launch_file]
     name = os.path.basename(launch_file_path)
     extension = os.path.splitext(name)[1][1:]
     if extension == "py":
-        ways.reverse()
+        loaders.reverse()
     elif not parser.is_filename_valid(name):
         extension = ""
     errors: list[Exception] = []
-    for load in ways:
+    for load in loaders:
         try:
             return load(launch_file_path)
         except Exception as error:

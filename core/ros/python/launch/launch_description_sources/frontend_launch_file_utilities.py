@@ -11,6 +11,6 @@ __all__ = ["InvalidFrontendLaunchFileError", "get_launch_description_from_fronte
 def get_launch_description_from_frontend_launch_file(
     frontend_launch_file_path: str, *, parser: type[Parser] = Parser
 ) -> LaunchDescription:
-    """Return the launch description that a file in XML or YAML stands for."""
+    """Return the launch description of an XML or YAML file."""
     root, own_parser = parser.load(frontend_launch_file_path)
     return own_parser.parse_description(root)

@@ -14,18 +14,18 @@ class InvalidPythonLaunchFileError(Exception):
 
 
 def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
-    """Run a Python launch file and return it as a module; its exceptions come out here."""
+    """Run a Python launch file and return it as a module. Raises whatever the file raises."""
     loader = SourceFileLoader("python_launch_file", python_launch_file_path)
     spec = spec_from_loader(loader.name, loader)
     if spec is None:
-        raise RuntimeError(f"no module can be made of {python_launch_file_path}")
+        raise RuntimeError(f"can't load {python_launch_file_path} as a module")
     module = module_from_spec(spec)
     loader.exec_module(module)
     return module
 
 
 def get_launch_description_from_python_launch_file(python_launch_file_path: str) -> LaunchDescription:
-    """Return what `generate_launch_description()` of a launch file returns."""
+    """Call `generate_launch_description()` of a launch file and return its result."""
     module = load_python_launch_file_as_module(python_launch_file_path)
     if not hasattr(module, "generate_launch_description"):
         raise InvalidPythonLaunchFileError(

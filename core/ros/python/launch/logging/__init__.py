@@ -1,4 +1,4 @@
-"""Where a launch writes: the screen, `launch.log` in a folder of its own per launch, files of single processes.
+"""The logs of a launch: the screen, `launch.log` in a folder per launch, files of single processes.
 
 The folder is `<date>-<host>-<pid>` below ROS_LOG_DIR, or ROS_HOME/log, or ~/.ros/log; `latest` beside it points to the newest.
 """
@@ -23,17 +23,17 @@ _SCREEN_FORMATS = {
 }
 _FILE_FORMATS = {"default": "{created:.7f} [{levelname}] [{name}]: {message}"}
 _CONFIGURED: set[str] = set()
-"""Names of the loggers that were given handlers here."""
+"""Names of the loggers that got handlers here."""
 
 
 class LaunchConfig:
-    """The one configuration of a launch's log, `launch.logging.launch_config`."""
+    """The configuration of a launch's log; its only instance is `launch.logging.launch_config`."""
 
     def __init__(self) -> None:
         self.reset()
 
     def reset(self) -> None:
-        """Forget folder, handlers and formats."""
+        """Reset folder, handlers and formats."""
         self._log_dir: str | None = None
         self._factory: Callable[..., logging.Handler] | None = None
         self.file_handlers: dict[str, Any] = {}
@@ -54,7 +54,7 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch, made when first asked for."""
+        """The folder of this launch's logs, created on first access."""
         if self._log_dir is None:
             self._log_dir = _make_log_dir()
         return self._log_dir
@@ -72,7 +72,7 @@ class LaunchConfig:
 
     @property
     def log_handler_factory(self) -> Callable[..., Any]:
-        """Makes the handler of a log file: `factory(path, encoding=…)`."""
+        """The factory of log file handlers: `factory(path, encoding=…)`."""
         if self._factory is None:
             self._factory = handlers.FileHandler if os.name == "nt" else handlers.WatchedFileHandler
         return self._factory
@@ -89,24 +89,25 @@ class LaunchConfig:
             self.screen_handler.setFormatter(self.screen_formatter)
 
     def set_log_format(self, log_format: str | None, *, log_style: str | None = None) -> None:
-        """Set the format of the log files, as `set_screen_format`."""
+        """Set the format of the log files, like `set_screen_format`."""
         override = os.environ.get("OVERRIDE_LAUNCH_LOG_FORMAT")
         self.file_formatter = _formatter(log_format, log_style, override, _FILE_FORMATS, "log")
         for handler in self.file_handlers.values():
             handler.setFormatter(self.file_formatter)
 
     def get_screen_handler(self) -> Any:
-        """The one handler that writes to standard output."""
+        """Return the handler that writes to standard output."""
         if self.screen_handler is None:
             self.screen_handler = handlers.StreamHandler(sys.stdout)
             self.screen_handler.setFormatter(self.screen_formatter)
         return self.screen_handler
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
+        """Return the path of a log file in the launch's folder."""
         return os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
-        """The one handler of a log file in the launch's folder."""
+        """Return the handler of a log file in the launch's folder."""
         if file_name not in self.file_handlers:
             handler = self.log_handler_factory(self.get_log_file_path(file_name), encoding="utf-8")
             handler.setFormatter(self.file_formatter)
@@ -146,7 +147,7 @@ def _make_log_dir() -> str:
         if not os.path.lexists(latest):
             os.symlink(folder, latest, target_is_directory=True)
     except OSError as error:
-        # Two launches at once, or a Windows without the right to make links: the log itself is there.
+        # Two launches at once, or Windows without the right to create links: only the link is missing.
         logging.getLogger("launch.logging").debug("no link %s: %s", latest, error)
     return folder
 
@@ -155,7 +156,7 @@ launch_config = LaunchConfig()
 
 
 def log_launch_config(*, logger: logging.Logger = logging.root) -> None:
-    """Say with this logger where the log files are and what is logged."""
+    """Log the folder of the log files and the log level."""
     if launch_config.file_handlers:
         logger.info(f"All log files can be found below {launch_config.log_dir}")
     logger.info(f"Default logging verbosity is set to {logging.getLevelName(launch_config.level)}")
@@ -187,7 +188,7 @@ _OUTPUTS: dict[str, dict[str, set[str]]] = {
 
 
 def _output_table(config: str | Mapping[str, str | Iterable[str]]) -> dict[str, set[str]]:
-    """Return `{'stdout' | 'stderr' | 'both': destinations}`; ValueError for what `output=` must not be."""
+    """Return `{'stdout' | 'stderr' | 'both': destinations}`. Raises ValueError for an invalid `output=`."""
     table: dict[str, set[str]] = {"both": set(), "stdout": set(), "stderr": set()}
     if isinstance(config, str):
         if config not in _OUTPUTS:
@@ -242,7 +243,7 @@ def get_output_loggers(
 
 
 def reset() -> None:
-    """Take all handlers away again and begin with a new configuration."""
+    """Remove all handlers and start with a new configuration."""
     for name in _CONFIGURED:
         logger = logging.getLogger(name if name != "root" else None)
         logger.setLevel(logging.NOTSET)

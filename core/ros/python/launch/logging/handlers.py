@@ -1,4 +1,4 @@
-"""The handlers of `logging` and `logging.handlers`, each able to format the records of some loggers in their own way."""
+"""The handlers of `logging` and `logging.handlers`, which can also format the records of single loggers differently."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ import logging
 import logging.handlers
 from typing import Any
 
-_made: dict[str, type] = {}
+_classes: dict[str, type] = {}
 
 
 def __getattr__(name: str) -> Any:
-    """Return the handler class of that name, made when first asked for."""
+    """Return the handler class of that name, created on first access."""
     base = getattr(logging.handlers, name, None) or getattr(logging, name, None)
     if not (isinstance(base, type) and issubclass(base, logging.Handler)):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    if name not in _made:
-        _made[name] = with_per_logger_formatting(base)
-    return _made[name]
+    if name not in _classes:
+        _classes[name] = with_per_logger_formatting(base)
+    return _classes[name]
 
 
 def with_per_logger_formatting(cls: Any) -> Any:

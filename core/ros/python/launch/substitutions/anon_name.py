@@ -1,4 +1,4 @@
-"""A name that no other launch will give."""
+"""A unique name."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("anon")
 class AnonName(Substitution):
-    """`name` with host, process number and a random number; the same one again for the same name."""
+    """`name` with host, process number and a random number; always the same one for the same name."""
 
     def __init__(self, name: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -43,9 +43,10 @@ class AnonName(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         name = perform_substitutions(context, self.name)
-        made = context.launch_configurations.setdefault(f"anon{name}", self.compute_name(name))
-        return str(made)
+        unique = context.launch_configurations.setdefault(f"anon{name}", self.compute_name(name))
+        return str(unique)
 
     def compute_name(self, id_value: str) -> str:
+        """Return a new unique name."""
         number = random.randint(0, sys.maxsize)
         return re.sub(r"[.\-:]", "_", f"{id_value}_{socket.gethostname()}_{os.getpid()}_{number}")

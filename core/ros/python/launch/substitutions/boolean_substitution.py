@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def truth(context: LaunchContext, value: Sequence[Substitution]) -> bool:
-    """Return what a text says; SubstitutionFailure if it is neither true nor false."""
+    """Return the truth value of a text. Raises SubstitutionFailure if it is neither true nor false."""
     try:
         return bool(perform_typed_substitution(context, value, bool))
     except (TypeError, ValueError) as error:
@@ -26,7 +26,7 @@ def truth(context: LaunchContext, value: Sequence[Substitution]) -> bool:
 
 @expose_substitution("not")
 class NotSubstitution(Substitution):
-    """`$(not value)`: true or false, the other way round."""
+    """`$(not value)`: 'true' if the value is false."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -110,7 +110,7 @@ class _Several(Substitution):
 
 @expose_substitution("any")
 class AnySubstitution(_Several):
-    """`$(any …)`: whether one of them is true."""
+    """`$(any …)`: 'true' if one of them is true."""
 
     def perform(self, context: LaunchContext) -> str:
         return str(any(truth(context, each) for each in self.args)).lower()
@@ -118,7 +118,7 @@ class AnySubstitution(_Several):
 
 @expose_substitution("all")
 class AllSubstitution(_Several):
-    """`$(all …)`: whether every one of them is true."""
+    """`$(all …)`: 'true' if all of them are true."""
 
     def perform(self, context: LaunchContext) -> str:
         return str(all(truth(context, each) for each in self.args)).lower()

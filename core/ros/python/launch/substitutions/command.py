@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("command")
 class Command(Substitution):
-    """What a command writes to its standard output; what it says on the other: 'fail', 'ignore', 'warn', 'capture'."""
+    """The standard output of a command; `on_stderr`, for output to stderr: 'fail', 'ignore', 'warn', 'capture'."""
 
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:
         super().__init__()
@@ -63,9 +63,11 @@ class Command(Substitution):
                 problem += f"\nCaptured stderr output: {result.stderr}"
             raise SubstitutionFailure(problem)
         if result.stderr:
-            said = f"executed command showed stderr output. Command: {line}\nCaptured stderr output:\n{result.stderr}"
+            problem = (
+                f"executed command showed stderr output. Command: {line}\nCaptured stderr output:\n{result.stderr}"
+            )
             if on_stderr == "fail":
-                raise SubstitutionFailure(said)
+                raise SubstitutionFailure(problem)
             if on_stderr == "warn":
-                launch.logging.get_logger().warning(said)
+                launch.logging.get_logger().warning(problem)
         return result.stdout

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("env")
 class EnvironmentVariable(Substitution):
-    """What `name` is in the launch's environment, else `default_value`."""
+    """The value of `name` in the launch's environment, else `default_value`."""
 
     def __init__(self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None) -> None:
         super().__init__()

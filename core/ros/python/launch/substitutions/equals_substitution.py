@@ -1,4 +1,4 @@
-"""Whether two texts mean the same."""
+"""Compares two texts by meaning."""
 
 from __future__ import annotations
 

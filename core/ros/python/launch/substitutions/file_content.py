@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("file-content")
 class FileContent(Substitution):
-    """What stands in the file at `path`."""
+    """The text of the file at `path`."""
 
     def __init__(self, path: SomeSubstitutionsType) -> None:
         super().__init__()

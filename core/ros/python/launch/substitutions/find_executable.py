@@ -1,4 +1,4 @@
-"""Where an executable is."""
+"""The path of an executable."""
 
 from __future__ import annotations
 

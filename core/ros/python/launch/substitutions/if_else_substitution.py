@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("if")
 class IfElseSubstitution(Substitution):
-    """`if_value` where `condition` says true, else `else_value`."""
+    """`if_value` if `condition` is true, else `else_value`."""
 
     def __init__(
         self,

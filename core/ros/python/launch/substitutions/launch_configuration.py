@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def default_substitutions(default: Any) -> list[Substitution] | None:
-    """Return a default value (anything, or several things in a row) as substitutions, None for None."""
+    """Return a default value (any value, or a sequence of them) as substitutions; None for None."""
     if default is None:
         return None
     items = default if isinstance(default, Iterable) and not isinstance(default, str) else [default]
@@ -28,7 +28,7 @@ def default_substitutions(default: Any) -> list[Substitution] | None:
 
 @expose_substitution("var")
 class LaunchConfiguration(Substitution):
-    """What `variable_name` is set to, else `default`."""
+    """The value of the launch configuration `variable_name`, else `default`."""
 
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any = None) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""Where the log files are."""
+"""The folder of the log files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Something from `context.locals`."""
+"""A value from `context.locals`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class LocalSubstitution(Substitution):
-    """`context.locals.<expression>`, an expression of Python: `event.reason`, `ros_specific_arguments['name']`."""
+    """`context.locals.<expression>`, a Python expression: `event.reason`, `ros_specific_arguments['name']`."""
 
     def __init__(self, expression: str, description: str | None = None) -> None:
         super().__init__()
@@ -32,5 +32,5 @@ class LocalSubstitution(Substitution):
         return f"LocalVar('{self.description or self.expression}')"
 
     def perform(self, context: LaunchContext) -> str:
-        # As in real launch. Whoever wrote it wrote the launch file, which is a program anyway.
+        # As in real launch. Its author is the launch file's author, and that is a program anyway.
         return eval("context.locals." + self.expression, {}, {"context": context})  # type: ignore[no-any-return]

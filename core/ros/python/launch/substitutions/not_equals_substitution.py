@@ -1,4 +1,4 @@
-"""Whether two texts mean something else."""
+"""Compares two texts for difference."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("not-equals")
 class NotEqualsSubstitution(EqualsSubstitution):
-    """The contrary of `EqualsSubstitution`."""
+    """The opposite of `EqualsSubstitution`."""
 
     def perform(self, context: LaunchContext) -> str:
         return "false" if super().perform(context) == "true" else "true"

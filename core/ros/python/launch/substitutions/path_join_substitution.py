@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class PathJoinSubstitution(Substitution):
-    """`os.path.join` of the parts, each of which may consist of several substitutions; `path / part` adds one."""
+    """`os.path.join` of the parts, which may each consist of several substitutions; `path / part` adds one."""
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""A path that grows with `/`."""
+"""A path that `/` extends."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The value of an expression of Python."""
+"""The value of a Python expression."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 @expose_substitution("eval")
 class PythonExpression(Substitution):
-    """`str(eval(expression))`, with `python_modules` in reach; of `math` every name by itself.
+    """`str(eval(expression))`, with the names of `python_modules` and all names in `math`.
 
-    Python evaluates it, as in real launch: launch files run whatever their author wants, so nothing is gained by evaluating less
-    here. Never launch a file, XML and YAML included, that you would not run as a program.
+    Python evaluates it, as in real launch: launch files run whatever their author wants, so restricting it would gain nothing.
+    Never launch a file, not even XML or YAML, that you would not run as a program.
     """
 
     def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ("math",)) -> None:

@@ -1,4 +1,4 @@
-"""Texts with something between them."""
+"""Texts, joined by a delimiter."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class StringJoinSubstitution(Substitution):
-    """The parts, each of which may consist of several substitutions, with `delimiter` between them."""
+    """The parts, which may each consist of several substitutions, with `delimiter` between them."""
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = "") -> None:
         super().__init__()

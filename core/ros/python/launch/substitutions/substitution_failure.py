@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class SubstitutionFailure(RuntimeError):
-    """Raised by a substitution that has no text now."""
+    """Raised by a substitution that has no text at present."""

@@ -1,4 +1,4 @@
-"""A text that is known already."""
+"""A constant text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which launch file this is."""
+"""The path of the current launch file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where this launch file is."""
+"""The folder of the current launch file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Questions about classes."""
+"""Class checks."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import Any
 
 
 def isclassinstance(obj: Any) -> bool:
-    """Say whether `obj` is an object of a class, as in Python everything is."""
+    """Return whether `obj` is an instance of a class, which in Python is always true."""
     return hasattr(obj, "__class__")
 
 
 def is_a(obj: Any, entity_type: type) -> bool:
-    """`isinstance`, with a RuntimeError for what is no class."""
+    """Like `isinstance`. Raises RuntimeError for an `entity_type` that isn't a class."""
     if not inspect.isclass(entity_type):
         raise RuntimeError(f"entity_type '{obj}' is not a class")
     return isinstance(obj, entity_type)
 
 
 def is_a_subclass(obj: Any, entity_type: type) -> bool:
-    """Say whether `obj` is an instance of the class, or itself a class derived from it."""
+    """Return whether `obj` is an instance of the class, or itself a class derived from it."""
     return is_a(obj, entity_type) or (inspect.isclass(obj) and issubclass(obj, entity_type))

@@ -1,4 +1,4 @@
-"""Checks of arguments."""
+"""Type checks of arguments."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 
 def ensure_argument_type(argument: Any, types: Any, argument_name: str, caller: str | None = None) -> None:
-    """Raise TypeError, with the argument's and the caller's name, for a value of none of the types."""
+    """Raise TypeError, with the argument's and the caller's name, unless the value has one of the types."""
     allowed = list(types) if isinstance(types, Iterable) else [types]
     if any(isinstance(argument, each) for each in allowed):
         return

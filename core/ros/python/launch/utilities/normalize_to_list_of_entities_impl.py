@@ -1,4 +1,4 @@
-"""One list from entities and lists of entities."""
+"""Flattens entities and lists of entities."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from launch.some_entities_type import SomeEntitiesType
 
 
 def normalize_to_list_of_entities(entities: Iterable[SomeEntitiesType]) -> list[LaunchDescriptionEntity]:
-    """Return all entities, those in lists too, one after the other."""
+    """Return all entities, including those in lists, as one list."""
     flat: list[LaunchDescriptionEntity] = []
     for each in entities:
         if isinstance(each, LaunchDescriptionEntity):

@@ -1,4 +1,4 @@
-"""A list of substitutions from whatever may stand for a text."""
+"""A list of substitutions from any value that stands for a text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from launch.substitution import Substitution
 
 
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
-    """Return substitutions that give the text together; TypeError for what is neither string nor substitution."""
+    """Return the substitutions that make up the text. Raises TypeError for anything but strings and substitutions."""
     if isinstance(subs, (str, Substitution)):
         return [_substitution(subs)]
     return [_substitution(each) for each in subs]

@@ -1,4 +1,4 @@
-"""The text of several substitutions in a row."""
+"""The text of a sequence of substitutions."""
 
 from __future__ import annotations
 
@@ -12,5 +12,5 @@ if TYPE_CHECKING:
 
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
-    """Return their texts put together; SubstitutionFailure if one has none."""
+    """Return their texts, concatenated. Raises SubstitutionFailure if one has no text."""
     return "".join([context.perform_substitution(each) for each in subs])

@@ -1,6 +1,6 @@
-"""Values of a wanted type from texts and substitutions, by the rules of YAML.
+"""Converts texts and substitutions to values of a given type, by the rules of YAML.
 
-A data type is `int`, `float`, `bool`, `str`, a `List` of one of them, or None for "whatever YAML makes of it".
+A data type is `int`, `float`, `bool`, `str`, a `List` of one of them, or None for "as YAML reads it".
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ StrSomeValueType = Any
 
 
 def is_typing_list(data_type: Any) -> bool:
-    """Say whether a type is `List`, `List[…]` or `list[…]`."""
+    """Return whether a type is `List`, `List[…]` or `list[…]`."""
     return data_type is List or getattr(data_type, "__origin__", None) is list  # noqa: UP006
 
 
 def extract_type(data_type: Any) -> tuple[type, bool]:
-    """Return the scalar type and whether a list of it is meant; ValueError for a type that is not allowed."""
+    """Return the scalar type and whether a list of it is meant. Raises ValueError for any other type."""
     members = getattr(data_type, "__args__", None)
     is_list = is_typing_list(data_type) and bool(members)
     scalar = members[0] if is_list and members else data_type
@@ -44,7 +44,7 @@ def extract_type(data_type: Any) -> tuple[type, bool]:
 
 
 def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
-    """Say whether a value is a scalar or a list of scalars of one type (with `can_be_str` some may be strings)."""
+    """Return whether a value is a scalar or a list of scalars of one type (with `can_be_str` some may be strings)."""
     if not isinstance(value, list):
         return isinstance(value, ScalarTypesTuple)
     member = next((type(each) for each in value if type(each) is not str), str)
@@ -54,7 +54,7 @@ def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = False) -> bool:
-    """Say whether a value is of the data type, or with `can_be_str` a string that may become one."""
+    """Return whether a value has the data type, or, with `can_be_str`, is a string that may become one."""
     if data_type is None:
         return is_instance_of_valid_type(value, can_be_str=can_be_str)
     scalar, is_list = extract_type(data_type)
@@ -65,7 +65,7 @@ def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = Fals
 
 
 def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = False) -> Any:
-    """Return the value that a text stands for; ValueError if it stands for none of that type."""
+    """Return the value of a text. Raises ValueError if it has no value of that type."""
     ensure_argument_type(value, str, "value", "coerce_to_type")
     if data_type is None:
         return _from_yaml(value, f"Failed to convert '{value}' using yaml rules", can_be_str)
@@ -112,7 +112,7 @@ def _from_yaml(text: str, problem: str, can_be_str: bool) -> Any:
 
 
 def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = False) -> list[Any]:
-    """The same for each text of a list; ValueError if the values are not of one type."""
+    """Apply `coerce_to_type` to each text of a list. Raises ValueError if the values have different types."""
     ensure_argument_type(value, list, "value", "coerce_list")
     output = [coerce_to_type(each, data_type, can_be_str=can_be_str) for each in value]
     if not is_instance_of_valid_type(output, can_be_str=can_be_str):
@@ -121,7 +121,7 @@ def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = F
 
 
 def get_typed_value(value: Any, data_type: Any, *, can_be_str: bool = False) -> Any:
-    """The value of a text, or of a list of texts."""
+    """Return the value of a text, or of a list of texts."""
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str=can_be_str)
     if data_type is not None:
@@ -132,7 +132,7 @@ def get_typed_value(value: Any, data_type: Any, *, can_be_str: bool = False) -> 
 
 
 def is_substitution(x: Any) -> bool:
-    """Say whether something is a substitution or a row of strings and at least one substitution."""
+    """Return whether something is a substitution, or a sequence of strings and at least one substitution."""
     if isinstance(x, Substitution):
         return True
     if isinstance(x, str) or not isinstance(x, Iterable):
@@ -193,12 +193,12 @@ def _kind(item: Any, items: list[Any]) -> Any:
 
 
 def is_normalized_substitution(x: Any) -> bool:
-    """Say whether `x` is a list of substitutions and not empty."""
+    """Return whether `x` is a non-empty list of substitutions."""
     return isinstance(x, list) and len(x) > 0 and all(isinstance(each, Substitution) for each in x)
 
 
 def perform_typed_substitution(context: LaunchContext, value: Any, data_type: Any) -> Any:
-    """Return the value of what `normalize_typed_substitution` gave; TypeError or ValueError if it is of another type."""
+    """Return the value of a result of `normalize_typed_substitution`. Raises TypeError or ValueError for another type."""
     if isinstance(value, ScalarTypesTuple):
         if data_type is not None and not is_instance_of(value, data_type):
             raise TypeError(f"value=`{value}` is a scalar and not an instance of `{data_type}`")

@@ -1,4 +1,4 @@
-"""The type of what names a file."""
+"""The type of file paths."""
 
 from __future__ import annotations
 

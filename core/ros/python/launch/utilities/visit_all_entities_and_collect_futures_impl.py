@@ -1,4 +1,4 @@
-"""The visit of an entity and of all that it leads to."""
+"""Visits an entity and all entities that follow from it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> list[tuple[LaunchDescriptionEntity, Future]]:
-    """Visit depth first; return those entities that are not done with their visit, with their futures."""
+    """Visit depth first; returns the entities that are not done after their visit, with their futures."""
     following = entity.visit(context)
     future = entity.get_asyncio_future()
     pairs = [] if future is None else [(entity, future)]

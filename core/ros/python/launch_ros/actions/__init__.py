@@ -1,4 +1,4 @@
-"""What a launch can do with ROS nodes."""
+"""The actions of launch files for ROS nodes."""
 
 from __future__ import annotations
 

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 @expose_action("node_container")
 class ComposableNodeContainer(Node):
-    """A node that is a container, and the components that it is to load once it runs.
+    """A container node, and the components that it loads once it runs.
 
-    Components are C++ classes in real ROS. The containers here know those of day6-tui's own packages (demo_nodes_cpp …); of all
-    others they say that these cannot be loaded.
+    In real ROS components are C++ classes. The containers here have those of day6-tui's own packages (demo_nodes_cpp …); they
+    report all others as failing to load.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class ComposableNodeContainer(Node):
 
 
 def parsed_components(entity: Entity, parser: Parser, *, optional: bool) -> list[ComposableNode]:
-    """Return what the `composable_node` tags in a tag say."""
+    """Return the descriptions in the `composable_node` tags of a tag."""
     found = entity.get_attr("composable_node", data_type=List[Entity], optional=optional)  # noqa: UP006
     descriptions = []
     for each in found or ():

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 
 @expose_action("lifecycle_node")
 class LifecycleNode(Node):
-    """A `Node` whose states the launch follows (`StateTransition` events) and changes (`ChangeState` events).
+    """A `Node` whose states the launch monitors (`StateTransition` events) and changes (`ChangeState` events).
 
-    `autostart`: configure and activate it as soon as its services are there.
+    `autostart`: configure and activate it as soon as its services are available.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class LifecycleNode(Node):
 
         from launch_ros.event_handlers.on_state_transition import OnStateTransition
 
-        def order(transition: int) -> EmitEvent:
+        def change_state(transition: int) -> EmitEvent:
             return EmitEvent(
                 event=ChangeState(lifecycle_node_matcher=lambda action: action is self, transition_id=transition)
             )
@@ -91,10 +91,10 @@ class LifecycleNode(Node):
             target_lifecycle_node=self,
             start_state="configuring",
             goal_state="inactive",
-            entities=[order(Transition.TRANSITION_ACTIVATE)],
+            entities=[change_state(Transition.TRANSITION_ACTIVATE)],
             handle_once=True,
         )
-        return [RegisterEventHandler(activate), order(Transition.TRANSITION_CONFIGURE)]
+        return [RegisterEventHandler(activate), change_state(Transition.TRANSITION_CONFIGURE)]
 
     def __on_change_state(self, context: LaunchContext) -> None:
         event: ChangeState = context.locals.event
@@ -109,7 +109,7 @@ class LifecycleNode(Node):
         try:
             self.__call_service(transition, context)
         except InvalidHandle:
-            if not context.is_shutdown:  # the end of the launch takes its node away
+            if not context.is_shutdown:  # the end of the launch destroys its node
                 raise
 
     def __call_service(self, transition: int, context: LaunchContext) -> None:

@@ -1,4 +1,4 @@
-"""Takes lifecycle nodes through several states."""
+"""Takes lifecycle nodes through several transitions."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ _PATHS = {
     6: ("shuttingdown", "finalized"),
     7: ("shuttingdown", "finalized"),
 }
-"""By lifecycle_msgs/Transition: through which state to which."""
+"""By lifecycle_msgs/Transition, the transition state and the goal state."""
 
 
 class LifecycleTransition(Action):
-    """Lets each node make the transitions one after the other; an error in one ends those of its node."""
+    """Makes each node execute the transitions in sequence; an error ends the sequence of that node."""
 
     def __init__(
         self,
@@ -59,7 +59,7 @@ class LifecycleTransition(Action):
 
     def __begin(self, context: LaunchContext, name: str, transitions: list[int]) -> EmitEvent:
         full_name = name if name.startswith("/") else f"/{name}"
-        orders = [
+        changes = [
             EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_node_name(name), transition_id=each))
             for each in transitions
         ]
@@ -72,7 +72,7 @@ class LifecycleTransition(Action):
                 if handler in context._event_handlers:
                     context.unregister_event_handler(handler)
 
-        for transition, following in zip(transitions, [*orders[1:], OpaqueFunction(function=remove)], strict=True):
+        for transition, following in zip(transitions, [*changes[1:], OpaqueFunction(function=remove)], strict=True):
             matcher = _reaches(full_name, *_PATHS[transition])
             handlers.append(EventHandler(matcher=matcher, entities=[following], handle_once=True))
         failed = OpaqueFunction(function=remove, args=["error occured during transitions"])
@@ -81,7 +81,7 @@ class LifecycleTransition(Action):
         )
         for handler in handlers:
             context.register_event_handler(handler)
-        return orders[0]
+        return changes[0]
 
 
 def _number(text: str) -> int:

@@ -1,4 +1,4 @@
-"""Loads components into a container that runs already."""
+"""Loads components into a running container."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 _POLL = 0.2
-"""Seconds between looks whether the launch has ended meanwhile."""
+"""Seconds between checks whether the launch has ended meanwhile."""
 
 
 @expose_action("load_composable_node")
 class LoadComposableNodes(Action):
-    """Asks the container for each component, one after the other, by its service `_container/load_node`.
+    """Loads each component, one after the other, by the container's service `_container/load_node`.
 
     `target_container`: its full name, or the action that starts it.
     """
@@ -73,23 +73,22 @@ class LoadComposableNodes(Action):
         else:
             self.__container = perform_substitutions(context, normalize_to_list_of_substitutions(self.__target))
         self.__client = get_ros_node(context).create_client(LoadNode, f"{self.__container}/_container/load_node")
-        # Now, because the scope of a group may end before the container answers.
+        # Now, because the scope of a group may end before the container responds.
         requests = [_request(each, context) for each in self.__descriptions if _is_wanted(each, context)]
         if requests:
             future = context.asyncio_loop.run_in_executor(None, self.__load_all, requests, context)
             context.add_completion_future(future)
         return None
 
-    # -- in a thread ---------------------------------------------------------------------------------------------------
-
     def __load_all(self, requests: list[Any], context: LaunchContext) -> None:
+        """Load the components one after the other; runs in a thread."""
         from rclpy._rclpy_pybind11 import InvalidHandle
 
         try:
             for request in requests:
                 self.__load(request, context)
         except InvalidHandle:
-            if not context.is_shutdown:  # the end of the launch takes its node away
+            if not context.is_shutdown:  # the end of the launch destroys its node
                 raise
 
     def __load(self, request: Any, context: LaunchContext) -> None:
@@ -98,10 +97,10 @@ class LoadComposableNodes(Action):
                 self.__logger.warning(f"Abandoning wait for the '{self.__client.srv_name}' service, due to shutdown.")
                 return
         self.__logger.debug(f"Calling the '{self.__client.srv_name}' service with request '{request}'")
-        answered = threading.Event()
+        responded = threading.Event()
         future = self.__client.call_async(request)
-        future.add_done_callback(lambda _: answered.set())
-        while not answered.wait(_POLL):
+        future.add_done_callback(lambda _: responded.set())
+        while not responded.wait(_POLL):
             if context.is_shutdown:
                 self.__logger.warning(
                     f"Abandoning wait for the '{self.__client.srv_name}' service response, due to shutdown."
@@ -110,9 +109,9 @@ class LoadComposableNodes(Action):
                 return
         if future.exception() is not None:
             raise future.exception()
-        self.__tell(request, future.result(), context)
+        self.__report(request, future.result(), context)
 
-    def __tell(self, request: Any, response: Any, context: LaunchContext) -> None:
+    def __report(self, request: Any, response: Any, context: LaunchContext) -> None:
         name = response.full_node_name or request.node_name
         if not response.success:
             self.__logger.error(
@@ -135,7 +134,7 @@ def _is_wanted(description: ComposableNode, context: LaunchContext) -> bool:
 
 
 def _request(description: ComposableNode, context: LaunchContext) -> Any:
-    """Return the service request for a component: its own settings, and those of SetParameter, SetRemap and namespaces."""
+    """Return the service request for a component: its own settings, and those of SetParameter, SetRemap, namespaces."""
     from composition_interfaces.srv import LoadNode
 
     def text(parts: list[Substitution] | None) -> str | None:
@@ -162,7 +161,7 @@ def _request(description: ComposableNode, context: LaunchContext) -> Any:
 
 
 def _messages(context: LaunchContext, settings: Sequence[Any], request: Any) -> list[Any]:
-    """Return messages of evaluated parameters: dicts, `Parameter`s, and the files' sections for the node."""
+    """Return evaluated parameters (dicts, `Parameter`s, the node's sections of files) as messages."""
     from rclpy.parameter import Parameter as RosParameter
     from rclpy.parameter import parameter_dict_from_yaml_file
 

@@ -47,11 +47,11 @@ _TEXTS = {
 
 @expose_action("node")
 class Node(ExecuteProcess):
-    """Runs the executable of a package (or the one at a path, without `package`) with `--ros-args`.
+    """Runs the executable of a package (without `package`: the executable at a path) with `--ros-args`.
 
-    - `name`, `namespace`: for the node; a relative namespace is below the one that `PushRosNamespace` gave. None: its own.
-    - `exec_name`: what is shown before its output, by default the executable's name.
-    - `parameters`: a list of files, dicts (written to a file) and `Parameter`s; the last one that has a parameter wins.
+    - `name`, `namespace`: of the node; a relative namespace is below that of `PushRosNamespace`. None: the node's own.
+        - `exec_name`: shown before its output, by default the executable's name.
+    - `parameters`: a list of files, dicts (written to a file) and `Parameter`s; the last value of a parameter wins.
     - `remappings`: pairs (from, to). `arguments`: words before `--ros-args`. `ros_arguments`: words after it.
     """
 
@@ -95,7 +95,7 @@ class Node(ExecuteProcess):
         self.__final_name: str | None = None
         self.__performed = False
 
-    # -- from XML and YAML ---------------------------------------------------------------------------------------------
+    # -- parsing XML and YAML ------------------------------------------------------------------------------------------
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser, ignore: Iterable[str] = ()) -> tuple[Any, dict[str, Any]]:
@@ -123,7 +123,7 @@ class Node(ExecuteProcess):
 
     @staticmethod
     def parse_nested_parameters(params: Iterable[Entity], parser: Parser) -> list[Any]:
-        """Return what the `param` tags of a node say, as `parameters` takes it."""
+        """Return the `param` tags of a node in the form of the argument `parameters`."""
         found: list[Any] = []
         for param in params:
             source = param.get_attr("from", optional=True)
@@ -145,7 +145,7 @@ class Node(ExecuteProcess):
                 raise ValueError("param Entity should have name or from attribute")
         return found
 
-    # -- what it is ----------------------------------------------------------------------------------------------------
+    # -- properties ----------------------------------------------------------------------------------------------------
 
     @property
     def node_package(self) -> Any:
@@ -157,13 +157,13 @@ class Node(ExecuteProcess):
 
     @property
     def node_name(self) -> str:
-        """Namespace and name; RuntimeError before it was executed."""
+        """The full name. Raises RuntimeError before the action is executed."""
         if self.__final_name is None:
             raise RuntimeError("cannot access 'node_name' before executing action")
         return self.__final_name
 
     def is_node_name_fully_specified(self) -> bool:
-        """Whether the launch file gives both namespace and name."""
+        """Return whether the launch file gives both namespace and name."""
         unknown = (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
         return all(each not in self.node_name for each in unknown)
 
@@ -197,7 +197,7 @@ class Node(ExecuteProcess):
         return result
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Put name, namespace, parameters and remappings into the command line. Only the first call does it."""
+        """Add name, namespace, parameters and remappings to the command line. Only the first call does so."""
         if self.__performed:
             return
         self.__performed = True
@@ -293,7 +293,7 @@ def _nested(params: Iterable[Entity], parser: Parser) -> dict[Any, Any]:
 
 
 def _argument(value: Any) -> str:
-    """Return a value as `-p name:=value` takes it: one line of YAML."""
+    """Return a value in the form that `-p name:=value` takes: one line of YAML."""
     import yaml
 
     text: str = yaml.safe_dump(list(value) if isinstance(value, tuple) else value, default_flow_style=True, width=2**20)
@@ -301,7 +301,7 @@ def _argument(value: Any) -> str:
 
 
 _to_remove: list[str] = []
-"""Parameter files that were written for this launch."""
+"""Parameter files written by this launch."""
 
 
 def _remove_parameter_files() -> None:

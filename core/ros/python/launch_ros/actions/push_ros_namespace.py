@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 @expose_action("push_ros_namespace")
 @expose_action("push-ros-namespace")
 class PushROSNamespace(Action):
-    """From here on (in this group) the namespaces of nodes are below this one."""
+    """Puts all later nodes (in this group) below this namespace."""
 
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -1,4 +1,4 @@
-"""Visits other actions some ROS time later."""
+"""Visits other actions after a span of ROS time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @expose_action("ros_timer")
 class ROSTimer(TimerAction):
-    """A `TimerAction` by the clock of the launch's own node: simulated time, after `SetUseSimTime(True)`."""
+    """A `TimerAction` on the clock of the launch's own node: simulated time after `SetUseSimTime(True)`."""
 
     def _start(self, context: LaunchContext, seconds: float) -> Timer:
         node = get_ros_node(context)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_parameter")
 class SetParameter(Action):
-    """For all nodes from here on (in this group); what a node is given itself goes before it."""
+    """Sets a parameter of all later nodes (in this group); a node's own parameters override it."""
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -45,7 +45,7 @@ class SetParameter(Action):
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         values = evaluate_parameter_dict(context, self.__parameters)
-        # A new list: the old one is still that of the surrounding group.
+        # A new list, because the old one belongs to the surrounding group.
         before = context.launch_configurations.get("global_params", [])
         context.launch_configurations["global_params"] = [*before, *values.items()]
         return None

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_parameters_from_file")
 class SetParametersFromFile(Action):
-    """For all nodes from here on (in this group)."""
+    """Sets the parameters of all later nodes (in this group)."""
 
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

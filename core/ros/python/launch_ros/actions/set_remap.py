@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_remap")
 class SetRemap(Action):
-    """`src` is `dst` for all nodes from here on (in this group)."""
+    """Remaps `src` to `dst` for all later nodes (in this group)."""
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

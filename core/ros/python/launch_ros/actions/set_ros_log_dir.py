@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_ros_log_dir")
 class SetROSLogDir(Action):
-    """ROS_LOG_DIR becomes `new_log_dir`; a relative one is below what it was (by default ~/.ros/log)."""
+    """Sets ROS_LOG_DIR to `new_log_dir`; a relative one is below the old value (by default ~/.ros/log)."""
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

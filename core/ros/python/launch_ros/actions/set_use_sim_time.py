@@ -1,4 +1,4 @@
-"""Makes the launch itself live in simulated time."""
+"""Switches the launch itself to simulated time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @expose_action("set_use_sim_time")
 class SetUseSimTime(Action):
-    """Sets `use_sim_time` of the launch's own node, by which `ROSTimer` waits."""
+    """Sets `use_sim_time` of the launch's own node, whose clock `ROSTimer` uses."""
 
     def __init__(self, value: bool, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class ComposableNode:
-    """A node that a container is to load from a package; see `ComposableNodeContainer`."""
+    """A node that a container loads from a package; see `ComposableNodeContainer`."""
 
     def __init__(
         self,

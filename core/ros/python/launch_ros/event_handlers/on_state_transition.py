@@ -14,7 +14,7 @@ from launch_ros.events.lifecycle.state_transition import StateTransition
 
 
 class OnStateTransition(EventHandler):
-    """Visit `entities` at a transition of the node (None: any) with that label, from and to those states (None: any)."""
+    """Visits `entities` at a transition of the node, by label, start state and goal state (None: any)."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""Substitutions that know ROS packages and parameters."""
+"""Substitutions for ROS packages and parameters."""
 
 from __future__ import annotations
 

@@ -1,13 +1,13 @@
-"""Where an executable of a package is."""
+"""The path of a package's executable."""
 
 from __future__ import annotations
 
 import os
 import shutil
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from launch._programs import built_in
 from launch.frontend.expose import expose_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("exec-in-pkg")
 class ExecutableInPackage(FindPackagePrefix):
-    """`<prefix>/lib/<package>/<executable>`. Executables of ours have such a path too, though there is no file."""
+    """`<prefix>/lib/<package>/<executable>`. Our own executables have such a path too, but no file."""
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)
@@ -47,13 +47,15 @@ class ExecutableInPackage(FindPackagePrefix):
         package = perform_substitutions(context, self.package)
         prefix = super().perform(context)
         folder = os.path.join(prefix, "lib", package)
-        if built_in(os.path.join(folder, executable)) is not None:
-            return os.path.join(folder, executable)
         from ament_index_python.search_paths import BUILT_IN_PREFIX
 
-        from day6_tui.core.workspace.left_out import noted_programs, stand_ins, why_not
+        from day6_tui.core.ros.left_out import noted_programs, replacements, why_not
+        from day6_tui.core.ros.program_index import named_by
 
-        if executable in stand_ins(package, noted_programs(prefix, package)):
+        if named_by(Path(folder, executable)) is not None:
+            return os.path.join(folder, executable)
+
+        if executable in replacements(package, noted_programs(prefix, package)):
             return os.path.join(BUILT_IN_PREFIX, "lib", package, executable)
         if not os.path.exists(folder) and prefix != BUILT_IN_PREFIX:
             raise SubstitutionFailure(

@@ -1,4 +1,4 @@
-"""Where a package is."""
+"""The paths of a package."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class FindPackage(Substitution):
-    """Base of these substitutions: what `find(package_name)` returns."""
+    """Base of these substitutions: the result of `find(package_name)`."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -32,6 +32,7 @@ class FindPackage(Substitution):
         return self.__package
 
     def find(self, package_name: str) -> str:
+        """Return the path for a package. This one raises NotImplementedError."""
         raise NotImplementedError(f"{type(self).__name__} has no find()")
 
     def describe(self) -> str:
@@ -43,7 +44,7 @@ class FindPackage(Substitution):
 
 @expose_substitution("find-pkg-prefix")
 class FindPackagePrefix(FindPackage):
-    """The prefix under which a package is installed. PackageNotFoundError if it is nowhere."""
+    """The prefix under which a package is installed. Raises PackageNotFoundError."""
 
     def find(self, package_name: str) -> str:
         from ament_index_python.packages import get_package_prefix

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("param")
 class Parameter(Substitution):
-    """What `name` was set to for all nodes, else `default`."""
+    """The value that `name` was set to for all nodes, else `default`."""
 
     def __init__(self, name: SomeSubstitutionsType, *, default: Any = None) -> None:
         super().__init__()

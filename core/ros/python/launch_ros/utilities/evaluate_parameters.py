@@ -1,4 +1,4 @@
-"""The values of normalised parameters in a running launch."""
+"""Evaluates normalized parameters in a running launch."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def evaluate_parameters(context: LaunchContext, parameters: Any) -> tuple[Any, .
 
 
 def evaluate_parameter_dict(context: LaunchContext, parameters: Any) -> dict[str, Any]:
-    """Return `{name: value}`; TypeError for a text that is no value of a parameter."""
+    """Return `{name: value}`. Raises TypeError for a text that isn't a valid parameter value."""
     if not isinstance(parameters, Mapping):
         raise TypeError("expected dict")
     found = {}

@@ -1,20 +1,20 @@
-"""Namespaces put together."""
+"""Combines namespaces."""
 
 from __future__ import annotations
 
 
 def is_root_namespace(ns: str) -> bool:
-    """Say whether it is `/`."""
+    """Return whether it is `/`."""
     return ns == "/"
 
 
 def is_namespace_absolute(ns: str) -> bool:
-    """Say whether it begins with `/`."""
+    """Return whether it begins with `/`."""
     return ns.startswith("/")
 
 
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
-    """Return `ns` as seen from `base_ns`; an absolute one stands for itself, None for nothing."""
+    """Return `ns` relative to `base_ns`; an absolute one is returned unchanged, None means there is none."""
     if ns is None or base_ns is None:
         combined = base_ns if ns is None else ns
     elif not base_ns or is_namespace_absolute(ns):
@@ -27,5 +27,5 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
 
 
 def make_namespace_absolute(ns: str | None) -> str | None:
-    """Return it with a `/` in front; None for nothing."""
+    """Return it with a leading `/`; None for None."""
     return ns if ns is None or is_namespace_absolute(ns) else f"/{ns}"

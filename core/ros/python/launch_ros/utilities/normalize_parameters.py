@@ -1,7 +1,7 @@
-"""Parameters as launch files give them, brought into one form.
+"""Normalizes the parameters that launch files give.
 
-Names become tuples of substitutions (nested dicts: joined by a dot). A value is a bool, int, float, bytes, a string that is
-meant as it is, a tuple of substitutions (one text that YAML reads), a tuple of bools, ints or floats, a tuple of lists of
+Names become tuples of substitutions (nested dicts: joined by a dot). A value is a bool, int, float, bytes, a literal
+string, a tuple of substitutions (one text that YAML reads), a tuple of bools, ints or floats, a tuple of lists of
 substitutions (one text per item), or a `ParameterValue`.
 """
 
@@ -19,7 +19,7 @@ from launch_ros.parameter_descriptions import Parameter, ParameterFile, Paramete
 
 
 def normalize_parameters(parameters: Any) -> tuple[Any, ...]:
-    """Return files, dicts and `Parameter`s of a list; TypeError for what is no list."""
+    """Return the normalized files, dicts and `Parameter`s of a list. Raises TypeError for anything but a list."""
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f"Expecting list of parameters, got {parameters}")
     found: list[Any] = []
@@ -34,7 +34,7 @@ def normalize_parameters(parameters: Any) -> tuple[Any, ...]:
 
 
 def normalize_parameter_dict(parameters: Any, *, _prefix: Sequence[Substitution] = ()) -> dict[Any, Any]:
-    """Return one flat dict; TypeError for values of other types."""
+    """Return one flat dict. Raises TypeError for values of other types."""
     if not isinstance(parameters, Mapping):
         raise TypeError("expected dict")
     found: dict[Any, Any] = {}
@@ -70,7 +70,7 @@ def _items(value: Sequence[Any]) -> tuple[Any, ...]:
         return tuple(float(item) for item in value)
     if Substitution in kinds and kinds <= {str, Substitution}:
         return tuple(normalize_to_list_of_substitutions(value))
-    # Strings; lists of substitutions, one per item; and mixtures, which are wrong unless YAML makes them one type.
+    # Strings; lists of substitutions, one per item; and mixtures, which are wrong unless YAML reads one type.
     return tuple(
         _as_yaml(item) if isinstance(item, (float, int, str)) else normalize_to_list_of_substitutions(item)
         for item in value

@@ -10,7 +10,7 @@ from launch_ros.remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
 
 
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
-    """Return both sides as substitutions; TypeError for what is not a tuple of two."""
+    """Return both sides as substitutions. Raises TypeError for anything but a pair."""
     ensure_argument_type(remap_rule, tuple, "remap_rule")
     if len(remap_rule) != 2:
         raise TypeError(f"remap_rule must be a tuple of length 2, got length {len(remap_rule)}")
@@ -19,5 +19,5 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
 
 
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterator[RemapRule]:
-    """Do that for many."""
+    """Yield several rules, each as from `normalize_remap_rule`."""
     yield from map(normalize_remap_rule, remap_rules)

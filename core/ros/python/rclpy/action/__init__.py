@@ -1,4 +1,4 @@
-"""Actions: long-running goals with feedback, a result and the possibility to cancel."""
+"""Actions: long-running goals with feedback, a result and the option to cancel."""
 
 from rclpy.action.client import ActionClient as ActionClient
 from rclpy.action.graph import get_action_client_names_and_types_by_node as get_action_client_names_and_types_by_node

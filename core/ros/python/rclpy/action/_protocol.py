@@ -1,4 +1,4 @@
-"""What servers and clients of actions share: the names below `<action>/_action/` and the states of a goal."""
+"""Shared by action servers and clients: the names below `<action>/_action/` and the states of a goal."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _TRANSITIONS = {
 
 
 def next_state(state: int, event: GoalEvent) -> int:
-    """Return the state after an event; RCLError for an event that may not happen now (rcl_action/goal_state_machine.c)."""
+    """Return the state after an event; RCLError for an event that is invalid in this state (rcl_action/goal_state_machine.c)."""
     after = _TRANSITIONS.get((state, event))
     if after is None:
         raise RCLError(
@@ -43,7 +43,7 @@ def next_state(state: int, event: GoalEvent) -> int:
 
 
 class ActionEndpoints:
-    """The five endpoints of an action server or client. `failed` begins the text for a bad name."""
+    """The five endpoints of an action server or client. `failed` is the start of the error text for a bad name."""
 
     def __init__(self, node: NodeHandle, action_type: Any, action_name: str, failed: str) -> None:
         node.check()
@@ -59,7 +59,7 @@ class ActionEndpoints:
         self.destroyed = False
         self._services: dict[Any, Any] = {}
         self._introspections: dict[Any, Introspection] = {}
-        node.keep_for(self)
+        node.add_user(self)
 
     def check(self) -> None:
         """Raise InvalidHandle after destruction."""
@@ -118,7 +118,7 @@ class ActionEndpoints:
             introspection.destroy()
         for endpoint in self.endpoints:
             endpoint.destroy()
-        self.node.let_go(self)
+        self.node.remove_user(self)
 
     def __del__(self, python_ends: Callable[[], bool] = sys.is_finalizing) -> None:
         if not python_ends() and not getattr(self, "destroyed", True):
@@ -126,7 +126,7 @@ class ActionEndpoints:
 
     # asking and answering, with what introspection tells of it
 
-    def ask(self, client: Any, request: Any) -> int:
+    def send_request(self, client: Any, request: Any) -> int:
         """Send a request; returns its number."""
         number: int = client.send_request(request)
         introspection = self._introspections.get(client)
@@ -134,7 +134,7 @@ class ActionEndpoints:
             introspection.request_sent(request, number)
         return number
 
-    def answer(self, service: Any, request_id: RequestId, response: Any) -> None:
+    def send_response(self, service: Any, request_id: RequestId, response: Any) -> None:
         """Send a response."""
         introspection = self._introspections.get(service)
         if introspection is not None:
@@ -146,12 +146,14 @@ class ActionEndpoints:
         taken = endpoint.take()
         introspection = self._introspections.get(endpoint)
         if introspection is not None and taken is not None:
-            told = introspection.request_received if isinstance(endpoint, Service) else introspection.response_received
-            told(*taken)
+            publish_event = (
+                introspection.request_received if isinstance(endpoint, Service) else introspection.response_received
+            )
+            publish_event(*taken)
         return taken
 
     def configure_introspection(self, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> None:
-        """Tell on `…/_service_event` what the action's three services are asked and answer, or no more of it."""
+        """Publish requests and responses of the action's three services on `…/_service_event`, or stop doing so."""
         from rclpy._introspection import Introspection
 
         self.check()
@@ -173,6 +175,10 @@ def _full_name(node: NodeHandle, name: Any, failed: str) -> str:
     if flaw is not None:
         raise ValueError(f"{failed.format(name)} {flaw.message}, at /project/src/rcl/expand_topic_name.c:73")
     try:
-        return names.expand(name, node.name, node.namespace)
+        full = names.expand(name, node.name, node.namespace)
     except names.UnknownSubstitution as error:
         raise ValueError(f"{failed.format(name)} {error}, at /project/src/rcl/expand_topic_name.c:164") from None
+    flaw = names.flaw_of_full_topic_name(f"{full}/_action/cancel_goal")
+    if flaw is not None:
+        raise ValueError(f"{failed.format(name)} {flaw.message}, at /project/src/rcl/node_resolve_name.c:102")
+    return full

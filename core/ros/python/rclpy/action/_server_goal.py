@@ -1,29 +1,35 @@
-"""A goal as its server sees it, and what a server's callbacks answer."""
+"""The server's handle of a goal, and the return values of a server's callbacks."""
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from enum import Enum
-from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Generic, Literal
 
 from rclpy._rclpy_pybind11 import GoalEvent
 from rclpy.action._protocol import ABORTED, ACCEPTED, CANCELED, CANCELING, SUCCEEDED, UNKNOWN, next_state
+from rclpy.type_support import FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
+    from action_msgs.msg import GoalInfo
     from unique_identifier_msgs.msg import UUID
 
     from rclpy.action.server import ActionServer
 
-GoalT = TypeVar("GoalT")
-ResultT = TypeVar("ResultT")
-FeedbackT = TypeVar("FeedbackT")
+    ExecuteCallback = Callable[["ServerGoalHandle[GoalT, ResultT, FeedbackT]"], ResultT | Awaitable[ResultT]]
+    AcceptedCallback = Callable[["ServerGoalHandle[GoalT, ResultT, FeedbackT]"], object]
+    GoalCallback = Callable[[GoalT], "GoalResponse | Awaitable[GoalResponse]"]
+    CancelCallback = Callable[
+        ["ServerGoalHandle[GoalT, ResultT, FeedbackT]"], "CancelResponse | Awaitable[CancelResponse]"
+    ]
+
 
 _TERMINAL = (SUCCEEDED, CANCELED, ABORTED)
 
 
 class GoalResponse(Enum):
-    """What a goal callback answers."""
+    """Return values of a goal callback."""
 
     __module__ = "rclpy.action.server"
 
@@ -32,7 +38,7 @@ class GoalResponse(Enum):
 
 
 class CancelResponse(Enum):
-    """What a cancel callback answers."""
+    """Return values of a cancel callback."""
 
     __module__ = "rclpy.action.server"
 
@@ -41,11 +47,13 @@ class CancelResponse(Enum):
 
 
 class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
-    """A goal as its server sees it."""
+    """The server's handle of a goal."""
 
     __module__ = "rclpy.action.server"
 
-    def __init__(self, action_server: ActionServer[Any, Any, Any], goal_info: Any, goal_request: GoalT) -> None:
+    def __init__(
+        self, action_server: ActionServer[GoalT, ResultT, FeedbackT], goal_info: GoalInfo, goal_request: GoalT
+    ) -> None:
         self._action_server = action_server
         self._goal_info = goal_info
         self._goal_request = goal_request
@@ -70,8 +78,7 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
     @property
     def goal_id(self) -> UUID:
         """The goal's UUID."""
-        goal_id: UUID = self._goal_info.goal_id
-        return goal_id
+        return self._goal_info.goal_id
 
     @property
     def is_active(self) -> bool:
@@ -98,29 +105,29 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         if ended:
             self._action_server._goal_ended(self)
 
-    def execute(self, execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None = None) -> None:
-        """Begin to execute the goal with this function, by default the server's."""
+    def execute(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None = None) -> None:
+        """Start to execute the goal with this function, by default the server's."""
         if not self.is_cancel_requested:
             self._update_state(GoalEvent.EXECUTE)
         self._action_server.notify_execute(self, execute_callback)
 
     def publish_feedback(self, feedback: FeedbackT) -> None:
-        """Send feedback; TypeError for what is no feedback of the action."""
+        """Send feedback; TypeError for anything that isn't feedback of the action."""
         if not isinstance(feedback, self._action_server.action_type.Feedback):
             raise TypeError
         if not self._destroyed:
             self._action_server._publish_feedback(self.goal_id, feedback)
 
     def succeed(self) -> None:
-        """Say that the goal was reached. RCLError in a state where that cannot be."""
+        """Set the goal to succeeded. RCLError in a state where that is impossible."""
         self._update_state(GoalEvent.SUCCEED)
 
     def abort(self) -> None:
-        """Say that the goal was given up. RCLError in a state where that cannot be."""
+        """Set the goal to aborted. RCLError in a state where that is impossible."""
         self._update_state(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """Say that the goal was cancelled as asked. RCLError if nobody asked."""
+        """Set the goal to canceled. RCLError unless canceling was requested and accepted."""
         self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
@@ -128,16 +135,16 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         self._destroyed = True
 
 
-def default_handle_accepted_callback(goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> None:
     """Execute the goal at once."""
     goal_handle.execute()
 
 
-def default_goal_callback(goal_request: Any) -> Literal[GoalResponse.ACCEPT]:
+def default_goal_callback(goal_request: object) -> Literal[GoalResponse.ACCEPT]:
     """Accept every goal."""
     return GoalResponse.ACCEPT
 
 
-def default_cancel_callback(cancel_request: Any) -> Literal[CancelResponse.REJECT]:
-    """Refuse every request to cancel."""
+def default_cancel_callback(cancel_request: object) -> Literal[CancelResponse.REJECT]:
+    """Reject every request to cancel."""
     return CancelResponse.REJECT

@@ -5,33 +5,37 @@ from __future__ import annotations
 import threading
 import weakref
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from rclpy._entity import NOTHING
 from rclpy._handles import INVALID_NODE
 from rclpy._incidental import also
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy._time_source import wait_interruptibly
+from rclpy._time_base import wait_interruptibly
 from rclpy.action._protocol import ABORTED, CANCELED, SUCCEEDED, UNKNOWN, ActionEndpoints
 from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
-from rclpy.type_support import check_for_type_support
+from rclpy.type_support import FeedbackT, GoalT, ResultT, check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from action_msgs.srv import CancelGoal
+    from builtin_interfaces.msg import Time
+    from typing_extensions import Unpack
     from unique_identifier_msgs.msg import UUID
 
+    from rclpy._typing_names import ActionType, ClientTaken, FeedbackCallback, SendGoalKWargs
+    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.node import Node
     from rclpy.service_introspection import ServiceIntrospectionState
+    from rclpy.type_support import GetResultServiceResponse, SendGoalServiceResponse
 
-GoalT = TypeVar("GoalT")
-ResultT = TypeVar("ResultT")
-FeedbackT = TypeVar("FeedbackT")
+T = TypeVar("T")
 
-# Programs import these messages from here too; they are made when asked for.
+# Programs import these messages from here too; they are made on first use.
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalStatus": "action_msgs.msg", "UUID": "unique_identifier_msgs.msg"}
 
 
@@ -51,9 +55,14 @@ def __getattr__(name: str) -> Any:
 
 
 class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
-    """A goal as its client sees it."""
+    """The client's handle of a goal."""
 
-    def __init__(self, action_client: ActionClient[Any, Any, Any], goal_id: UUID, goal_response: Any) -> None:
+    def __init__(
+        self,
+        action_client: ActionClient[GoalT, ResultT, FeedbackT],
+        goal_id: UUID,
+        goal_response: SendGoalServiceResponse,
+    ) -> None:
         self._action_client = action_client
         self._goal_id = goal_id
         self._goal_response = goal_response
@@ -76,45 +85,49 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         return self._goal_id
 
     @property
-    def stamp(self) -> Any:
+    def stamp(self) -> Time:
         """When the server accepted the goal."""
         return self._goal_response.stamp
 
     @property
     def accepted(self) -> bool:
         """Whether the server accepted the goal."""
-        accepted: bool = self._goal_response.accepted
-        return accepted
+        return self._goal_response.accepted
 
     @property
     def status(self) -> int:
-        """The state of the goal, as far as the status topic has told (action_msgs/msg/GoalStatus)."""
+        """The state of the goal, as last received on the status topic (action_msgs/msg/GoalStatus)."""
         return self._status
 
-    def cancel_goal(self) -> Any:
-        """Ask to cancel and block for the answer; another thread has to spin."""
+    def cancel_goal(self) -> CancelGoal.Response | None:
+        """Request to cancel and block for the response; another thread has to spin."""
         return self._action_client._cancel_goal(self)
 
-    def cancel_goal_async(self) -> Future[Any]:
-        """Ask to cancel; the future's result is a CancelGoal.Response."""
+    def cancel_goal_async(self) -> Future[CancelGoal.Response]:
+        """Request to cancel; the future's result is a CancelGoal.Response."""
         return self._action_client._cancel_goal_async(self)
 
-    def get_result(self) -> Any:
+    def get_result(self) -> GetResultServiceResponse[ResultT] | None:
         """Block for the result; another thread has to spin."""
         return self._action_client._get_result(self)
 
-    def get_result_async(self) -> Future[Any]:
-        """Ask for the result; the future's result has `status` and `result`."""
+    def get_result_async(self) -> Future[GetResultServiceResponse[ResultT]]:
+        """Request the result; the future's result has `status` and `result`."""
         return self._action_client._get_result_async(self)
 
 
-class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
-    """Sends goals to an action server. ValueError for a bad name, AttributeError for what is no action."""
+class ActionClient(Waitable["ClientTaken[ResultT, FeedbackT]"], Generic[GoalT, ResultT, FeedbackT]):
+    """Sends goals to an action server.
+
+    Raises:
+        ValueError: for a bad name.
+        AttributeError: for a type that isn't an action.
+    """
 
     def __init__(
         self,
         node: Node,
-        action_type: type[Any],
+        action_type: type[ActionType[GoalT, ResultT, FeedbackT]],
         action_name: str,
         *,
         callback_group: CallbackGroup | None = None,
@@ -137,18 +150,18 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._result_client = handle.client("get_result", parts.GetResultService, result_service_qos_profile)
         self._feedback_sub = handle.subscription("feedback", parts.FeedbackMessage, feedback_sub_qos_profile)
         self._status_sub = handle.subscription("status", parts.GoalStatusMessage, status_sub_qos_profile)
-        self._goal_handles: dict[bytes, weakref.ReferenceType[ClientGoalHandle[Any, Any, Any]]] = {}
-        self._pending_goals: dict[int, tuple[Future[Any], UUID]] = {}
-        self._pending_cancels: dict[int, Future[Any]] = {}
-        self._pending_results: dict[int, tuple[Future[Any], bytes]] = {}
-        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        self._goal_handles: dict[bytes, weakref.ReferenceType[ClientGoalHandle[GoalT, ResultT, FeedbackT]]] = {}
+        self._pending_goals: dict[int, tuple[Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]], UUID]] = {}
+        self._pending_cancels: dict[int, Future[CancelGoal.Response]] = {}
+        self._pending_results: dict[int, tuple[Future[GetResultServiceResponse[ResultT]], bytes]] = {}
+        self._feedback_callbacks: dict[bytes, FeedbackCallback[FeedbackT]] = {}
         self._lock = threading.Lock()
         self._logger = node.get_logger().get_child("action_client")
         for endpoint in handle.endpoints:
             endpoint.on_ready = self._notify
         node.add_waitable(self)
 
-    # running
+    # -- running -------------------------------------------------------------------------------------------------------
 
     def _pending(self) -> bool:
         return not self._handle.destroyed and any(endpoint.queue for endpoint in self._handle.endpoints)
@@ -162,12 +175,12 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             self._notify()
         return self.execute(data)
 
-    def is_ready(self, wait_set: Any) -> bool:
-        """Say whether something came from the server."""
+    def is_ready(self, wait_set: WaitSet) -> bool:
+        """Return whether a response or message has arrived."""
         return self._pending()
 
-    def take_data(self) -> dict[str, Any]:
-        """Take one answer or message of each kind that came."""
+    def take_data(self) -> ClientTaken[ResultT, FeedbackT]:
+        """Take one response or message of each kind that has arrived."""
         if self._handle.destroyed:
             return {}
         taken = {
@@ -177,10 +190,11 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             "feedback": self._feedback_sub.take(),
             "status": self._status_sub.take(),
         }
-        return {kind: data for kind, data in taken.items() if data is not None}
+        found = {kind: data for kind, data in taken.items() if data is not None}
+        return cast("ClientTaken[ResultT, FeedbackT]", found)
 
-    async def execute(self, taken_data: dict[str, Any]) -> None:
-        """Deal with what came."""
+    async def execute(self, taken_data: ClientTaken[ResultT, FeedbackT]) -> None:
+        """Process the taken responses and messages."""
         if "goal" in taken_data:
             self._on_goal_response(*taken_data["goal"])
         if "cancel" in taken_data:
@@ -200,7 +214,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             for each in taken_data["status"][0].status_list:
                 self._on_status(bytes(each.goal_info.goal_id.uuid), each.status)
 
-    def _finish(self, future: Future[Any] | None, result: Any, what: str) -> None:
+    def _finish(self, future: Future[T] | None, result: T, what: str) -> None:
         if future is None:
             self._logger.warning(
                 f"Ignoring unexpected {what} response. There may be more than one action server for the action "
@@ -238,7 +252,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if future is None or goal_id is None:
             self._finish(None, None, "goal")
             return
-        goal_handle: ClientGoalHandle[Any, Any, Any] = ClientGoalHandle(self, goal_id, response)
+        goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT] = ClientGoalHandle(self, goal_id, response)
         if goal_handle.accepted:
             key = bytes(goal_id.uuid)
             if key in self._goal_handles:
@@ -260,8 +274,8 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         """Return two subscriptions and three clients."""
         return NumberOfEntities(2, 0, 0, 3, 0)
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
-        """Do nothing: what comes announces itself."""
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
+        """Do nothing: responses and messages announce themselves."""
 
     def __enter__(self) -> None:
         self._handle.check()
@@ -269,7 +283,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
     def __exit__(self, t: object, v: object, tb: object) -> None:
         pass
 
-    # asking
+    # -- goals ---------------------------------------------------------------------------------------------------------
 
     def _check_goal(self, goal: Any) -> None:
         if not isinstance(goal, self._action_type.Goal):
@@ -285,8 +299,14 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         random[8] = random[8] & 0x3F | 0x80
         return UUID(uuid=list(random))
 
-    def send_goal(self, goal: GoalT, **kwargs: Any) -> Any:
-        """Send a goal and block for its result; another thread has to spin. TypeError for what is no goal."""
+    def send_goal(
+        self, goal: GoalT, **kwargs: Unpack[SendGoalKWargs[FeedbackT]]
+    ) -> GetResultServiceResponse[ResultT] | None:
+        """Send a goal and block for its result; another thread has to spin.
+
+        Raises:
+            TypeError: for anything that isn't a goal.
+        """
         self._check_goal(goal)
         goal_handle = _wait_for(self.send_goal_async(goal, **kwargs))
         if not isinstance(goal_handle, ClientGoalHandle):
@@ -296,12 +316,15 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
     def send_goal_async(
         self,
         goal: GoalT,
-        feedback_callback: Callable[[Any], Any] | None = None,
+        feedback_callback: FeedbackCallback[FeedbackT] | None = None,
         goal_uuid: UUID | None = None,
-    ) -> Future[Any]:
-        """Send a goal; the future's result is a ClientGoalHandle. TypeError for what is no goal.
+    ) -> Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]]:
+        """Send a goal; the future's result is a ClientGoalHandle.
 
         `feedback_callback(message)` is called for each feedback message until the result is there.
+
+        Raises:
+            TypeError: for anything that isn't a goal.
         """
         self._check_goal(goal)
         if self._handle.destroyed:
@@ -312,10 +335,10 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         key = bytes(goal_id.uuid)
         if feedback_callback is not None:
             self._feedback_callbacks[key] = feedback_callback
-        future: Future[Any] = Future()
+        future: Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]] = Future()
         with self._lock:
             self.add_future(future)
-            self._pending_goals[self._handle.ask(self._goal_client, request)] = (future, goal_id)
+            self._pending_goals[self._handle.send_request(self._goal_client, request)] = (future, goal_id)
         future.add_done_callback(self._remove_pending_goal_request)
         return future
 
@@ -324,35 +347,41 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             raise TypeError(f"Expected type ClientGoalHandle but received {type(goal_handle)}")
         self._handle.check()
 
-    def _cancel_goal(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Any:
+    def _cancel_goal(self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]) -> CancelGoal.Response | None:
         return _wait_for(self._cancel_goal_async(goal_handle))
 
-    def _cancel_goal_async(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Future[Any]:
+    def _cancel_goal_async(
+        self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
+    ) -> Future[CancelGoal.Response]:
         self._check_goal_handle(goal_handle)
         request = self._handle.implementation.CancelGoalService.Request()
         request.goal_info.goal_id = goal_handle.goal_id
-        future: Future[Any] = Future()
+        future: Future[CancelGoal.Response] = Future()
         with self._lock:
             self.add_future(future)
-            self._pending_cancels[self._handle.ask(self._cancel_client, request)] = future
+            self._pending_cancels[self._handle.send_request(self._cancel_client, request)] = future
         future.add_done_callback(self._remove_pending_cancel_request)
         return future
 
-    def _get_result(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Any:
+    def _get_result(
+        self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
+    ) -> GetResultServiceResponse[ResultT] | None:
         return _wait_for(self._get_result_async(goal_handle))
 
-    def _get_result_async(self, goal_handle: ClientGoalHandle[Any, Any, Any]) -> Future[Any]:
+    def _get_result_async(
+        self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
+    ) -> Future[GetResultServiceResponse[ResultT]]:
         self._check_goal_handle(goal_handle)
         request = self._handle.implementation.GetResultService.Request(goal_id=goal_handle.goal_id)
-        future: Future[Any] = Future()
+        future: Future[GetResultServiceResponse[ResultT]] = Future()
         with self._lock:
             self.add_future(future)
-            number = self._handle.ask(self._result_client, request)
+            number = self._handle.send_request(self._result_client, request)
             self._pending_results[number] = (future, bytes(goal_handle.goal_id.uuid))
         future.add_done_callback(self._remove_pending_result_request)
         return future
 
-    # the server
+    # -- the server ----------------------------------------------------------------------------------------------------
 
     def _has_server(self) -> bool:
         clients = (self._goal_client, self._cancel_client, self._result_client)
@@ -360,7 +389,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         return all(client.matched for client in clients) and all(topic.matched for topic in topics)
 
     def server_is_ready(self) -> bool:
-        """Say whether a server of the action exists."""
+        """Return whether a server of the action exists."""
         self._node.handle.check()
         failed = "Failed to check if action server is available"
         if self._handle.destroyed:
@@ -370,7 +399,7 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         return self._has_server()
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Block until a server exists, or `timeout_sec` is over; says whether one does."""
+        """Block until a server exists, at most `timeout_sec` seconds (None: no limit); returns whether one does."""
         if not self.server_is_ready():
             self._node.context._wait_for_graph(self._has_server, timeout_sec)
         return self.server_is_ready()
@@ -382,12 +411,16 @@ class ActionClient(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._handle.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
-        """Take the client out of the graph; ValueError the second time."""
+        """Take the client out of the graph.
+
+        Raises:
+            ValueError: the second time.
+        """
         self._handle.destroy()
         self._node.remove_waitable(self)
 
 
-def _wait_for(future: Future[Any]) -> Any:
+def _wait_for(future: Future[T]) -> T | None:
     """Block until a future is done; returns its result or raises its exception."""
     done = threading.Event()
     future._watch(done.set)

@@ -1,4 +1,4 @@
-"""Which actions there are: read from the feedback topics, as rcl_action does."""
+"""The actions of the graph, read from the feedback topics, as in rcl_action."""
 
 from __future__ import annotations
 
@@ -42,14 +42,22 @@ def _of_node(node: Node, name: str, namespace: str, kind: EndpointKind, what: st
 def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> list[tuple[str, list[str]]]:
-    """Return the actions a node is a client of; RCLError if there is no such node."""
+    """Return the actions a node is a client of.
+
+    Raises:
+        RCLError: if there is no such node.
+    """
     return _of_node(node, remote_node_name, remote_node_namespace, EndpointKind.SUBSCRIPTION, "client")
 
 
 def get_action_server_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> list[tuple[str, list[str]]]:
-    """Return the actions a node serves; RCLError if there is no such node."""
+    """Return the actions a node serves.
+
+    Raises:
+        RCLError: if there is no such node.
+    """
     return _of_node(node, remote_node_name, remote_node_namespace, EndpointKind.PUBLISHER, "server")
 
 

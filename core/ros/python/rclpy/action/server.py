@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import threading
 import traceback
-from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, cast
 
 from rclpy._entity import NOTHING
 from rclpy._incidental import also
@@ -17,10 +16,7 @@ from rclpy.action._protocol import (
     ActionEndpoints,
 )
 from rclpy.action._server_goal import CancelResponse as CancelResponse
-from rclpy.action._server_goal import FeedbackT as FeedbackT
 from rclpy.action._server_goal import GoalResponse as GoalResponse
-from rclpy.action._server_goal import GoalT as GoalT
-from rclpy.action._server_goal import ResultT as ResultT
 from rclpy.action._server_goal import ServerGoalHandle as ServerGoalHandle
 from rclpy.action._server_goal import default_cancel_callback as default_cancel_callback
 from rclpy.action._server_goal import default_goal_callback as default_goal_callback
@@ -30,7 +26,7 @@ from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
 from rclpy.timer import Timer
-from rclpy.type_support import check_for_type_support
+from rclpy.type_support import FeedbackT, GoalT, ResultT, check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
@@ -38,6 +34,9 @@ if TYPE_CHECKING:
 
     from day6_tui.core.graph import RequestId
     from rclpy._entity import Scope
+    from rclpy._typing_names import ActionType, ServerTaken
+    from rclpy._wait_set import WaitSet
+    from rclpy.action._server_goal import AcceptedCallback, CancelCallback, ExecuteCallback, GoalCallback
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.node import Node
@@ -48,6 +47,7 @@ if TYPE_CHECKING:
 _ERROR_UNKNOWN_GOAL_ID = 2
 _ERROR_GOAL_TERMINATED = 3
 
+_NEGATIVE_TIMEOUT = "Failed to create action server: timer period must be non-negative, at /project/src/rcl/timer.c:144"
 _INVALID = "feedback publisher is invalid, at /project/src/rcl_action/action_server.c:1040"
 
 _MESSAGES = {"CancelGoal": "action_msgs.srv", "GoalInfo": "action_msgs.msg", "GoalStatus": "action_msgs.msg"}
@@ -68,28 +68,32 @@ def __getattr__(name: str) -> Any:
     return _also(name)
 
 
-class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
+class ActionServer(Waitable["ServerTaken[GoalT]"], Generic[GoalT, ResultT, FeedbackT]):
     """Serves an action.
 
     `execute_callback(goal_handle)` runs as a task of the executor and returns the result, after calling `succeed`, `abort` or
-    `canceled` of the handle. `goal_callback(goal)` accepts or refuses goals, `handle_accepted_callback(goal_handle)` decides
-    when they are executed, `cancel_callback(goal_handle)` accepts or refuses to cancel. Results are kept `result_timeout`
-    seconds. Raises TypeError for a callback that is none, ValueError for a bad name.
+    `canceled` of the handle. `goal_callback(goal)` accepts or rejects goals, `handle_accepted_callback(goal_handle)` decides
+    when they are executed, `cancel_callback(goal_handle)` accepts or rejects requests to cancel. Results are kept
+    `result_timeout` seconds.
+
+    Raises:
+        TypeError: for a callback that isn't callable.
+        ValueError: for a bad name or a negative `result_timeout`.
     """
 
     def __init__(
         self,
         node: Node,
-        action_type: type[Any],
+        action_type: type[ActionType[GoalT, ResultT, FeedbackT]],
         action_name: str,
-        execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any],
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT],
         *,
         callback_group: CallbackGroup | None = None,
-        goal_callback: Callable[[Any], GoalResponse] | None = default_goal_callback,
+        goal_callback: GoalCallback[GoalT] | None = default_goal_callback,
         handle_accepted_callback: (
-            Callable[[ServerGoalHandle[Any, Any, Any]], None] | None
+            AcceptedCallback[GoalT, ResultT, FeedbackT] | None
         ) = default_handle_accepted_callback,
-        cancel_callback: Callable[[Any], CancelResponse] | None = default_cancel_callback,
+        cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] | None = default_cancel_callback,
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
@@ -104,6 +108,8 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self.register_cancel_callback(cancel_callback)
         self.register_execute_callback(execute_callback)
         check_for_type_support(action_type)
+        if result_timeout < 0:
+            raise ValueError(_NEGATIVE_TIMEOUT)
         self._node = node
         self._action_type = action_type
         failed = "Failed to create action server due to invalid topic name '{}' : :"
@@ -114,7 +120,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._result_service = handle.service("get_result", parts.GetResultService, result_service_qos_profile)
         self._feedback_pub = handle.publisher("feedback", parts.FeedbackMessage, feedback_pub_qos_profile)
         self._status_pub = handle.publisher("status", parts.GoalStatusMessage, status_pub_qos_profile)
-        self._goal_handles: dict[bytes, ServerGoalHandle[Any, Any, Any]] = {}
+        self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._result_futures: dict[bytes, Future[Any]] = {}
         self._result_timeout_ns = int(float(result_timeout) * S_TO_NS)
         self._expiry = Timer(
@@ -129,13 +135,14 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         for service in (self._goal_service, self._cancel_service, self._result_service):
             service.on_ready = self._notify
         node.add_waitable(self)
-        node._hidden_timers.append(self._expiry)
+        # Not one of the node's own `timers`.
+        node.handle.scope.timed.append(self._expiry)
 
     def _enter(self, scope: Scope) -> None:
         super()._enter(scope)
         self._expiry._enter(scope)
 
-    # running
+    # -- running -------------------------------------------------------------------------------------------------------
 
     def _pending(self) -> bool:
         services = (self._goal_service, self._cancel_service, self._result_service)
@@ -150,12 +157,12 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             self._notify()
         return self.execute(data)
 
-    def is_ready(self, wait_set: Any) -> bool:
-        """Say whether a request came."""
+    def is_ready(self, wait_set: WaitSet) -> bool:
+        """Return whether a request has arrived."""
         return self._pending()
 
-    def take_data(self) -> dict[str, Any]:
-        """Take one request of each kind that came."""
+    def take_data(self) -> ServerTaken[GoalT]:
+        """Take one request of each kind that has arrived."""
         if self._handle.destroyed:
             return {}
         taken = {
@@ -163,10 +170,11 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             "cancel": self._handle.take(self._cancel_service),
             "result": self._handle.take(self._result_service),
         }
-        return {kind: data for kind, data in taken.items() if data is not None}
+        found = {kind: data for kind, data in taken.items() if data is not None}
+        return cast("ServerTaken[GoalT]", found)
 
-    async def execute(self, taken_data: dict[str, Any]) -> None:
-        """Deal with what came."""
+    async def execute(self, taken_data: ServerTaken[GoalT]) -> None:
+        """Process the taken requests."""
         if "goal" in taken_data:
             await self._execute_goal_request(*taken_data["goal"])
         if "cancel" in taken_data:
@@ -182,14 +190,14 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._logger.debug(f"New goal request with ID: {goal_uuid.uuid}")
         accepted = False
         if key not in self._goal_handles:
-            answer = await await_or_execute(self._goal_callback, request.goal)
-            if isinstance(answer, GoalResponse):
-                accepted = answer is GoalResponse.ACCEPT
+            decision = await await_or_execute(self._goal_callback, request.goal)
+            if isinstance(decision, GoalResponse):
+                accepted = decision is GoalResponse.ACCEPT
             else:
                 self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
         response = self._handle.implementation.SendGoalService.Response(accepted=accepted)
         goal_info = GoalInfo(goal_id=goal_uuid)
-        goal_handle: ServerGoalHandle[Any, Any, Any] | None = None
+        goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT] | None = None
         if accepted:
             goal_info.stamp = response.stamp = self._node.get_clock().now().to_msg()
             goal_handle = ServerGoalHandle(self, goal_info, request.goal)
@@ -197,7 +205,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             future: Future[Any] = Future()
             self._result_futures[key] = future
             self.add_future(future)
-        self._handle.answer(self._goal_service, request_id, response)
+        self._handle.send_response(self._goal_service, request_id, response)
         if goal_handle is None:
             self._logger.debug(f"New goal rejected: {goal_uuid.uuid}")
             return
@@ -206,7 +214,9 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 
     async def _execute_goal(
-        self, execute_callback: Callable[..., Any], goal_handle: ServerGoalHandle[Any, Any, Any]
+        self,
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT],
+        goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
     ) -> None:
         goal_uuid = goal_handle.goal_id.uuid
         self._logger.debug(f"Executing goal with ID {goal_uuid}")
@@ -231,8 +241,8 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         code, candidates = self._cancelable(request)
         response = self._handle.implementation.CancelGoalService.Response(return_code=code)
         for goal_handle in candidates:
-            answer = await await_or_execute(self._cancel_callback, goal_handle)
-            if answer is not CancelResponse.ACCEPT:
+            decision = await await_or_execute(self._cancel_callback, goal_handle)
+            if decision is not CancelResponse.ACCEPT:
                 continue
             try:
                 goal_handle._update_state(GoalEvent.CANCEL_GOAL)
@@ -240,10 +250,10 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
                 self._logger.debug(f"Failed to cancel goal in cancel callback: {error}")
                 continue
             response.goals_canceling.append(goal_handle._goal_info)
-        self._handle.answer(self._cancel_service, request_id, response)
+        self._handle.send_response(self._cancel_service, request_id, response)
 
-    def _cancelable(self, request: Any) -> tuple[int, list[ServerGoalHandle[Any, Any, Any]]]:
-        """Return error code and goals a request means: one by id, all until a time, both, or (nothing given) all."""
+    def _cancelable(self, request: Any) -> tuple[int, list[ServerGoalHandle[GoalT, ResultT, FeedbackT]]]:
+        """Return error code and goals of a cancel request: one by id, all until a time, both, or (neither given) all."""
         key = bytes(request.goal_info.goal_id.uuid)
         stamp = (request.goal_info.stamp.sec, request.goal_info.stamp.nanosec)
         handles = list(self._goal_handles.items())
@@ -256,7 +266,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             return 0, [wanted]
         everything = stamp == (0, 0)
 
-        def meant(own_key: bytes, goal_handle: ServerGoalHandle[Any, Any, Any]) -> bool:
+        def meant(own_key: bytes, goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> bool:
             own = goal_handle._goal_info.stamp
             return everything or own_key == key or (own.sec, own.nanosec) <= stamp
 
@@ -273,7 +283,7 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if future is None:
             self._logger.warning(f"Sending result response for unknown or expired goal ID: {goal_uuid}")
             response = self._handle.implementation.GetResultService.Response(status=UNKNOWN)
-            self._handle.answer(self._result_service, request_id, response)
+            self._handle.send_response(self._result_service, request_id, response)
             return
         future.add_done_callback(partial(self._send_result_response, request_id))
 
@@ -283,13 +293,13 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
             return
         status, result = outcome
         if not isinstance(result, self._action_type.Result):
-            # What rosidl says when it looks for the fields of a result in something that is none.
+            # Raises rosidl's AttributeError for the first field that something other than a result lacks.
             for name in self._action_type.Result.get_fields_and_field_types():
                 getattr(result, name)
         response = self._handle.implementation.GetResultService.Response(status=status, result=result)
-        self._handle.answer(self._result_service, request_id, response)
+        self._handle.send_response(self._result_service, request_id, response)
 
-    # goals
+    # -- goals ---------------------------------------------------------------------------------------------------------
 
     def _check_context(self, failed: str) -> None:
         # This is what ends a goal that is still being executed after Ctrl-C.
@@ -308,19 +318,19 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         if not self._handle.destroyed:
             self._status_pub.publish(message)
 
-    def _publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+    def _publish_feedback(self, goal_id: UUID, feedback: FeedbackT) -> None:
         self._check_context("Failed to publish feedback with an action server")
         if not self._handle.destroyed:
             message = self._handle.implementation.FeedbackMessage(goal_id=goal_id, feedback=feedback)
             self._feedback_pub.publish(message)
 
-    def _goal_ended(self, goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
+    def _goal_ended(self, goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> None:
         goal_handle._ended_ns = self._node.get_clock()._now_ns()
         self.notify_goal_done()
 
     def notify_goal_done(self) -> None:
-        """Have ended goals forgotten when their time is over."""
-        if self._result_timeout_ns < 0 or self._handle.destroyed:
+        """Schedule the removal of ended goals whose results have been kept long enough."""
+        if self._handle.destroyed:
             return
         now = self._node.get_clock()._now_ns()
         ends = [handle._ended_ns for handle in list(self._goal_handles.values()) if handle._ended_ns is not None]
@@ -340,50 +350,54 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self.notify_goal_done()
 
     @property
-    def action_type(self) -> Any:
+    def action_type(self) -> type[ActionType[GoalT, ResultT, FeedbackT]]:
         """The action's class."""
         return self._action_type
 
     def notify_execute(
         self,
-        goal_handle: ServerGoalHandle[Any, Any, Any],
-        execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any] | None,
+        goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None,
     ) -> None:
-        """Have a goal executed as a task of the node's executor."""
+        """Execute a goal as a task of the node's executor."""
         executor = self._node.executor
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
-    # callbacks
+    # -- callbacks -----------------------------------------------------------------------------------------------------
 
     def register_handle_accepted_callback(
-        self, handle_accepted_callback: Callable[[ServerGoalHandle[Any, Any, Any]], None] | None
+        self, handle_accepted_callback: AcceptedCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
-        """Call this for every accepted goal; None: execute it at once."""
+        """Set the function called for every accepted goal; None: execute it at once."""
         self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
-    def register_goal_callback(self, goal_callback: Callable[[Any], GoalResponse] | None) -> None:
-        """Ask this whether to accept a goal; None: accept all."""
+    def register_goal_callback(self, goal_callback: GoalCallback[GoalT] | None) -> None:
+        """Set the function that accepts or rejects goals; None: accept all."""
         self._goal_callback = goal_callback or default_goal_callback
 
-    def register_cancel_callback(self, cancel_callback: Callable[[Any], CancelResponse] | None) -> None:
-        """Ask this whether to cancel a goal; None: refuse."""
+    def register_cancel_callback(self, cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] | None) -> None:
+        """Set the function that accepts or rejects requests to cancel; None: reject all."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
-    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle[Any, Any, Any]], Any]) -> None:
-        """Execute goals with this; TypeError if it cannot be called."""
+    def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT]) -> None:
+        """Set the function that executes goals.
+
+        Raises:
+            TypeError: if it isn't callable.
+        """
         if not callable(execute_callback):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 
-    # end
+    # -- end -----------------------------------------------------------------------------------------------------------
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return one timer and three services."""
         return NumberOfEntities(0, 0, 1, 0, 3)
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
-        """Do nothing: what comes announces itself."""
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
+        """Do nothing: requests announce themselves."""
 
     def __enter__(self) -> None:
         self._handle.check()
@@ -398,11 +412,16 @@ class ActionServer(Waitable[Any], Generic[GoalT, ResultT, FeedbackT]):
         self._handle.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
-        """Take the server out of the graph; ValueError the second time."""
+        """Take the server out of the graph.
+
+        Raises:
+            ValueError: the second time.
+        """
         for goal_handle in self._goal_handles.values():
             goal_handle.destroy()
         self._handle.destroy()
         self._expiry.destroy()
-        if self._expiry in self._node._hidden_timers:
-            self._node._hidden_timers.remove(self._expiry)
+        timed = self._node.handle.scope.timed
+        if self._expiry in timed:
+            timed.remove(self._expiry)
         self._node.remove_waitable(self)

@@ -1,3 +1,3 @@
-"""What may still change."""
+"""Executors whose API may still change."""
 
 from rclpy.experimental.events_executor import EventsExecutor as EventsExecutor

@@ -1,4 +1,4 @@
-"""The events executor. Every executor here is driven by events; this one differs in what it leaves out."""
+"""The events executor. All executors here are driven by events; this one ignores callback groups."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from rclpy.task import Future
 class _EventsExecutor(SingleThreadedExecutor):
     """Runs callbacks in the thread that spins, without regard to callback groups, as rclpy's experimental executor does.
 
-    A coroutine that waits therefore holds up nothing of its group. A `spin_until_future_complete` whose time is over still
-    runs what is ready.
+    A waiting coroutine therefore doesn't hold up its group. After its timeout `spin_until_future_complete` still runs the
+    callbacks that are ready.
     """
 
     def _begin(self, entity: Entity) -> bool:
         return True
 
     def _end(self, entity: Entity) -> None:
-        """There is no group to give back."""
+        """Do nothing: no callback group was reserved."""
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until `future` is done, or `timeout_sec` is over and nothing is ready any more."""
@@ -42,5 +42,5 @@ class _EventsExecutor(SingleThreadedExecutor):
 
 
 def EventsExecutor(*, context: Context | None = None) -> Executor:
-    """Make an executor that is driven by events and knows no callback groups."""
+    """Return an executor that is driven by events and ignores callback groups."""
     return _EventsExecutor(context=context)

@@ -1,1 +1,1 @@
-"""The parts of rclpy that are not meant for programs, under the names some of them use nevertheless."""
+"""The parts of rclpy that are not meant for programs, although some import them."""

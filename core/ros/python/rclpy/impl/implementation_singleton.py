@@ -1,4 +1,4 @@
-"""`rclpy_implementation`: where rclpy's exceptions and enumerations are reached by their low-level names."""
+"""`rclpy_implementation`, the module with the low-level names of rclpy's exceptions and enumerations."""
 
 from rclpy import _rclpy_pybind11 as rclpy_implementation
 

@@ -5,13 +5,19 @@ from __future__ import annotations
 import os
 import sys
 import warnings
+from collections.abc import Mapping
 from types import FrameType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from rclpy._incidental import also
 from rclpy._logging_settings import PROCESS, LoggingSettings
 from rclpy.clock import Clock
 from rclpy.impl.logging_severity import LoggingSeverity
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from rclpy._typing_names import LoggingArgs, LoggingFilterArgs, ThrottleContext
 
 __getattr__ = also(
     __name__,
@@ -26,7 +32,7 @@ _absolute: dict[str, str] = {}
 
 
 def _find_caller(frame: FrameType | None) -> FrameType:
-    """Return the nearest frame that is no logging code."""
+    """Return the nearest frame outside the logging code."""
     while frame is not None and frame.f_code.co_filename in _INTERNAL_FILES:
         frame = frame.f_back
     if frame is None:
@@ -44,7 +50,7 @@ class CallerId(NamedTuple):
 
     @staticmethod
     def _of(frame: FrameType) -> CallerId:
-        """Return the place where a frame is just now."""
+        """Return the current place of a frame."""
         code = frame.f_code
         path = _absolute.get(code.co_filename)
         if path is None:
@@ -53,13 +59,13 @@ class CallerId(NamedTuple):
 
 
 class LoggingFilter:
-    """Base of the filters: `params` are its arguments and their defaults (None: it has to be given)."""
+    """Base of the filters: `params` are its arguments and their defaults (None: required)."""
 
     params: dict[str, Any] = {}
 
     @classmethod
-    def initialize_context(cls, context: dict[str, Any], **kwargs: Any) -> None:
-        """Put the filter's arguments into the memory of a logging call."""
+    def initialize_context(cls, context: dict[str, object], **kwargs: object) -> None:
+        """Store the filter's arguments in the state of a logging call."""
         for name, default in cls.params.items():
             value = kwargs.get(name, default)
             if value is None:
@@ -67,19 +73,19 @@ class LoggingFilter:
             context[name] = value
 
     @staticmethod
-    def should_log(context: dict[str, Any]) -> bool:
-        """Say whether the call may log now."""
+    def should_log(context: dict[str, object]) -> bool:
+        """Return whether the call may log now."""
         return True
 
 
 class Once(LoggingFilter):
-    """Lets a call log the first time only."""
+    """Lets a call log only the first time."""
 
     params = {"once": None}
 
     @staticmethod
-    def should_log(context: dict[str, Any]) -> bool:
-        """Say whether this is the first time."""
+    def should_log(context: dict[str, object]) -> bool:
+        """Return whether this is the first time."""
         first = not context.get("has_been_logged_once")
         context["has_been_logged_once"] = True
         return first
@@ -91,8 +97,12 @@ class Throttle(LoggingFilter):
     params = {"throttle_duration_sec": None, "throttle_time_source_type": Clock()}
 
     @classmethod
-    def initialize_context(cls, context: dict[str, Any], **kwargs: Any) -> None:
-        """Note duration and clock; ValueError for something that is no clock."""
+    def initialize_context(cls, context: dict[str, object], **kwargs: object) -> None:
+        """Store duration and clock.
+
+        Raises:
+            ValueError: for anything that isn't a clock.
+        """
         super().initialize_context(context, **kwargs)
         context["throttle_last_logged"] = 0
         clock = context["throttle_time_source_type"]
@@ -100,12 +110,13 @@ class Throttle(LoggingFilter):
             raise ValueError(f'Received throttle_time_source_type of "{clock}" is not a clock instance')
 
     @staticmethod
-    def should_log(context: dict[str, Any]) -> bool:
-        """Say whether the duration is over."""
-        now = context["throttle_time_source_type"].now().nanoseconds
-        if now < context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9:
+    def should_log(context: dict[str, object]) -> bool:
+        """Return whether the duration is over."""
+        memory = cast("ThrottleContext", context)
+        now = memory["throttle_time_source_type"].now().nanoseconds
+        if now < memory["throttle_last_logged"] + memory["throttle_duration_sec"] * 1e9:
             return False
-        context["throttle_last_logged"] = now
+        memory["throttle_last_logged"] = now
         return True
 
 
@@ -115,9 +126,9 @@ class SkipFirst(LoggingFilter):
     params = {"skip_first": None}
 
     @staticmethod
-    def should_log(context: dict[str, Any]) -> bool:
-        """Say whether this is not the first time."""
-        skipped: bool = context.get("first_has_been_skipped", False)
+    def should_log(context: dict[str, object]) -> bool:
+        """Return whether this is not the first time."""
+        skipped = bool(context.get("first_has_been_skipped"))
         context["first_has_been_skipped"] = True
         return skipped
 
@@ -125,8 +136,12 @@ class SkipFirst(LoggingFilter):
 supported_filters: dict[str, type[LoggingFilter]] = {"throttle": Throttle, "skip_first": SkipFirst, "once": Once}
 
 
-def get_filters_from_kwargs(**kwargs: Any) -> list[str]:
-    """Return the names of the filters some arguments ask for; TypeError for unknown or missing arguments."""
+def get_filters_from_kwargs(**kwargs: object) -> list[str]:
+    """Return the names of the filters for some arguments.
+
+    Raises:
+        TypeError: for unknown or missing arguments.
+    """
     detected = [
         name for name, each in supported_filters.items() if any(kwargs.get(argument) for argument in each.params)
     ]
@@ -144,20 +159,20 @@ def get_filters_from_kwargs(**kwargs: Any) -> list[str]:
 
 
 class _Call:
-    """The memory of one logging call: what it logged with the first time."""
+    """The state of one logging call: its arguments of the first time."""
 
     __slots__ = ("context", "filters", "name", "severity")
 
-    def __init__(self, severity: int, name: str, filters: list[str], kwargs: dict[str, Any]) -> None:
+    def __init__(self, severity: int, name: str, filters: list[str], kwargs: Mapping[str, object]) -> None:
         self.severity = severity
         self.name = name
         self.filters = filters
-        self.context: dict[str, Any] = {}
+        self.context: dict[str, object] = {}
         for each in filters:
             supported_filters[each].initialize_context(self.context, **kwargs)
 
-    def check(self, severity: int, name: str, filters: list[str], kwargs: dict[str, Any]) -> None:
-        """Raise ValueError if the same call asks for something else than the first time."""
+    def check(self, severity: int, name: str, filters: list[str], kwargs: Mapping[str, object]) -> None:
+        """Raise ValueError if the same call has other arguments than the first time."""
         if severity != self.severity:
             raise ValueError("Logger severity cannot be changed between calls.")
         if name != self.name:
@@ -190,7 +205,11 @@ class RcutilsLogger:
             self._settings.publishers.pop(self.name, None)
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """Return the logger `<this name>.<name>`; ValueError for an empty name."""
+        """Return the logger `<this name>.<name>`.
+
+        Raises:
+            ValueError: for an empty name.
+        """
         if not name:
             raise ValueError("Child logger name must not be empty.")
         logger = RcutilsLogger._of_node(self.name + "." + name if self.name else name, self._settings)
@@ -201,22 +220,35 @@ class RcutilsLogger:
         return logger
 
     def set_level(self, level: int | LoggingSeverity) -> None:
-        """Set this logger's level; ValueError for a number that is no level."""
+        """Set this logger's level.
+
+        Raises:
+            ValueError: for a number that isn't a level.
+        """
         self._settings.set_level(self.name, int(LoggingSeverity(level)))
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the level that counts for this logger."""
+        """Return the effective level of this logger."""
         return LoggingSeverity(self._settings.effective_level(self.name))
 
     def is_enabled_for(self, severity: int | LoggingSeverity) -> bool:
-        """Say whether messages of that level are logged."""
+        """Return whether messages of that level are logged."""
         return self._settings.effective_level(self.name) <= LoggingSeverity(severity)
 
-    def log(self, message: str, severity: int | LoggingSeverity, name: str | None = None, **kwargs: Any) -> bool:
+    def log(
+        self,
+        message: str,
+        severity: int | LoggingSeverity,
+        name: str | None = None,
+        **kwargs: Unpack[LoggingFilterArgs],
+    ) -> bool:
         """Log a message; the keyword arguments are those of the filters.
 
-        Returns whether it was logged. TypeError for a message that is no str and for unknown arguments, ValueError when the
-        same call changes its level, name or filters.
+        Returns whether it was logged.
+
+        Raises:
+            TypeError: for a message that isn't a str and for unknown arguments.
+            ValueError: if the same call changes its level, name or filters.
         """
         if severity.__class__ is not LoggingSeverity:
             severity = LoggingSeverity(severity)
@@ -245,36 +277,36 @@ class RcutilsLogger:
         settings.emit(int(severity), name, message, caller.function_name, caller.file_path, caller.line_number)
         return True
 
-    def debug(self, message: str, **kwargs: Any) -> bool:
+    def debug(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level DEBUG; see `log`."""
         return self.log(message, LoggingSeverity.DEBUG, **kwargs)
 
-    def info(self, message: str, **kwargs: Any) -> bool:
+    def info(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level INFO; see `log`."""
         return self.log(message, LoggingSeverity.INFO, **kwargs)
 
-    def warning(self, message: str, **kwargs: Any) -> bool:
+    def warning(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level WARN; see `log`."""
         return self.log(message, LoggingSeverity.WARN, **kwargs)
 
-    def warn(self, message: str, **kwargs: Any) -> bool:
+    def warn(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level WARN: the old name of `warning`."""
         warnings.warn(
             "Deprecated in favor of :py:classmethod:RcutilsLogger.warning:.", DeprecationWarning, stacklevel=2
         )
         return self.warning(message, **kwargs)
 
-    def error(self, message: str, **kwargs: Any) -> bool:
+    def error(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level ERROR; see `log`."""
         return self.log(message, LoggingSeverity.ERROR, **kwargs)
 
-    def fatal(self, message: str, **kwargs: Any) -> bool:
+    def fatal(self, message: str, **kwargs: Unpack[LoggingArgs]) -> bool:
         """Log with level FATAL; see `log`."""
         return self.log(message, LoggingSeverity.FATAL, **kwargs)
 
 
 def _wrong_message(severity: Any, name: str, message: object, caller: CallerId) -> str:
-    """Return what real rclpy says for a message that is no str; its binding prints the whole call."""
+    """Return real rclpy's error text for a message that isn't a str; its binding prints the whole call."""
     return (
         "rclpy_logging_rcutils_log(): incompatible function arguments. The following argument types are supported:\n"
         "    1. (arg0: typing.SupportsInt, arg1: str, arg2: str, arg3: str, arg4: str, arg5: typing.SupportsInt) -> None"

@@ -24,7 +24,7 @@ STATES = {
 
 
 class Transition(NamedTuple):
-    """One transition: its id and label, and where it leads from and to."""
+    """One transition: its id and label, its start and goal states."""
 
     id: int
     label: str
@@ -32,7 +32,7 @@ class Transition(NamedTuple):
     goal: int
 
     def described(self) -> tuple[int, str, int, str, int, str]:
-        """Return it with the labels of its states."""
+        """Return the transition with the labels of its states."""
         return self.id, self.label, self.start, STATES[self.start], self.goal, STATES[self.goal]
 
 
@@ -84,7 +84,7 @@ class StateMachine:
 
     @property
     def available_transitions(self) -> list[tuple[int, str, int, str, int, str]]:
-        """The transitions that may be made now."""
+        """The transitions from the current state."""
         return [each.described() for each in TRANSITIONS if each.start == self._state]
 
     @property
@@ -93,18 +93,18 @@ class StateMachine:
         return [each.described() for each in TRANSITIONS]
 
     def get_transition_by_label(self, label: str) -> int:
-        """Return the id of a transition that may be made now; RCLError if there is none of that label."""
+        """Return the id of the transition with that label from the current state; RCLError if there is none."""
         for each in TRANSITIONS:
             if each.start == self._state and each.label == label:
                 return each.id
         raise RCLError("Failed to get transition from label: error not set")
 
     def trigger_transition_by_id(self, transition_id: int, publish_update: bool) -> None:
-        """Make a transition; RCLError if it may not be made now."""
+        """Make a transition; RCLError if it is not possible in the current state."""
         self._make(next((t for t in self._possible() if t.id == transition_id), None), transition_id, publish_update)
 
     def trigger_transition_by_label(self, label: str, publish_update: bool) -> None:
-        """Make a transition; RCLError if it may not be made now."""
+        """Make a transition; RCLError if it is not possible in the current state."""
         self._make(next((t for t in self._possible() if t.label == label), None), label, publish_update)
 
     def _possible(self) -> list[Transition]:
@@ -113,7 +113,7 @@ class StateMachine:
     def _make(self, transition: Transition | None, wanted: int | str, publish_update: bool) -> None:
         if transition is None:
             text = f"No transition matching {wanted} found for current state {STATES[self._state]}"
-            # Looked for by label, rcl_lifecycle says it twice.
+            # For a transition given by label, rcl_lifecycle logs it twice.
             for _ in range(2 if isinstance(wanted, str) else 1):
                 self._settings.emit(30, "rcl_lifecycle", text, "", "", 0)
             raise RCLError(

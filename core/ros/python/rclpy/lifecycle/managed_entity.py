@@ -1,10 +1,10 @@
-"""What follows the transitions of a lifecycle node."""
+"""Managed entities, which follow the transitions of a lifecycle node."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec, overload
 
 from rclpy._rclpy_pybind11 import TransitionCallbackReturnType
 
@@ -13,9 +13,11 @@ if TYPE_CHECKING:
 
 TransitionCallbackReturn = TransitionCallbackReturnType
 
+_P = ParamSpec("_P")
+
 
 class ManagedEntity:
-    """Base of what follows transitions: every callback succeeds."""
+    """Base of managed entities: every callback succeeds."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Follow the transition to inactive."""
@@ -38,7 +40,7 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Deal with a failed transition."""
+        """Handle the error of a failed transition."""
         return TransitionCallbackReturn.SUCCESS
 
 
@@ -62,6 +64,18 @@ class SimpleManagedEntity(ManagedEntity):
     def is_activated(self) -> bool:
         """Whether the entity is enabled."""
         return self._enabled
+
+    @overload
+    @staticmethod
+    def when_enabled(
+        wrapped: Callable[_P, None], *, when_not_enabled: Callable[[], None] | None = None
+    ) -> Callable[_P, None]: ...
+
+    @overload
+    @staticmethod
+    def when_enabled(
+        wrapped: None = None, *, when_not_enabled: Callable[[], None] | None = None
+    ) -> Callable[[Callable[_P, None]], Callable[_P, None]]: ...
 
     @staticmethod
     def when_enabled(

@@ -14,7 +14,11 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from rclpy._typing_names import CreateLifecyclePublisherArgs, LifecycleNodeArgs
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.type_support import MsgT
 
 __getattr__ = also(
     __name__,
@@ -48,7 +52,7 @@ class LifecycleState(NamedTuple):
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """What makes a node a lifecycle node: states, transitions, the services `~/change_state`, `~/get_state` … ."""
+    """Adds a lifecycle to a node: states, transitions, the services `~/change_state`, `~/get_state` … ."""
 
     def __init__(
         self, *, enable_communication_interface: bool = True, callback_group: CallbackGroup | None = None
@@ -64,12 +68,12 @@ class LifecycleNodeMixin(ManagedEntity):
         }
         self._event_publisher: Any = None
         self._state_machine = StateMachine(node.context._logging, self._announce)
+        self._create_event_publisher(node)
         if enable_communication_interface:
-            self._create_interface(node, callback_group)
+            self._create_services(node, callback_group)
 
-    def _create_interface(self, node: Node, group: CallbackGroup | None) -> None:
+    def _create_services(self, node: Node, group: CallbackGroup | None) -> None:
         from lifecycle_msgs import srv
-        from lifecycle_msgs.msg import TransitionEvent
 
         for srv_type, name, answer in (
             (srv.ChangeState, "change_state", self._on_change_state),
@@ -81,15 +85,19 @@ class LifecycleNodeMixin(ManagedEntity):
             service = node.create_service(srv_type, f"~/{name}", answer, callback_group=group)
             setattr(self._state_machine, f"service_{name}", service.handle)
             setattr(self, f"_service_{name}", service)
+
+    def _create_event_publisher(self, node: Node) -> None:
+        """Make the publisher of transitions, which in real ROS also a node without the services has."""
+        from lifecycle_msgs.msg import TransitionEvent
+
         publisher = node.create_publisher(TransitionEvent, "~/transition_event", 10)
-        # In real ROS it belongs to the state machine and is none of the node's publishers.
-        node._publishers.remove(publisher)
-        node._hidden_entities.append(publisher)
+        # In real ROS it belongs to the state machine and isn't one of the node's publishers.
+        node._rclpy_entities.hide(publisher)
         self._event_publisher = publisher
 
     def _announce(self, start: int, goal: int) -> None:
         publisher = self._event_publisher
-        if publisher is not None and publisher._endpoint_is_heard():
+        if publisher is not None and publisher._has_subscribers():
             from lifecycle_msgs.msg import State, TransitionEvent
 
             event = TransitionEvent(
@@ -97,7 +105,7 @@ class LifecycleNodeMixin(ManagedEntity):
             )
             publisher.publish(event)
 
-    # transitions
+    # -- transitions ---------------------------------------------------------------------------------------------------
 
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Go from unconfigured to inactive."""
@@ -108,7 +116,11 @@ class LifecycleNodeMixin(ManagedEntity):
         return self._change_state(_CLEANUP)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Go to finalized; RCLError if that is impossible now."""
+        """Go to finalized.
+
+        Raises:
+            RCLError: if that is impossible now.
+        """
         transition = _SHUTDOWN_FROM.get(self._state_machine.current_state[1])
         if transition is None:
             raise RCLError("Shutdown transtion not possible")
@@ -148,10 +160,14 @@ class LifecycleNodeMixin(ManagedEntity):
             # As in real rclpy the exception is not shown; the transition ends in error processing.
             return TransitionCallbackReturn.ERROR
 
-    # managed entities
+    # -- managed entities ----------------------------------------------------------------------------------------------
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Have an entity follow the transitions; TypeError for what is none."""
+        """Let an entity follow the transitions.
+
+        Raises:
+            TypeError: for anything that isn't a ManagedEntity.
+        """
         if not isinstance(entity, ManagedEntity):
             raise TypeError("Expected a rclpy.lifecycle.ManagedEntity instance.")
         self._managed_entities.add(entity)
@@ -169,38 +185,38 @@ class LifecycleNodeMixin(ManagedEntity):
         return TransitionCallbackReturn.SUCCESS
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Have the managed entities follow; derived classes do their own and call this."""
+        """Let the managed entities follow; overriding methods call this as well."""
         return self._follow("on_error", state)
 
     def create_lifecycle_publisher(
         self,
-        msg_type: type[Any],
+        msg_type: type[MsgT],
         topic: str,
         qos_profile: QoSProfile | int,
         *,
-        publisher_class: Any = None,
-        **kwargs: Any,
-    ) -> LifecyclePublisher[Any]:
+        publisher_class: None = None,
+        **kwargs: Unpack[CreateLifecyclePublisherArgs],
+    ) -> LifecyclePublisher[MsgT]:
         """Make a publisher that publishes only while the node is active; arguments as of `Node.create_publisher`."""
         if not isinstance(self, Node):
             raise RuntimeError(_NO_NODE)
@@ -214,13 +230,13 @@ class LifecycleNodeMixin(ManagedEntity):
         return publisher
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher[Any]) -> bool:
-        """Destroy such a publisher; False if it is none of this node."""
+        """Destroy a lifecycle publisher; False if it isn't one of this node."""
         if not isinstance(self, Node):
             raise RuntimeError(_NO_NODE)
         self._managed_entities.discard(publisher)
         return self.destroy_publisher(publisher)
 
-    # services
+    # -- services ------------------------------------------------------------------------------------------------------
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
         transition_id = request.transition.id
@@ -266,6 +282,8 @@ def _message(described: tuple[int, str, int, str, int, str]) -> Any:
 class LifecycleNode(LifecycleNodeMixin, Node):
     """A node with a lifecycle; the keyword arguments are those of `rclpy.node.Node`."""
 
-    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
+    def __init__(
+        self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Unpack[LifecycleNodeArgs]
+    ) -> None:
         Node.__init__(self, node_name, **kwargs)
         LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic
 
 from rclpy._incidental import also
 from rclpy.lifecycle.managed_entity import SimpleManagedEntity
 from rclpy.publisher import Publisher
+from rclpy.type_support import MsgT
 
 __getattr__ = also(__name__, "CallbackGroup PublisherEventCallbacks QoSProfile")
-
-
-MsgT = TypeVar("MsgT")
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT], Generic[MsgT]):

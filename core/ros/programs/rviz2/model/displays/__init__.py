@@ -24,6 +24,7 @@ TYPES: dict[str, tuple[str, str, str]] = {
     "PointStamped": ("poses", "PointStampedDisplay", "geometry_msgs/msg/PointStamped"),
     "Pose": ("poses", "PoseDisplay", "geometry_msgs/msg/PoseStamped"),
     "PoseArray": ("poses", "PoseArrayDisplay", "geometry_msgs/msg/PoseArray"),
+    "Range": ("range", "RangeDisplay", "sensor_msgs/msg/Range"),
     "RobotModel": ("robot_model", "RobotModelDisplay", ""),
     "TF": ("tf", "TFDisplay", ""),
 }

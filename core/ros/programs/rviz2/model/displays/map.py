@@ -136,12 +136,8 @@ def _map_palette() -> list[tuple[int, int, int, int]]:
         if value <= 100:
             grey = 255 - 255 * value // 100
             colours.append((grey, grey, grey, 255))
-        elif value <= 127:
-            colours.append((0, 255, 0, 255))
-        elif value < 255:
-            colours.append((255, 255 * (value - 128) // (254 - 128), 0, 255))
         else:
-            colours.append((0x70, 0x89, 0x86, 255))
+            colours.append(_odd_or_unknown(value))
     return colours
 
 
@@ -155,13 +151,18 @@ def _costmap_palette() -> list[tuple[int, int, int, int]]:
             colours.append((0, 255, 255, 255))
         elif value == 100:
             colours.append((255, 0, 255, 255))
-        elif value <= 127:
-            colours.append((0, 255, 0, 255))
-        elif value < 255:
-            colours.append((255, 255 * (value - 128) // (254 - 128), 0, 255))
         else:
-            colours.append((0x70, 0x89, 0x86, 255))
+            colours.append(_odd_or_unknown(value))
     return colours
+
+
+def _odd_or_unknown(value: int) -> tuple[int, int, int, int]:
+    """The colour of a value above 100: green where it is too large, red to yellow where negative, -1 is unknown."""
+    if value <= 127:
+        return 0, 255, 0, 255
+    if value < 255:
+        return 255, 255 * (value - 128) // (254 - 128), 0, 255
+    return 0x70, 0x89, 0x86, 255
 
 
 def _raw_palette() -> list[tuple[int, int, int, int]]:

@@ -70,7 +70,7 @@ class Markers:
         numbers += [marker.color.r, marker.color.g, marker.color.b, marker.color.a]
         numbers += [part for point in marker.points for part in (point.x, point.y, point.z)]
         if not all_finite(numbers):
-            self._say(key, ERROR, "Contains invalid floating point values (nans or infs)")
+            self._set_status(key, ERROR, "Contains invalid floating point values (nans or infs)")
         elif marker.action == ADD:
             self._add(key, marker)
         elif marker.action == DELETE:
@@ -92,7 +92,7 @@ class Markers:
         if marker.type == MESH:
             self._read_mesh(key, entry)
         if problem := problem_of(marker):
-            self._say(key, WARN if problem.startswith("Scale") else ERROR, problem)
+            self._set_status(key, WARN if problem.startswith("Scale") else ERROR, problem)
 
     def _read_mesh(self, key: Key, entry: _Marker) -> None:
         rviz, uri = self.display.rviz, entry.message.mesh_resource
@@ -111,7 +111,7 @@ class Markers:
         entry.mesh = mesh
         if mesh is None and self._markers.get(key) is entry:
             name, uri = _line(key), entry.message.mesh_resource
-            self._say(key, ERROR, f"Mesh resource marker [{name}] could not load [{uri}]")
+            self._set_status(key, ERROR, f"Mesh resource marker [{name}] could not load [{uri}]")
 
     def _place(self, key: Key, entry: _Marker) -> None:
         frames = self.display.rviz.frames
@@ -119,13 +119,13 @@ class Markers:
         stamp = 0 if entry.message.frame_locked else stamp_ns(header.stamp)
         entry.frame = frames.pose(header.frame_id, stamp)
         if entry.frame is None:
-            self._say(key, ERROR, frames.transform_problem(header.frame_id, stamp_ns(header.stamp)) or "")
+            self._set_status(key, ERROR, frames.transform_problem(header.frame_id, stamp_ns(header.stamp)) or "")
 
     def _delete(self, key: Key) -> None:
         self.display.drop_status(_line(key))
         self._markers.pop(key, None)
 
-    def _say(self, key: Key, level: int, text: str) -> None:
+    def _set_status(self, key: Key, level: int, text: str) -> None:
         self.display.put_status(level, _line(key), text)
 
     # -- namespaces ----------------------------------------------------------------------------------------------------

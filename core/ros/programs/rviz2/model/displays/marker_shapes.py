@@ -1,4 +1,4 @@
-"""What each type of visualization_msgs/Marker looks like."""
+"""The shapes of each type of visualization_msgs/Marker."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ MOST_SOLIDS = 1000
 
 
 def problem_of(marker: Any) -> str:
-    """What the original says about a marker that it cannot draw, or not well; '' if nothing."""
+    """The original's message about a marker that it cannot draw, or not well; '' if there is none."""
     scale = marker.scale
     key = f"{marker.ns}/{marker.id}"
     kind = marker.type

@@ -1,4 +1,4 @@
-"""What happens to launched processes, and orders to them."""
+"""The events of launched processes, and those that act on them."""
 
 from __future__ import annotations
 

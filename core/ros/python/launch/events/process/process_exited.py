@@ -8,7 +8,7 @@ from launch.events.process.running_process_event import RunningProcessEvent
 
 
 class ProcessExited(RunningProcessEvent):
-    """`returncode` is negative for a process that a signal ended."""
+    """`returncode` is negative for a process that a signal killed."""
 
     name = "launch.events.process.ProcessExited"
 

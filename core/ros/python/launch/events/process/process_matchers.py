@@ -1,4 +1,4 @@
-"""Matchers for orders to processes."""
+"""Matchers of processes, for `SignalProcess` and `ShutdownProcess`."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
 
 
 def matches_pid(pid: int) -> Callable[[ExecuteLocal], bool]:
-    """True for the running process of that number."""
+    """Return a matcher for the running process with that pid."""
     return lambda action: bool(action.process_details) and action.process_details.get("pid") == pid
 
 
 def matches_name(name: str) -> Callable[[ExecuteLocal], bool]:
-    """True for the process of that name (`talker-1`)."""
+    """Return a matcher for the process with that name (`talker-1`)."""
     return lambda action: bool(action.process_details) and action.process_details["name"] == name
 
 
 def matches_executable(executable: str) -> Callable[[ExecuteLocal], bool]:
-    """True for processes of that executable."""
+    """Return a matcher for the processes of that executable."""
     return lambda action: bool(action.process_details) and action.process_details["cmd"][0] == executable

@@ -1,4 +1,4 @@
-"""The event that a process runs."""
+"""The event that a process has started."""
 
 from __future__ import annotations
 
@@ -6,6 +6,6 @@ from launch.events.process.running_process_event import RunningProcessEvent
 
 
 class ProcessStarted(RunningProcessEvent):
-    """A process runs; `pid` is its number."""
+    """A process has started; `pid` is its number."""
 
     name = "launch.events.process.ProcessStarted"

@@ -1,4 +1,4 @@
-"""What all orders to processes have."""
+"""The base of the events that act on processes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ProcessTargetedEvent(Event):
-    """Base of the orders: they are for the actions for which `process_matcher(action)` is true."""
+    """Base of the events that act on the processes for whose actions `process_matcher(action)` is true."""
 
     name = "launch.events.process.ProcessTargetedEvent"
 

@@ -1,4 +1,4 @@
-"""What all events of a process have."""
+"""The base of the events of a process."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class RunningProcessEvent(Event):
-    """Base of the events of a process; `process_name` is what stands before its output, `name` that of the event."""
+    """Base of the events of a process; `process_name` is shown before its output, `name` is the event's."""
 
     name = "launch.events.process.RunningProcessEvent"
 
@@ -38,7 +38,7 @@ class RunningProcessEvent(Event):
 
     @property
     def execute_process_action(self) -> ExecuteLocal:
-        """The same under its old name."""
+        """Deprecated name of `action`."""
         return self.__action
 
     @property

@@ -1,4 +1,4 @@
-"""The order to a process to end."""
+"""The event that shuts a process down."""
 
 from __future__ import annotations
 
@@ -6,6 +6,6 @@ from launch.events.process.process_targeted_event import ProcessTargetedEvent
 
 
 class ShutdownProcess(ProcessTargetedEvent):
-    """SIGINT, and SIGTERM and SIGKILL if that does not help."""
+    """Sends SIGINT, then SIGTERM and SIGKILL if that does not help."""
 
     name = "launch.events.process.ShutdownProcess"

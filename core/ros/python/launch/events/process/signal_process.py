@@ -1,4 +1,4 @@
-"""The order to send a process a signal."""
+"""The event that sends a process a signal."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SignalProcess(ProcessTargetedEvent):
-    """`signal_number` is of `signal.Signals`, or the name of one (SIGKILL does not exist on Windows)."""
+    """`signal_number` is a `signal.Signals`, or the name of one (SIGKILL does not exist on Windows)."""
 
     name = "launch.events.process.SignalProcess"
 

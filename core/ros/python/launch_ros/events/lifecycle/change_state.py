@@ -1,4 +1,4 @@
-"""The order to a lifecycle node to make a transition."""
+"""The event that makes lifecycle nodes execute a transition."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ChangeState(Event):
-    """For the nodes for which the matcher is true; ValueError for a number that is no transition."""
+    """Makes the nodes for which the matcher is true execute a transition. Raises ValueError for an unknown one."""
 
     name = "launch_ros.events.lifecycle.ChangeState"
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class StateTransition(Event):
-    """What a lifecycle_msgs/msg/TransitionEvent of `action` says."""
+    """A lifecycle_msgs/msg/TransitionEvent from `action`."""
 
     name = "launch_ros.events.lifecycle.StateTransition"
 

@@ -1,4 +1,4 @@
-"""A matcher by the node's name."""
+"""Matches nodes by name."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ if TYPE_CHECKING:
 
 
 def matches_node_name(node_name: str) -> Callable[[Node], bool]:
-    """True for the node of that name; a name without / is one in the root namespace."""
+    """Return a matcher for the node with that name; a name without / is in the root namespace."""
     full_name = node_name if node_name.startswith("/") else f"/{node_name}"
     return lambda action: action.node_name == full_name

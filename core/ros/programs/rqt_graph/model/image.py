@@ -1,0 +1,197 @@
+"""A laid-out graph as a picture file: SVG, or PNG and the other formats Pillow writes. Black on white, as in rqt_graph."""
+
+from __future__ import annotations
+
+import html
+import io
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Cell, Picture, Rect
+from day6_tui.core.session.harmless import one_line
+from day6_tui.core.whole_file import replace_file
+
+CELL = (9, 20)
+"""Pixels of a terminal cell in the picture."""
+
+MARGIN = 12
+FONT_SIZE = 14
+DEPTH = 5
+"""Pixels by which a group's box stands out."""
+
+INK, FRAME, WARNING = "#000000", "#808080", "#ff0000"
+PILLOW_FORMATS = (".png", ".bmp", ".jpg", ".tiff")
+
+Point = tuple[float, float]
+
+
+class Ellipse(NamedTuple):
+    """Corners of what it fills."""
+
+    corner: Point
+    opposite: Point
+    colour: str
+
+
+class Line(NamedTuple):
+    """Straight pieces through all points."""
+
+    points: tuple[Point, ...]
+    colour: str
+
+
+class Arrow(NamedTuple):
+    """A filled triangle."""
+
+    points: tuple[Point, Point, Point]
+
+
+class Text(NamedTuple):
+    """A text around its middle, or from its left end."""
+
+    at: Point
+    text: str
+    colour: str
+    centred: bool
+
+
+Shape = Ellipse | Line | Arrow | Text
+
+
+def write_image(picture: Picture, path: Path, warnings: Sequence[str] = ()) -> None:
+    """Write a picture file; its suffix says which kind. Raises OSError, and ValueError for an unknown suffix."""
+    suffix = path.suffix.lower()
+    shapes = list(_shapes(picture, set(warnings)))
+    width, height = picture.width * CELL[0] + 2 * MARGIN, picture.height * CELL[1] + 2 * MARGIN
+    if suffix == ".svg":
+        replace_file(path, _svg(shapes, width, height).encode("utf-8"))
+    elif suffix in PILLOW_FORMATS:
+        replace_file(path, _pixels(shapes, width, height, suffix))
+    else:
+        raise ValueError(f"'{path.name}': .dot, .svg, {', '.join(PILLOW_FORMATS)}")
+
+
+def _shapes(picture: Picture, warnings: set[str]) -> Iterator[Shape]:
+    for name, rect in picture.clusters:
+        left, top, right, bottom = _corners(rect)
+        yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), FRAME)
+        yield Text((left + 4, top + CELL[1] / 2), name, FRAME, False)
+    for route in picture.routes:
+        if len(route.cells) > 1:
+            yield Line(tuple(_bends(route.cells)), INK)
+        if route.cells:
+            yield _arrow(route.cells)
+        if route.label_at is not None:
+            x, y = _middle(route.label_at)
+            yield Text((x - CELL[0] / 2, y - CELL[1] / 2), route.edge.label, INK, False)
+    for box, rect in picture.boxes.values():
+        yield from _box(box, rect, WARNING if box.key in warnings else INK)
+
+
+def _box(box: Box, rect: Rect, colour: str) -> Iterator[Shape]:
+    left, top, right, bottom = _corners(rect)
+    top, bottom = top + 2, bottom - 2
+    if box.shape == "node":
+        yield Ellipse((left, top), (right, bottom), colour)
+    else:
+        yield Line(((left, top), (right, top), (right, bottom), (left, bottom), (left, top)), colour)
+    if box.shape == "group":
+        yield Line(
+            (
+                (left, top),
+                (left + DEPTH, top - DEPTH),
+                (right + DEPTH, top - DEPTH),
+                (right + DEPTH, bottom - DEPTH),
+                (right, bottom),
+            ),
+            colour,
+        )
+        yield Line(((right, top), (right + DEPTH, top - DEPTH)), colour)
+    for index, line in enumerate(box.lines):
+        row = (top + bottom) / 2 + (index - (len(box.lines) - 1) / 2) * CELL[1]
+        yield Text(((left + right) / 2, row), line, colour, True)
+
+
+def _corners(rect: Rect) -> tuple[float, float, float, float]:
+    left, top = MARGIN + rect.x * CELL[0], MARGIN + rect.y * CELL[1]
+    return left, top, left + rect.width * CELL[0], top + rect.height * CELL[1]
+
+
+def _middle(cell: Cell) -> Point:
+    return MARGIN + (cell[0] + 0.5) * CELL[0], MARGIN + (cell[1] + 0.5) * CELL[1]
+
+
+def _bends(cells: Sequence[Cell]) -> Iterator[Point]:
+    """Yield the ends of a line and the points where it turns."""
+    yield _middle(cells[0])
+    for before, at, after in zip(cells, cells[1:], cells[2:], strict=False):
+        if (at[0] - before[0], at[1] - before[1]) != (after[0] - at[0], after[1] - at[1]):
+            yield _middle(at)
+    yield _middle(cells[-1])
+
+
+def _arrow(cells: Sequence[Cell]) -> Arrow:
+    x, y = _middle(cells[-1])
+    ahead = 1 if len(cells) < 2 or cells[-1][0] >= cells[-2][0] else -1
+    tip = x + ahead * CELL[0] * 0.9
+    return Arrow(((tip, y), (tip - ahead * 9, y - 4), (tip - ahead * 9, y + 4)))
+
+
+# -- SVG ---------------------------------------------------------------------------------------------------------------
+
+
+def _svg(shapes: Sequence[Shape], width: int, height: int) -> str:
+    body = "\n".join(_element(shape) for shape in shapes)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
+        f'font-family="monospace" font-size="{FONT_SIZE}" fill="none" stroke-width="1.2">\n'
+        f'<rect width="100%" height="100%" fill="#ffffff"/>\n{body}\n</svg>\n'
+    )
+
+
+def _element(shape: Shape) -> str:
+    if isinstance(shape, Ellipse):
+        (left, top), (right, bottom) = shape.corner, shape.opposite
+        radii = f'rx="{(right - left) / 2:g}" ry="{(bottom - top) / 2:g}"'
+        return f'<ellipse cx="{(left + right) / 2:g}" cy="{(top + bottom) / 2:g}" {radii} stroke="{shape.colour}"/>'
+    if isinstance(shape, Text):
+        anchor = ' text-anchor="middle"' if shape.centred else ""
+        place = f'x="{shape.at[0]:g}" y="{shape.at[1] + FONT_SIZE * 0.35:g}"'
+        return f'<text {place}{anchor} fill="{shape.colour}">{html.escape(one_line(shape.text))}</text>'
+    points = " ".join(f"{x:g},{y:g}" for x, y in shape.points)
+    if isinstance(shape, Arrow):
+        return f'<polygon points="{points}" fill="{INK}"/>'
+    return f'<polyline points="{points}" stroke="{shape.colour}"/>'
+
+
+# -- pixels ------------------------------------------------------------------------------------------------------------
+
+
+def _pixels(shapes: Sequence[Shape], width: int, height: int, suffix: str) -> bytes:
+    from PIL import Image, ImageDraw, ImageFont
+
+    scale = 2  # as the real tool saves it
+    image = Image.new("RGB", (width * scale, height * scale), "white")
+    draw = ImageDraw.Draw(image)
+    font = ImageFont.load_default(FONT_SIZE * scale * 0.95)
+    for shape in shapes:
+        if isinstance(shape, Ellipse):
+            draw.ellipse(
+                [*_scaled(shape.corner, scale), *_scaled(shape.opposite, scale)], outline=shape.colour, width=2
+            )
+        elif isinstance(shape, Text):
+            place = (shape.at[0] * scale, shape.at[1] * scale)
+            draw.text(place, one_line(shape.text), fill=shape.colour, font=font, anchor="mm" if shape.centred else "lm")
+        elif isinstance(shape, Arrow):
+            draw.polygon([_scaled(point, scale) for point in shape.points], fill=INK)
+        else:
+            draw.line([_scaled(point, scale) for point in shape.points], fill=shape.colour, width=2)
+    buffer = io.BytesIO()
+    image.save(buffer, format={".jpg": "JPEG"}.get(suffix, suffix[1:].upper()))
+    return buffer.getvalue()
+
+
+def _scaled(point: Point, scale: int) -> tuple[int, int]:
+    return math.floor(point[0] * scale), math.floor(point[1] * scale)

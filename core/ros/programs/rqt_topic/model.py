@@ -1,0 +1,167 @@
+"""What the topic monitor shows: every topic with its publishers and subscriptions, and numbers for the monitored ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.names import full_name
+from day6_tui.core.interfaces import deserialize, get_message
+from day6_tui.core.ros.programs.rqt_topic._measure import Measure
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+    from rclpy.subscription import Subscription
+    from rclpy.topic_endpoint_info import TopicEndpointInfo
+
+
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    """A publisher or subscription: full name of its node, its QoS in words."""
+
+    node: str
+    qos: str
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """One topic. `rate` (Hz) and `bandwidth` (bytes per second) are None while nothing is measured."""
+
+    name: str
+    types: tuple[str, ...]
+    publishers: tuple[Endpoint, ...]
+    subscriptions: tuple[Endpoint, ...]
+    monitored: bool = False
+    count: int = 0
+    rate: float | None = None
+    bandwidth: float | None = None
+    bars: tuple[float, ...] = ()
+    problem: str = ""
+    """Why subscribing failed, in rclpy's words."""
+
+
+class TopicMonitor:
+    """The model of one topic monitor. The window may call `toggle` and `last_message` and read `topics` and `version`."""
+
+    def __init__(self, node: Node) -> None:
+        self._node = node
+        self._monitors: dict[str, _Monitor] = {}
+        self._problems: dict[str, str] = {}
+        self._toggled: list[str] = []
+        self.topics: tuple[Topic, ...] = ()
+        self.version = 0
+        self.on_request: Callable[[], None] | None = None
+        """Called (any thread) when the window wants something."""
+
+    # -- the window's side ---------------------------------------------------------------------------------------------
+
+    def toggle(self, topic: str) -> None:
+        """Start or stop monitoring a topic."""
+        self._toggled.append(topic)
+        if self.on_request is not None:
+            self.on_request()
+
+    def last_message(self, topic: str) -> Any | None:
+        """The newest message of a monitored topic."""
+        monitor = self._monitors.get(topic)
+        data = monitor.newest if monitor is not None else None
+        return deserialize(data, monitor.type_class) if monitor is not None and data is not None else None
+
+    # -- the program's side --------------------------------------------------------------------------------------------
+
+    def handle_requests(self) -> None:
+        """Carry out the window's requests."""
+        while self._toggled:
+            topic = self._toggled.pop(0)
+            monitor = self._monitors.pop(topic, None)
+            if monitor is not None:
+                self._node.destroy_subscription(monitor.subscription)
+            else:
+                self._listen(topic)
+        self.refresh()
+
+    def _listen(self, name: str) -> None:
+        topic = next((topic for topic in self.topics if topic.name == name), None)
+        if topic is None:
+            return
+        try:
+            self._monitors[name] = _Monitor(self._node, name, topic.types[0])
+            self._problems.pop(name, None)
+        except Exception as error:
+            # A type this machine does not know: the window says so, in the words of the import.
+            self._problems[name] = f"{type(error).__name__}: {error}"
+
+    def tick(self) -> None:
+        """Close a step of every sparkline and look at the numbers."""
+        now_ns = self._now_ns()
+        for monitor in self._monitors.values():
+            monitor.measure.tick(now_ns)
+        self.refresh()
+
+    @property
+    def listening(self) -> bool:
+        return bool(self._monitors)
+
+    def refresh(self) -> None:
+        """Read the graph and the numbers again."""
+        now_ns = self._now_ns()
+        found = tuple(
+            self._topic(name, tuple(types), now_ns) for name, types in sorted(self._node.get_topic_names_and_types())
+        )
+        if found != self.topics:
+            self.topics = found
+            self.version += 1
+
+    def _topic(self, name: str, types: tuple[str, ...], now_ns: int) -> Topic:
+        publishers = tuple(map(_endpoint, self._node.get_publishers_info_by_topic(name)))
+        subscriptions = tuple(map(_endpoint, self._node.get_subscriptions_info_by_topic(name)))
+        monitor = self._monitors.get(name)
+        if monitor is None:
+            return Topic(name, types, publishers, subscriptions, problem=self._problems.get(name, ""))
+        rates = monitor.measure.rates(now_ns)
+        rate, bandwidth = rates if rates is not None else (None, None)
+        return Topic(
+            name, types, publishers, subscriptions, True, monitor.measure.count, rate, bandwidth, monitor.measure.bars
+        )
+
+    def _now_ns(self) -> int:
+        return int(self._node.get_clock().now().nanoseconds)
+
+
+class _Monitor:
+    """The subscription to one monitored topic: counts messages, and keeps the newest one serialized."""
+
+    def __init__(self, node: Node, topic: str, type_name: str) -> None:
+        self.type_class = get_message(type_name)
+        self.measure = Measure()
+        self.newest: bytes | None = None
+        self._clock = node.get_clock()
+        self.subscription: Subscription[Any] = node.create_subscription(
+            self.type_class, topic, self._on_message, _qos_for(node.get_publishers_info_by_topic(topic)), raw=True
+        )
+
+    def _on_message(self, data: bytes) -> None:
+        self.newest = data
+        self.measure.add(int(self._clock.now().nanoseconds), len(data))
+
+
+def _qos_for(offers: list[TopicEndpointInfo]) -> QoSProfile:
+    """A profile compatible with every publisher: reliable or lasting only where all of them are, as `ros2 topic echo` chooses."""
+    profiles = [offer.qos_profile for offer in offers]
+    reliable = bool(profiles) and all(profile.reliability == ReliabilityPolicy.RELIABLE for profile in profiles)
+    lasting = bool(profiles) and all(profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for profile in profiles)
+    return QoSProfile(
+        depth=10,
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if lasting else DurabilityPolicy.VOLATILE,
+    )
+
+
+def _endpoint(info: TopicEndpointInfo) -> Endpoint:
+    profile = info.qos_profile
+    words = [profile.reliability.name, profile.durability.name]
+    if profile.depth:
+        words.append(f"{profile.history.name} ({profile.depth})")
+    return Endpoint(full_name(info.node_namespace, info.node_name), " ".join(words))

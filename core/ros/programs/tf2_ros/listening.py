@@ -1,0 +1,30 @@
+"""What the C++ tools of tf2_ros have in common: a listener with a node of its own, and C++'s way to print numbers."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+from tf2_ros import Buffer, TransformListener
+
+from day6_tui.core.ros.programs.rclcpp import create_node
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from rclpy.node import Node
+
+
+def listen(session: Session, buffer: Buffer) -> Node:
+    """Fill `buffer` from a new node, named like tf2_ros::TransformListener's, which the caller has to spin."""
+    name = f"transform_listener_impl_{random.randrange(0x5500_0000_0000, 0x5700_0000_0000, 16):x}"
+    # Its name stays, whatever __node the command line asks for.
+    arguments = ["--ros-args", "-r", f"__node:={name}"]
+    node = create_node(session, name, cli_args=arguments, start_parameter_services=False)
+    TransformListener(buffer, node)
+    return node
+
+
+def log_without_node(session: Session, level: str, text: str) -> None:
+    """Log as RCUTILS_LOG_WARN and the like do, which know no logger's name."""
+    seconds, nanoseconds = divmod(session.clock.now_ns(), 1_000_000_000)
+    session.print_error(f"[{level}] [{seconds}.{nanoseconds:09d}] []: {text}")

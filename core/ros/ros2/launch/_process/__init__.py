@@ -1,0 +1,1 @@
+"""Run by Python as a folder (`__main__.py`); never imported."""

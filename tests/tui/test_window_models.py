@@ -1,0 +1,66 @@
+"""Every window's pane is written for the model that its program hands over."""
+
+from __future__ import annotations
+
+import typing
+from importlib import import_module
+from pathlib import Path
+
+from day6_tui.core.session.display import Window
+from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.shell.desk import Desk
+from day6_tui.core.shell.language.interpreter import subshell_main
+from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.tui import windows
+from day6_tui.tui.windows import KINDS, WindowPane
+
+COMMANDS = {
+    "turtlesim": "ros2 run turtlesim turtlesim_node",
+    "car": "ros2 run day6_bot car_view",
+    "rqt_graph": "rqt_graph",
+    "topics": "rqt_topic",
+    "rqt": "rqt",
+    "rqt_console": "rqt_console",
+    "rqt_plot": "rqt_plot",
+    "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",
+    "world": "ros2 run day6_world world",
+    "editor": "nano notes.txt",
+    "inspector": "ros2 run day6_inspector inspector",
+    "rviz2": "rviz2",
+}
+"""What opens a window of each kind."""
+
+LONGEST = 60.0
+
+
+def model_of(kind: str) -> str:
+    """The name of the model for which the pane of a kind is written."""
+    module, name = KINDS[kind]
+    pane = getattr(import_module(f"{windows.__name__}.{module}"), name)
+    bases = [base for cls in pane.__mro__ for base in getattr(cls, "__orig_bases__", ())]
+    (model,) = next(typing.get_args(base) for base in bases if typing.get_origin(base) is WindowPane)
+    return model.__forward_arg__ if isinstance(model, typing.ForwardRef) else model.__name__
+
+
+def open_windows(home: Path) -> list[Window[object]]:
+    """Run the command of every kind and return the windows that they open."""
+    desk = Desk(home, join_link=False)
+    try:
+        shell = desk.shell(cwd=home)
+        streams = Streams(InputStream(), OutputStream(), OutputStream())
+        lines = "\n".join(f"{command} &" for command in COMMANDS.values()) + "\nwait\n"
+        main = subshell_main(shell, lambda: shell.run(lines, streams))
+        desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
+        display = desk.display
+        assert display is not None
+        desk.scheduler.run(lambda: len(display.windows) == len(COMMANDS), LONGEST)
+        return display.windows
+    finally:
+        desk.hurry()
+        desk.close()
+
+
+def test_a_pane_is_typed_with_the_model_that_its_program_hands_over(tmp_path) -> None:
+    assert COMMANDS.keys() == KINDS.keys()
+    handed_over = {window.kind: type(window.model).__name__ for window in open_windows(tmp_path)}
+    assert handed_over == {kind: model_of(kind) for kind in KINDS}

@@ -1,0 +1,39 @@
+"""The text of the lower bar: a notice, or the keys that work now."""
+
+from __future__ import annotations
+
+from day6_tui.tui.actions import Actions, bar_actions
+from day6_tui.tui.bars import KeyHint, key_pieces
+from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.look import Look
+from day6_tui.tui.machine import Machine
+from day6_tui.tui.notices import Notices
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.scene_play import ScenePlay
+
+
+class KeyLine:
+    """The keys of the focused pane before those of the desktop."""
+
+    def __init__(
+        self, machine: Machine, desktop: Desktop, scenes: ScenePlay, notices: Notices, actions: Actions, look: Look
+    ) -> None:
+        self._machine = machine
+        self._desktop = desktop
+        self._scenes = scenes
+        self._notices = notices
+        self._actions = actions
+        self._look = look
+
+    def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
+        """From the left, as many as fit; nothing from the right."""
+        look, texts = self._look, self._look.texts
+        if self._notices.text:
+            return [Piece(f" {self._notices.text} ", look.colours.hint)], []
+        if self._scenes.player is not None:
+            return [Piece(f" {texts('bar.playing')} ", look.colours.hint)], []
+        keys = [KeyHint(key, name) for key, name in self._desktop.focused_pane.key_hints()]
+        for action in bar_actions():
+            name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
+            keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))
+        return key_pieces(look, keys, width), []

@@ -1,0 +1,31 @@
+"""The command line options of the desktop."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Options:
+    """None (or False) for options that were not given."""
+
+    scene: str | None = None
+    """A name of `scenes.SCENES`."""
+    robot: str | None = None
+    """A URDF file in place of the shipped car's."""
+    lang: str | None = None
+    glyphs: str | None = None
+    fps: float | None = None
+    """Most frames a second; with 0 only `Frames.step` draws (tests)."""
+    home: Path | None = None
+    """The folder that is ~ in the terminals."""
+    listen: str | None = None
+    connect: str | None = None
+    secret: str | None = None
+    reduced_motion: bool = False
+
+    @property
+    def has_doors(self) -> bool:
+        """Whether the desktop listens for other machines or connects to them."""
+        return bool(self.listen or self.connect)

@@ -1,0 +1,114 @@
+"""Plays a scene on the desktop: where it types, and what happens to keys the user presses meanwhile."""
+
+from __future__ import annotations
+
+from day6_tui.tui.actions import Handlers
+from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.look import Look
+from day6_tui.tui.machine import Machine
+from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.terminal_view import TerminalView
+from day6_tui.tui.terminals import Terminals
+
+
+class ScenePlay:
+    """Plays one scene at a time in the terminals (it is the player's `scenes.Stage`)."""
+
+    def __init__(
+        self,
+        robot: str | None,
+        machine: Machine,
+        desktop: Desktop,
+        terminals: Terminals,
+        look: Look,
+        *,
+        visibly: bool = True,
+    ) -> None:
+        self._robot = robot
+        self._machine = machine
+        self._desktop = desktop
+        self._pane = desktop.terminals
+        self._terminals = terminals
+        self._held = desktop.terminals.held
+        self._look = look
+        self._visibly = visibly
+        self.player: Player | None = None
+        """The player of the scene; None while no scene is played."""
+
+    def actions(self) -> Handlers:
+        return {
+            "scene.turtle": lambda: self.start("turtle"),
+            "scene.car": lambda: self.start("car"),
+            "scene.world": lambda: self.start("world"),
+        }
+
+    def start(self, name: str) -> None:
+        """Type the commands of a scene."""
+        scene = SCENES[name]
+        self._desktop.welcome.show_guide()
+        self._desktop.focus_pane(self._pane)
+        if scene.steps:
+            visibly = self._visibly and not self._look.reduced_motion
+            values = self._machine.robot_words(self._robot) if scene.needs_robot else {}
+            self.player = Player(scene, self, values=values, visibly=visibly)
+            self._held.begin()
+        self._look.wake()
+
+    def advance(self, now: float) -> bool:
+        """Type what is due at the monotonic time `now`; True while the scene goes on."""
+        if self.player is None:
+            return False
+        if not self._held.holding:  # Esc
+            self.player = None
+            return False
+        if self._machine.desk is None:
+            return True  # a quick key: the desk comes right after the first frame
+        if self._held.keys:
+            self.player.hurry()
+        self.player.advance(now)
+        if not self.player.done:
+            return True
+        view, keys = self._held.view, self._held.keys
+        self._end()
+        if view in self._pane.views:
+            for event in keys:
+                self._pane.type_key(view, event)
+        return False
+
+    def _end(self) -> None:
+        self.player = None
+        self._held.end()
+
+    # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
+
+    @property
+    def _view(self) -> TerminalView | None:
+        """The terminal it types into, if that is still there."""
+        return self._held.view if self._held.view in self._pane.views else None
+
+    def use_terminal(self, which: str) -> None:
+        pane, held = self._pane, self._held
+        left = pane.active if held.view is not None and pane.view is not held.view else None
+        if which == "idle":
+            held.view = self._terminals.use_idle()
+        else:
+            self._terminals.open()
+            held.view = pane.view
+        if left is not None:
+            pane.activate(left)  # the user went to another one: the scene goes on beside it
+
+    def send(self, text: str) -> None:
+        if self._view is not None:
+            self._view.terminal.send(text)
+
+    def ready(self) -> bool:
+        return self._view is not None and self._view.at_prompt
+
+    def has_window(self, kind: str) -> bool:
+        return any(window.kind == kind for window in self._machine.windows())
+
+    def has_topic(self, name: str) -> bool:
+        return self._machine.has_topic(name)
+
+    def reading_keys(self) -> bool:
+        return self._view is not None and self._view.reading_keys
