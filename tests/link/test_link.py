@@ -81,7 +81,7 @@ def test_leaving_ends_every_thread_of_ours(world: World) -> None:
     join(graph)
     assert len(set(threading.enumerate()) - before) == 1
     leave(graph)
-    assert set(threading.enumerate()) == before
+    assert set(threading.enumerate()) <= before  # a timer of an earlier test may have ended meanwhile
 
 
 def test_remote_nodes_are_marked_and_not_told_on(world: World) -> None:

@@ -55,6 +55,8 @@ def test_what_is_not_there_is_told_and_leaves_no_file(machine: Any, server: str)
     assert missing.status == 8 and "ERROR 404: Not Found." in missing.err
     assert machine.run("wget").status == 1
     assert machine.run("wget file:///etc/passwd; curl file:///etc/passwd").out == ""
+    one_of_two = machine.run(f"wget -q gopher://a.b/c {server}/examples/talker.py; echo $?; ls; rm talker.py")
+    assert one_of_two.out == "1\nros2_ws\ntalker.py\n"
     assert machine.run("ls").out == "ros2_ws\n"
     failed = machine.run(f"curl -f {server}/nothing.py")
     assert (failed.status, failed.out) == (22, "")

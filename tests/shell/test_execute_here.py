@@ -62,11 +62,11 @@ def test_exec_runs_lines_and_exits_with_their_status(
 def test_exec_ends_with_the_signals_that_end_a_shell(
     here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(sys, "stdin", io.StringIO())
-    for number, status in ((signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130)):
-        assert (
-            execute.main(["-c", f"python3 -c 'import os; os.kill({os.getpid()}, {int(number)})'; sleep 30"]) == status
-        )
+    with open(os.devnull, encoding="utf-8") as nothing:
+        monkeypatch.setattr(sys, "stdin", nothing)
+        for number, status in ((signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130)):
+            line = f"python3 -c 'import os; os.kill({os.getpid()}, {int(number)})'; sleep 30"
+            assert execute.main(["-c", line]) == status
 
 
 def test_env_prints_only_what_differs(here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:

@@ -227,7 +227,7 @@ def test_a_line_means_what_it_means_in_bash(machine: Any, line: str, tmp_path: P
         ("timeout 5", "Try 'timeout --help' for more information.", 125),
         ("[ 1 -eq x ]", "bash: [: x: integer expression expected", 2),
         ("[ 1", "bash: [: missing `]'", 2),
-        ("echo $((1/0))", "bash: 1/0: division by 0", 1),
+        ("echo $((1/0))", 'bash: 1/0: division by 0 (error token is "0")', 1),
         ("echo ${a b}", "bash: ${a b}: bad substitution", 2),
     ],
 )
@@ -272,3 +272,13 @@ def test_time_tells_how_long_a_pipeline_took_by_the_clock_of_the_machine(machine
     first, second = done.err.strip("\n").split("\n\n")
     assert [line.split("\t")[0] for line in first.splitlines()] == ["real", "user", "sys"]
     assert first.startswith("real\t1m1.5") and second.startswith("real\t0m0.0")
+
+
+def test_at_the_prompt_a_word_without_a_value_costs_the_rest_of_its_line_only(seat: Any) -> None:
+    screen = seat.line("echo ${name:?who are you} || echo not; echo this")
+    assert screen.split("\n")[1:] == ["bash: name: who are you", "student@day6:~$"]
+    seat.line("clear")
+    screen = seat.line("f() { echo $((1/0)); echo nor; }; for i in 1 2; do f; done; f")
+    assert screen.split("\n")[1:] == ['bash: 1/0: division by 0 (error token is "0")', "student@day6:~$"]
+    assert seat.line("echo $?").split("\n")[-2:] == ["1", "student@day6:~$"]
+    assert "unbound" in seat.line("set -u; echo $nothing") and seat.terminal.idle

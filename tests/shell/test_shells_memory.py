@@ -245,3 +245,10 @@ def test_the_memory_of_a_process(monkeypatch: pytest.MonkeyPatch, wish: str, mac
     monkeypatch.setenv(memory.VARIABLE, wish)
     monkeypatch.setattr(memory, "_machine_memory", lambda: machine_has)
     assert memory.memory_limit() == limit
+
+
+def test_a_variable_may_hold_16_mib_and_no_more(machine: Any) -> None:
+    machine.shell.variables["x"] = "a" * 2**24
+    assert machine.run("y=$x; echo ${#y}").out == "16777216\n"
+    done = machine.run("y=${x}b; echo no")
+    assert done == (2, "", "bash: xrealloc: cannot allocate 16777217 bytes\n")

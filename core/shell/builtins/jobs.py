@@ -95,13 +95,33 @@ def _signal_number(text: str) -> int | None:
     return NUMBERS.get(text.upper().removeprefix("SIG"))
 
 
+def _list_signals(session: Session, words: list[str]) -> int:
+    """`kill -l`: all signals, or the name of each number (or status of what one ended) and the number of each name."""
+    if not words:
+        session.print(" ".join(f"{value}) SIG{name}" for name, value in NUMBERS.items()))
+    names = {0: "EXIT", **{value: name for name, value in NUMBERS.items()}}
+    status = 0
+    for word in words:
+        number = _signal_number(word)
+        if number is not None and number > 128:
+            number -= 128
+        if number not in names:
+            complain_as_shell(session, f"{word}: invalid signal specification")
+            status = 1
+        else:
+            session.print(names[number] if word.isdigit() else number)
+    return status
+
+
 async def kill(session: Session) -> int:
     words = session.argv[1:]
     number: int | None = 15
     if words and words[0] in ("-l", "-L"):
-        session.print(" ".join(f"{value}) SIG{name}" for name, value in NUMBERS.items()))
-        return 0
-    if words and words[0] in ("-s", "-n") and len(words) > 1:
+        return _list_signals(session, words[1:])
+    if words in (["-s"], ["-n"]):
+        complain_as_shell(session, f"{words[0]}: option requires an argument")
+        return 1
+    if words and words[0] in ("-s", "-n"):
         text, words = words[1], words[2:]
         number = _signal_number(text)
     elif words and words[0].startswith("-") and words[0] != "--":

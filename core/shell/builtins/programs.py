@@ -11,6 +11,7 @@ from day6_tui.core.shell.builtins.options import reason
 from day6_tui.core.shell.builtins.text import text_named
 from day6_tui.core.shell.language.interpreter import shell_of, subshell_main
 from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.core.shell.language.shell_state import NOT_FOUND
 from day6_tui.core.shell.outside import asking
 
 
@@ -49,7 +50,8 @@ async def bash(session: Session) -> int:
         if len(words) < 2:
             session.print_error(f"{session.name}: -c: option requires an argument")
             return 2
-        return await _run_copy(session, words[1], words[2] if len(words) > 2 else session.name, words[3:])
+        name = words[2] if len(words) > 2 else session.name
+        return await _run_copy(session, words[1], name, words[3:], unbound_status=NOT_FOUND)
     if words and not words[0].startswith("-"):
         return await run_script(session, words[0], words[1:])
     if words:
@@ -68,9 +70,10 @@ async def run_script(session: Session, name: str, arguments: list[str]) -> int:
     return await _run_copy(session, text, name, arguments)
 
 
-async def _run_copy(session: Session, text: str, zero: str, arguments: list[str]) -> int:
+async def _run_copy(session: Session, text: str, zero: str, arguments: list[str], *, unbound_status: int = 1) -> int:
     shell = shell_of(session)
     inner = shell.clone()
+    inner.unbound_status = unbound_status
     inner.arguments, inner.zero = arguments, zero
     inner.options = set()
     inner.cwd = session.cwd

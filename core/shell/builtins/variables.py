@@ -7,7 +7,8 @@ import shlex
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import complain_as_shell
-from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_tui.core.shell.language.arithmetic import ArithmeticProblem, evaluate
+from day6_tui.core.shell.language.control_flow import DiscardLine
 from day6_tui.core.shell.language.interpreter import shell_of
 
 _SHOPT = ("checkwinsize", "cmdhist", "expand_aliases", "globstar", "histappend", "login_shell", "nullglob", "autocd")
@@ -109,7 +110,12 @@ async def declare(session: Session) -> int:
         if "x" in options:
             shell.exported.add(name)
         if "i" in options and name in shell.variables:
-            shell.variables[name] = str(evaluate(shell.variables[name], shell.variables))
+            try:
+                shell.variables[name] = str(evaluate(shell.variables[name], shell.variables))
+            except ArithmeticProblem as problem:
+                complain_as_shell(session, str(problem))
+                shell.wanted[session] = DiscardLine()
+                return 1
     return status
 
 
@@ -124,12 +130,15 @@ def _show_functions(session: Session, names: list[str], *, whole: bool) -> int:
 
 async def let(session: Session) -> int:
     """`let EXPRESSION …`: status 0 if the value of the last one is not 0."""
+    if len(session.argv) < 2:
+        complain_as_shell(session, "expression expected")
+        return 1
     value = 0
     for word in session.argv[1:]:
         try:
             value = evaluate(word, shell_of(session).variables)
-        except (ArithmeticError, ValueError) as error:
-            complain_as_shell(session, f"{word}: {error}")
+        except ArithmeticProblem as problem:
+            complain_as_shell(session, str(problem))
             return 1
     return 0 if value else 1
 

@@ -8,10 +8,12 @@ from collections.abc import Callable, MutableMapping
 from functools import partial
 
 _TOKEN = re.compile(
-    r"\s*(?:(0[xX][0-9a-fA-F]+|\d+#\w+|\d+)|([A-Za-z_]\w*)"
+    r"\s*(?:(\d[\w#@]*)|([A-Za-z_]\w*)"
     r"|(<<=|>>=|\*\*|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&^|]=|[-+*/%()<>!~&|^?:=,]))",
     re.ASCII,
 )
+_DIGITS = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ@_"
+"""Of the highest base, 64; up to 36 the case of a letter does not matter."""
 _MOST_DEPTH = 100
 
 _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
@@ -33,7 +35,7 @@ _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
     "*": (10, operator.mul),
     "/": (10, lambda a, b: _divide(a, b)),
     "%": (10, lambda a, b: a - b * _divide(a, b)),
-    "**": (11, lambda a, b: _power(a, b)),
+    "**": (11, lambda a, b: pow(a, b, 2**64)),
 }
 _ASSIGNING = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "<<=", ">>=", "&=", "^=", "|="})
 _UNARY: dict[str, Callable[[int], int]] = {
@@ -44,39 +46,65 @@ _UNARY: dict[str, Callable[[int], int]] = {
 }
 
 
+class ArithmeticProblem(ValueError):
+    """An expression without a value, in bash's words: the expression, what is wrong, and from where on."""
+
+    def __init__(self, expression: str, problem: str, rest: str) -> None:
+        super().__init__(f'{expression}: {problem} (error token is "{rest}")')
+
+
 def evaluate(source: str, variables: MutableMapping[str, str], depth: int = 0) -> int:
     """Return the value; assignments change `variables`, whose values may be expressions themselves.
 
-    Raises ValueError (bash's text) if `source` is not an expression, ZeroDivisionError with bash's text.
+    Raises:
+        ArithmeticProblem: `source` is not an expression, or divides by 0.
     """
+    evaluator = _Evaluator(source, variables, depth)
     if depth > _MOST_DEPTH:
-        raise ValueError("expression recursion level exceeded")
-    tokens: list[str] = []
-    at = 0
-    text = source.strip()
-    while at < len(text):
-        match = _TOKEN.match(text, at)
-        if match is None:
-            raise ValueError(f'syntax error: invalid arithmetic operator (error token is "{text[at:].strip()}")')
-        tokens.append(match.group().strip())
-        at = match.end()
-    parser = _Evaluator(tokens, variables, depth)
-    value = parser.comma() if tokens else 0
-    if parser.tokens:
-        raise ValueError(f'syntax error in expression (error token is "{" ".join(parser.tokens)}")')
+        raise evaluator.problem("expression recursion level exceeded")
+    value = evaluator.comma() if evaluator.tokens else 0
+    if evaluator.tokens:
+        raise evaluator.problem("syntax error in expression")
     return value
 
 
 class _Evaluator:
     """Evaluates while it parses; while `quiet` is not 0 (in a branch that is not taken) nothing is assigned."""
 
-    def __init__(self, tokens: list[str], variables: MutableMapping[str, str], depth: int) -> None:
-        self.tokens = tokens
+    def __init__(self, source: str, variables: MutableMapping[str, str], depth: int) -> None:
+        self.source = source.lstrip()
         self.variables = variables
         self.depth = depth
         self.quiet = 0
-        self.last = ""
-        """The last operator that was read, for messages."""
+        self.tokens: list[str] = []
+        self.starts: list[int] = []
+        """Where each of the tokens that are left begins."""
+        self.last = 0
+        """Where the last one that was read begins."""
+        self._split()
+
+    def _split(self) -> None:
+        at, end = 0, len(self.source.rstrip())
+        while at < end:
+            match = _TOKEN.match(self.source, at)
+            if match is None:
+                rest = self.source[at:].lstrip()
+                after_operand = bool(self.tokens) and self.tokens[-1][0] in f"{_DIGITS})"
+                what = "invalid arithmetic operator" if after_operand else "operand expected"
+                raise ArithmeticProblem(self.source, f"syntax error: {what}", rest)
+            self.starts.append(match.start(match.lastindex or 0))
+            self.tokens.append(self.source[self.starts[-1] : match.end()])
+            at = match.end()
+
+    def take(self) -> str:
+        self.last = self.starts.pop(0)
+        return self.tokens.pop(0)
+
+    def problem(self, text: str, at: int | None = None) -> ArithmeticProblem:
+        """What is wrong at a place; by default at the next token, at the end at the last one."""
+        if at is None:
+            at = self.starts[0] if self.starts else self.last
+        return ArithmeticProblem(self.source, text, self.source[at:])
 
     def next_is(self, *texts: str) -> bool:
         return bool(self.tokens) and self.tokens[0] in texts
@@ -84,29 +112,36 @@ class _Evaluator:
     def comma(self) -> int:
         value = self.assignment()
         while self.next_is(","):
-            self.tokens.pop(0)
+            self.take()
             value = self.assignment()
         return value
 
     def assignment(self) -> int:
         if len(self.tokens) > 1 and self.tokens[1] in _ASSIGNING and self.tokens[0].isidentifier():
-            name, symbol = self.tokens.pop(0), self.tokens.pop(0)
+            name, symbol, place = self.take(), self.take(), self.starts[:1]
             value = self.assignment()
             if symbol != "=":
-                value = self.combine(symbol[:-1], self.value_of(name), value)
+                value = self.combine(symbol[:-1], self.value_of(name), value, *place)
             return self.assign(name, value)
-        return self.choice()
+        value = self.choice()
+        if self.tokens and self.tokens[0] in _ASSIGNING:
+            raise self.problem("attempted assignment to non-variable")
+        return value
 
     def choice(self) -> int:
         condition = self.binary(0)
         if not self.next_is("?"):
             return condition
-        self.tokens.pop(0)
+        self.take()
+        if not self.tokens or self.next_is(":"):
+            raise self.problem("expression expected")
         first = self.skipping(not condition, self.comma)
         if not self.next_is(":"):
-            raise ValueError("`:' expected for conditional expression")
-        self.tokens.pop(0)
-        second = self.skipping(bool(condition), self.assignment)
+            raise self.problem("`:' expected for conditional expression")
+        self.take()
+        if not self.tokens:
+            raise self.problem("expression expected")
+        second = self.skipping(bool(condition), self.choice)
         return first if condition else second
 
     def skipping(self, skipped: bool, read: Callable[[], int]) -> int:
@@ -122,41 +157,73 @@ class _Evaluator:
             precedence = _BINARY.get(self.tokens[0], (-1, operator.add))[0]
             if precedence < lowest:
                 break
-            name = self.last = self.tokens.pop(0)
+            name = self.take()
+            place = self.starts[:1]
             decided = (name == "&&" and not value) or (name == "||" and bool(value))
             step = precedence if name == "**" else precedence + 1
             right = self.skipping(decided, partial(self.binary, step))
-            value = self.combine(name, value, right)
+            value = self.combine(name, value, right, *place)
         return value
 
-    def combine(self, name: str, left: int, right: int) -> int:
+    def combine(self, name: str, left: int, right: int, place: int = 0) -> int:
+        """The value of `left name right`; the right one begins at `place`."""
         if self.quiet:
             return 0
+        if name in ("/", "%") and right == 0:
+            raise self.problem("division by 0", place)
+        if name == "**" and right < 0:
+            raise self.problem("exponent less than 0")
         return _wrapped(_BINARY[name][1](left, right))
 
     def operand(self) -> int:
         if not self.tokens:
-            raise ValueError(f'syntax error: operand expected (error token is "{self.last}")')
-        token = self.tokens.pop(0)
+            raise self.problem("syntax error: operand expected")
+        token = self.tokens[0]
+        if token in ("++", "--") and not (len(self.tokens) > 1 and self.tokens[1].isidentifier()):
+            self.tokens[:1], self.starts[:1] = token, [self.starts[0], self.starts[0] + 1]  # two signs, as in --5
+            token = token[0]
+        if not (token[0] in _DIGITS or token in ("(", "++", "--", *_UNARY)):
+            raise self.problem("syntax error: operand expected")
+        self.take()
         if token[0].isdigit():
-            return _number(token)
+            return self.number(token)
         if token == "(":
             value = self.comma()
             if not self.next_is(")"):
-                raise ValueError("missing `)'")
-            self.tokens.pop(0)
+                raise self.problem("missing `)'")
+            self.take()
             return value
-        if token in ("++", "--") and self.tokens and self.tokens[0].isidentifier():
-            name = self.tokens.pop(0)
+        if token in ("++", "--"):
+            name = self.take()
             return self.assign(name, self.value_of(name) + (1 if token == "++" else -1))
         if token in _UNARY:
             return _wrapped(_UNARY[token](self.operand()))
-        if token.isidentifier():
-            value = self.value_of(token)
-            if self.next_is("++", "--"):
-                self.assign(token, value + (1 if self.tokens.pop(0) == "++" else -1))
-            return value
-        raise ValueError(f'syntax error: operand expected (error token is "{" ".join([token, *self.tokens])}")')
+        value = self.value_of(token)
+        if self.next_is("++", "--"):
+            self.assign(token, value + (1 if self.take() == "++" else -1))
+        return value
+
+    def number(self, text: str) -> int:
+        mark = "#" in text
+        if mark:
+            before, _, digits = text.partition("#")
+            base = int(before) if before.isdigit() else 0
+            if not 2 <= base <= 64:
+                raise self._number_problem("invalid arithmetic base", text)
+            if not digits:
+                raise self._number_problem("invalid integer constant", text)
+        else:
+            base, digits = (16, text[2:]) if text[:2] in ("0x", "0X") else (8, text) if text[0] == "0" else (10, text)
+        value = 0
+        for digit in digits.lower() if base <= 36 else digits:
+            worth = _DIGITS.find(digit)
+            if not 0 <= worth < base:
+                raise self._number_problem("invalid number" if digit == "#" else "value too great for base", text)
+            value = value * base + worth
+        return _wrapped(value)
+
+    def _number_problem(self, what: str, text: str) -> ArithmeticProblem:
+        return ArithmeticProblem(self.source[: self.last + len(text)], what, text)
 
     def value_of(self, name: str) -> int:
         text = self.variables.get(name, "").strip()
@@ -171,32 +238,12 @@ class _Evaluator:
         return value
 
 
-def _number(text: str) -> int:
-    base, mark, digits = text.partition("#")
-    try:
-        if mark:
-            return int(digits, int(base))
-        if text[:2] in ("0x", "0X"):
-            return int(text, 16)
-        return int(text, 8) if text.startswith("0") else int(text)
-    except ValueError:
-        raise ValueError(f'{text}: value too great for base (error token is "{text}")') from None
-
-
 def _wrapped(value: int) -> int:
     """Wrap the value to a signed integer of 64 bits."""
     return (value + 2**63) % 2**64 - 2**63
 
 
-def _power(a: int, b: int) -> int:
-    if b < 0:
-        raise ValueError("exponent less than 0")
-    return pow(a, b, 2**64)
-
-
 def _divide(a: int, b: int) -> int:
     """Divide as C does: towards zero."""
-    if b == 0:
-        raise ZeroDivisionError("division by 0")
     quotient = abs(a) // abs(b)
     return quotient if (a < 0) == (b < 0) else -quotient

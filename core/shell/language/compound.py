@@ -9,9 +9,17 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.task import let_others_run
 from day6_tui.core.shell.language import syntax
+from day6_tui.core.shell.language.arithmetic import ArithmeticProblem
 from day6_tui.core.shell.language.conditional import holds
 from day6_tui.core.shell.language.control_flow import LoopControl
-from day6_tui.core.shell.language.expansion import expand, expand_pattern, expand_text, sum_of
+from day6_tui.core.shell.language.expansion import (
+    ExpansionProblem,
+    UnboundProblem,
+    expand,
+    expand_pattern,
+    expand_text,
+    sum_of,
+)
 from day6_tui.core.shell.language.redirection import Streams, redirect
 
 if TYPE_CHECKING:
@@ -86,22 +94,34 @@ async def _case(shell: Shell, command: syntax.Case, streams: Streams) -> None:
 
 
 async def _conditional(shell: Shell, command: syntax.Conditional | syntax.Arithmetic, streams: Streams) -> None:
-    """`[[ … ]]` and `(( … ))`: status 0 if it is true, 1 if not, 2 if it cannot be evaluated."""
+    """`[[ … ]]` and `(( … ))`: status 0 if it is true, 1 if not; a condition that cannot be evaluated 2, a sum 1."""
+    if isinstance(command, syntax.Arithmetic):
+        shell.status = 0 if await _sum(command.source, shell, streams) else 1
+        return
     try:
-        if isinstance(command, syntax.Arithmetic):
-            answer = await sum_of(command.source, shell, streams) != 0
-        else:
-            answer = await holds(command.condition, shell, streams)
-    except (ArithmeticError, OSError, ValueError) as error:
-        streams.stderr.write(f"{shell.name}: {'((' if isinstance(command, syntax.Arithmetic) else '[['}: {error}\n")
-        shell.status = 2
+        answer = await holds(command.condition, shell, streams)
+    except (OSError, ValueError) as error:
+        streams.stderr.write(f"{shell.name}: [[: {error}\n")
+        shell.status = 1 if isinstance(error, ArithmeticProblem) else 2
         return
     shell.status = 0 if answer else 1
 
 
+async def _sum(source: str, shell: Shell, streams: Streams) -> int | None:
+    """The value of an expression in `(( ))`, None after a message if it has none."""
+    try:
+        return await sum_of(source, shell, streams)
+    except UnboundProblem:
+        raise
+    except ExpansionProblem as problem:
+        streams.stderr.write(f"{shell.name}: ((: {problem}\n")
+        return None
+
+
 async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.ArithmeticFor, streams: Streams) -> None:
-    if isinstance(command, syntax.ArithmeticFor):
-        await sum_of(command.first, shell, streams)
+    if isinstance(command, syntax.ArithmeticFor) and await _sum(command.first, shell, streams) is None:
+        shell.status = 1
+        return
     values: list[str] | None = None
     if isinstance(command, syntax.For):
         values = list(shell.arguments) if command.words is None else await expand(command.words, shell, streams)
@@ -109,10 +129,13 @@ async def _loop(shell: Shell, command: syntax.For | syntax.While | syntax.Arithm
     again = False
     while True:
         if isinstance(command, syntax.ArithmeticFor):
-            if again:
-                await sum_of(command.step, shell, streams)
+            if again and await _sum(command.step, shell, streams) is None:
+                status = 1
+                break
             again = True
-            if command.condition.strip() and not await sum_of(command.condition, shell, streams):
+            holding = await _sum(command.condition, shell, streams) if command.condition.strip() else 1
+            if not holding:
+                status = 1 if holding is None else status
                 break
         elif isinstance(command, syntax.For):
             if not values:

@@ -80,7 +80,7 @@ def _operand(parser: Parser) -> Word:
 
 
 async def holds(condition: Condition, shell: Shell, streams: Streams) -> bool:
-    """Whether the condition is true. Raises ValueError (bash's text) if it cannot be evaluated."""
+    """Whether the condition is true. Raises ValueError and OSError (bash's texts) if it cannot be evaluated."""
     if isinstance(condition, Not):
         return not await holds(condition.inner, shell, streams)
     if isinstance(condition, AndOrCondition):

@@ -1,4 +1,4 @@
-"""The exceptions that end a command line early: `exit`, `break`, `continue`, `return` and Ctrl-C."""
+"""The exceptions that end a command line early: `exit`, `break`, `continue`, `return`, words without a value and Ctrl-C."""
 
 from __future__ import annotations
 
@@ -18,6 +18,10 @@ class LoopControl(Exception):
         super().__init__(levels)
         self.levels = levels
         self.again = again
+
+
+class DiscardLine(Exception):
+    """A word could not be expanded, and the message about it was printed: the rest of the line is not run."""
 
 
 class ReturnFromSource(Exception):

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.threads import in_thread
-from day6_tui.core.shell.language.arithmetic import evaluate
+from day6_tui.core.shell.language.arithmetic import ArithmeticProblem, evaluate
 from day6_tui.core.shell.language.lexer import single_word
 from day6_tui.core.shell.language.words import Part, Substitution, SyntaxProblem, Text, Variable, Word
 
@@ -29,8 +29,12 @@ MOST_WORDS = 1_000_000
 """Most words of a brace expansion; the real shell uses up all memory for more."""
 
 
-class UnboundProblem(SyntaxProblem):
-    """`${NAME:?text}` and bad substitutions: ends the command line with status 1."""
+class ExpansionProblem(SyntaxProblem):
+    """A word without a value (`$((1/0))`): the rest of the line is not run, and the status is 1."""
+
+
+class UnboundProblem(ExpansionProblem):
+    """`${NAME:?text}`, and a variable that is not set, under `set -u`: these end a shell that nobody types into."""
 
 
 class _Fields:
@@ -196,12 +200,12 @@ async def _replaced(value: str, part: Variable, shell: Shell, streams: Streams) 
 
 
 async def sum_of(source: str, shell: Shell, streams: Streams) -> int:
-    """The value of `$((source))`. Raises UnboundProblem with bash's text."""
+    """The value of `$((source))`. Raises ExpansionProblem with bash's text."""
     text = await expand_text(single_word(source, quoted=True), shell, streams)
     try:
         return evaluate(text, shell.variables)
-    except (ArithmeticError, ValueError) as error:
-        raise UnboundProblem(f"{text.strip()}: {error}") from None
+    except ArithmeticProblem as problem:
+        raise ExpansionProblem(str(problem)) from None
 
 
 async def expand_pattern(word: Word, shell: Shell, streams: Streams) -> str:

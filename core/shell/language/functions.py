@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.language import syntax
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.language.shell_state import MAX_DEPTH
 
@@ -32,7 +32,7 @@ async def in_the_shell_itself(session: Session, run: Callable[[Streams], Awaitab
         return await run(Streams(session.stdin, session.stdout, session.stderr))
     except ReturnFromSource as end:
         return end.status
-    except (ExitShell, LoopControl, Interrupted) as end:
+    except (ExitShell, LoopControl, DiscardLine, Interrupted) as end:
         shell.wanted[session] = end
         return shell.status
     finally:

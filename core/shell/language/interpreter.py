@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Awaitable, Callable
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,8 +22,8 @@ from day6_tui.core.session.streams import CAPTURE_LIMIT, Captured, InputStream, 
 from day6_tui.core.session.write_errors import report_write_error
 from day6_tui.core.shell.language import parser, syntax
 from day6_tui.core.shell.language.compound import run_compound
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
-from day6_tui.core.shell.language.expansion import expand, expand_text
+from day6_tui.core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.expansion import ExpansionProblem, UnboundProblem, expand, expand_text
 from day6_tui.core.shell.language.jobs import Job, JobTable
 from day6_tui.core.shell.language.redirection import Streams, redirect
 from day6_tui.core.shell.language.shell_state import MAX_DEPTH, ShellState
@@ -89,6 +89,7 @@ class Shell(ShellState):
         """A copy for a subshell: changes to it do not come back, and it has no jobs of its own."""
         twin = Shell(self.desk, env=dict(self.variables), cwd=self.cwd, interactive=False, name=self.name)
         twin.inherit(self)
+        twin.unbound_status = 1
         twin.outer_jobs = self.jobs if self.outer_jobs is None or self.jobs.jobs else self.outer_jobs
         return twin
 
@@ -101,7 +102,8 @@ class Shell(ShellState):
         """
         try:
             for line in parser.lines(source, self.aliases):
-                await self.run_tree(line, streams)
+                with suppress(DiscardLine):
+                    await self.run_tree(line, streams)
         except SyntaxProblem as problem:
             streams.stderr.write(f"{self.name}: {problem}\n")
             self.status = 2
@@ -182,6 +184,10 @@ class Shell(ShellState):
             except SyntaxProblem as problem:
                 streams.stderr.write(f"{self.name}: {problem}\n")
                 self.status = 1
+                if isinstance(problem, UnboundProblem) and not self.interactive:
+                    raise ExitShell(self.unbound_status) from None
+                if isinstance(problem, ExpansionProblem):
+                    raise DiscardLine from None
             finally:
                 self.condition_depth -= asked
         if "e" in self.options and self.status and not last.negated and not self.condition_depth:
@@ -192,6 +198,7 @@ class Shell(ShellState):
         streams = replace(streams, stdin=stdin)
         inner = self.clone()
         inner.background = True
+        inner.unbound_status = self.unbound_status
         if len(node.items) == 1 and not node.items[0][1].negated:
             programs = inner._start_stages(node.items[0][1], streams)
         else:
@@ -267,7 +274,7 @@ class Shell(ShellState):
                 prepared = await inner._prepare(command, streams)
             except SyntaxProblem as problem:
                 session.print_error(f"{inner.name}: {problem}")
-                return 1
+                return self.unbound_status if isinstance(problem, UnboundProblem) else 1
             if prepared is None:
                 return 1
             session.host = inner
@@ -457,7 +464,7 @@ def subshell_main(inner: Shell, run: Callable[[], Awaitable[int]]) -> Main:
             return end.status
         except Interrupted:
             raise KeyboardInterrupt from None
-        except (LoopControl, ReturnFromSource):
+        except (LoopControl, ReturnFromSource, DiscardLine):
             return inner.status
         finally:
             for job in inner.jobs.jobs:

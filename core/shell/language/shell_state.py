@@ -10,6 +10,8 @@ from day6_tui.core.shell.language.syntax import Function
 
 MAX_DEPTH = 100
 """How deep `source`, `( )` and `$( )` may nest, so that a file that sources itself ends with a message."""
+NOT_FOUND = 127
+"""The status of a command that does not exist."""
 
 
 class ShellState:
@@ -37,6 +39,8 @@ class ShellState:
         """The directory stack of `pushd`, the newest first."""
         self.status = 0
         self.pid = pid
+        self.unbound_status = 1 if interactive else NOT_FOUND
+        """The status of a command or a whole script after `${x:?}`: 127 only in the text after `-c`."""
         self.last_background = 0
         self.history: list[str] = []
         self.depth = 0
