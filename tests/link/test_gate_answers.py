@@ -391,12 +391,13 @@ def test_what_is_wrong_with_a_secret_is_said(secret: str, error: str) -> None:
 
 
 @pytest.mark.parametrize("secret", ["12345678", "x" * 256, "chalk-und-Schwämme"])
-def test_a_secret_is_a_word_or_stands_in_a_file(tmp_path: Path, secret: str) -> None:
+def test_a_secret_is_a_word_or_stands_in_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, secret: str) -> None:
     assert secret_of(secret) == secret
     file = tmp_path / "secret"
     file.write_text(f"  {secret}\n", encoding="utf-8")
     file.chmod(0o600)
-    assert secret_of(str(file)) == secret
+    monkeypatch.chdir(tmp_path)
+    assert secret_of(str(file)) == secret == secret_of("secret")
     if sys.platform != "win32":
         for mode in (0o640, 0o604, 0o610, 0o601):
             file.chmod(mode)

@@ -262,7 +262,7 @@ def test_a_process_of_another_user_exists(monkeypatch: pytest.MonkeyPatch) -> No
 @pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="open files cannot be listed")
 def test_a_child_closes_the_sockets_of_the_place_and_no_others(place: Place) -> None:
     own, peer = socket.socket(socket.AF_UNIX), socket.socket(socket.AF_UNIX)
-    elsewhere, file = socket.socketpair(), (place.folder / "file").open("w")
+    elsewhere, file = [*socket.socketpair(), socket.create_server(("127.0.0.1", 0))], (place.folder / "file").open("w")
     own.bind(str(place.folder / "meet"))
     own.listen()
     peer.connect(str(place.folder / "meet"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from threading import Event, Thread
 from typing import Any
 
@@ -23,6 +24,7 @@ from rclpy.action import (
     get_action_names_and_types,
     get_action_server_names_and_types_by_node,
 )
+from rclpy.exceptions import InvalidHandle
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.task import Future
 
@@ -413,6 +415,24 @@ def test_actions_are_found_in_the_graph(world: Any) -> None:
     client.destroy()
     world.settle()
     assert get_action_names_and_types(asker) == []
+    asker.destroy_node()
+    with pytest.raises(InvalidHandle):
+        get_action_client_names_and_types_by_node(asker, "worker", "/lab")
+
+
+def test_endpoints_that_nobody_holds_any_more_leave_the_graph(world: Any) -> None:
+    from rclpy.action._protocol import ActionEndpoints
+
+    node = world.node("n")
+    ends = ActionEndpoints(node.handle, Fibonacci, "count", "failed")
+    ends.publisher("feedback", Fibonacci.Impl.FeedbackMessage, QoSProfile(depth=1))
+    world.settle()
+    assert get_action_names_and_types(node) == [("/count", ["test_msgs/action/Fibonacci"])]
+    node.handle.remove_user(ends)
+    del ends
+    gc.collect()
+    world.settle()
+    assert get_action_names_and_types(node) == []
 
 
 def test_a_server_is_there_while_all_of_it_is(world: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from threading import Barrier, Event, Thread
 from typing import Any
 
@@ -434,6 +435,30 @@ def test_a_wait_set_is_full_some_time_and_can_be_cleared(world: Any) -> None:
         assert getattr(wait_set, f"add_{kind}")(handle) == 0
     wait_set.wait(50_000_000)
     assert wait_set.is_ready("service", 0)
+
+
+def test_who_waits_for_a_timer_comes_back_when_the_time_is_over() -> None:
+    context = Context()
+    context.init([])
+    node = Node("n", context=context)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    fired: list[int] = []
+    node.create_timer(30.0, lambda: fired.append(1))
+    start = time.monotonic()
+    executor.spin_once(timeout_sec=0.05)
+    assert 0.05 <= time.monotonic() - start < 15 and not fired
+    node.create_timer(0.05, lambda: fired.append(2))
+    executor.spin_once(timeout_sec=30.0)
+    assert time.monotonic() - start < 15 and fired == [2]
+    context.shutdown()
+
+
+def test_a_wait_set_sleeps_while_it_waits(world: Any) -> None:
+    wait_set = low_level.WaitSet(0, 0, 0, 0, 0, 0, world.context.handle)
+    before = time.thread_time()
+    wait_set.wait(500_000_000)
+    assert time.thread_time() - before < 0.25
 
 
 def test_a_wait_set_waits_for_its_time(world: Any) -> None:

@@ -363,6 +363,11 @@ def test_a_name_that_is_wrong_once_it_is_full_is_refused_too(world: Any) -> None
         node.create_client(Trigger, "a//b")
     with pytest.raises((ValueError, RuntimeError), match="unknown substitution"):
         node.create_publisher(String, "{who}/b", 1)
+    rules = ["--ros-args", "-r", "a:=~/b", "-r", "c:=" + 300 * "c"]
+    remapped = world.node("remapped", cli_args=rules, namespace="/ns")
+    assert remapped.create_publisher(String, "a", 1).topic_name == "/ns/remapped/b"
+    with pytest.raises(RuntimeError, match="topic length should not exceed '255U - 8U'"):
+        remapped.create_publisher(String, "c", 1)
 
 
 @pytest.mark.parametrize(

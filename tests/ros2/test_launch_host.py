@@ -189,6 +189,7 @@ def test_a_host_may_be_closed_before_anybody_came(tmp_path):
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no sockets in folders")
 def test_only_this_user_can_reach_the_socket(launch):
+    assert launch.host.address.startswith("unix:")
     path = Path(launch.host.address.partition(":")[2])
     assert path.parent.stat().st_mode & 0o777 == 0o700
     assert len(str(path)) < 104 or len(str(path.parent.parent)) > 60

@@ -65,8 +65,9 @@ def test_exec_ends_with_the_signals_that_end_a_shell(
     with open(os.devnull, encoding="utf-8") as nothing:
         monkeypatch.setattr(sys, "stdin", nothing)
         for number, status in ((signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130)):
-            line = f"python3 -c 'import os; os.kill({os.getpid()}, {int(number)})'; sleep 30"
-            assert execute.main(["-c", line]) == status
+            # What ends on its own at that moment does not end the line, as in bash: it has to be there still.
+            line = f"import os, time; os.kill({os.getpid()}, {int(number)}); time.sleep(30)"
+            assert execute.main(["-c", f"python3 -c '{line}'; sleep 30"]) == status
 
 
 def test_env_prints_only_what_differs(here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:

@@ -229,6 +229,13 @@ def test_every_number_of_a_link_has_its_own_field() -> None:
     assert link.collisions[0].name == "c"
 
 
+def test_of_two_shapes_the_first_counts() -> None:
+    two = '<geometry><sphere radius="3"/><box size="4 5 6"/></geometry>'
+    link = parse_robot(f'<robot name="r"><link name="a"><collision>{two}</collision></link></robot>').link("a")
+    assert [each.geometry for each in link.collisions] == [Sphere(3.0)]
+    assert Inertial() == Inertial(0.0, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), Pose())
+
+
 @pytest.mark.parametrize(
     ("rgba", "color"),
     [

@@ -278,6 +278,17 @@ def test_half_a_wide_character_is_never_left() -> None:
     assert sheet(canvas) == ["左 "], "the second one would stick out"
 
 
+def test_what_is_left_of_a_wide_character_keeps_its_look() -> None:
+    canvas = Canvas(5, 1)
+    canvas.text(0, 0, "|", "frame")
+    canvas.text(1, 0, "轮", "label")
+    canvas.put(2, 0, "x", "mark")
+    assert canvas.rows() == [[("|", "frame"), (" ", "label"), ("x", "mark"), ("  ", "")]]
+    canvas.text(1, 0, "轮", "label")
+    canvas.put(1, 0, "x", "mark")
+    assert canvas.rows() == [[("|", "frame"), ("x", "mark"), (" ", "label"), ("  ", "")]]
+
+
 def test_marks_are_painted_on_the_upper_half_first_the_one_that_is_counted() -> None:
     marks = tread_marks(0.1, 0.0, 0.04)
     assert marks[0] == (0.0, True) and [first for _, first in marks[1:]] == [False] * (len(marks) - 1)

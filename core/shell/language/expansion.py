@@ -278,7 +278,7 @@ def _braces(word: Word) -> list[Word]:
     for index, part in enumerate(word.parts):
         if isinstance(part, Text) and not part.quoted and "{" in part.text:
             if _brace_count(part.text) > MOST_WORDS:
-                raise UnboundProblem("brace expansion: cannot allocate memory")
+                raise ExpansionProblem("brace expansion: cannot allocate memory")
             texts = _brace_texts(part.text)
             if texts != [part.text]:
                 before, after = word.parts[:index], word.parts[index + 1 :]
