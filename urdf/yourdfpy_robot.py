@@ -54,7 +54,6 @@ _OPTIONAL = (
     "rtree",
     "embreex",
     "manifold3d",
-    "xxhash",
     "mapbox_earcut",
     "svg",
     "charset_normalizer",
@@ -65,18 +64,31 @@ _lock = threading.Lock()
 _log = logging.getLogger(__name__)
 
 
+class _Hiding:
+    """A finder of modules that does not find some of them in one thread: others may need them at that moment."""
+
+    def __init__(self, finder: Any, names: tuple[str, ...]) -> None:
+        self.finder = finder
+        self._names = names
+        self._thread = threading.get_ident()
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        if name in self._names and threading.get_ident() == self._thread:
+            return None
+        return self.finder.find_spec(name, path, target)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.finder, name)
+
+
 @contextmanager
 def _hidden(names: tuple[str, ...]) -> Iterator[None]:
-    """Make `import NAME` fail for modules that are not loaded yet, inside the `with` block only."""
-    mine = [name for name in names if name not in sys.modules]
-    for name in mine:
-        sys.modules[name] = None  # type: ignore[assignment]  # CPython's own marker for "cannot be imported"
+    """Make `import NAME` fail in this thread for modules that are not loaded yet, inside the `with` block only."""
+    sys.meta_path[:] = [_Hiding(finder, names) for finder in sys.meta_path]
     try:
         yield
     finally:
-        for name in mine:
-            if sys.modules.get(name, name) is None:
-                del sys.modules[name]
+        sys.meta_path[:] = [finder.finder if isinstance(finder, _Hiding) else finder for finder in sys.meta_path]
 
 
 def module() -> ModuleType:

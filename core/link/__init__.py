@@ -11,6 +11,7 @@ import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["doors_of", "join", "leave", "state_of"]
 
 _links: dict[Graph, Link] = {}
+_failures: WeakKeyDictionary[Graph, str] = WeakKeyDictionary()
 _abandoned: list[Link] = []
 _lock = threading.Lock()
 _prepared = False
@@ -47,6 +49,16 @@ def join(
     screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
     otherwise block for up to five seconds.
     """
+    try:
+        return _joined(graph, _names(listen), _names(connect), one_shot, never_wait, secret)
+    except Exception as error:
+        _failures[graph] = f"{type(error).__name__}: {error}"
+        raise
+
+
+def _joined(
+    graph: Graph, listen: Sequence[str], connect: Sequence[str], one_shot: bool, never_wait: bool, secret: str | None
+) -> Link:
     from day6_tui.core.graph.discovery import discovery_is_off
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.paths import LinkError
@@ -58,8 +70,8 @@ def join(
         _prepare()
         link = _links[graph] = Link(
             graph,
-            listen=_names(listen),
-            connect=_names(connect),
+            listen=listen,
+            connect=connect,
             one_shot=one_shot,
             never_wait=never_wait,
             secret=secret,
@@ -88,11 +100,11 @@ def leave(graph: Graph) -> None:
 
 
 def state_of(graph: Graph) -> LinkState:
-    """Return the state of the link of `graph`; an empty state if it has no link."""
+    """Return the state of the link of `graph`; if it has none, only why not, where an error is the reason."""
     from day6_tui.core.link.state import LinkState
 
     link = _links.get(graph)
-    return link.state if link is not None else LinkState()
+    return link.state if link is not None else LinkState(problem=_failures.get(graph))
 
 
 def doors_of(graph: Graph) -> tuple[Door, ...]:

@@ -278,7 +278,7 @@ class Desk:
         try:
             join(graph, never_wait=True, listen=self._listen, connect=self._connect, secret=self._secret)
         except Exception:
-            # Without the link the desk still works by itself; other processes are just not visible.
+            # Without the link the desk still works by itself; other processes are not visible, and the inspector says why.
             _log.warning("the link could not be opened", exc_info=True)
 
     def close(self) -> None:

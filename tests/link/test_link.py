@@ -20,7 +20,7 @@ from waiting import until
 
 from day6_tui.core.graph import EndpointKind, Graph, QoS
 from day6_tui.core.graph.endpoints import Publisher
-from day6_tui.core.link import join, leave
+from day6_tui.core.link import join, leave, state_of
 
 
 def no_copy(message: Any) -> Any:
@@ -82,6 +82,19 @@ def test_leaving_ends_every_thread_of_ours(world: World) -> None:
     assert len(set(threading.enumerate()) - before) == 1
     leave(graph)
     assert set(threading.enumerate()) <= before  # a timer of an earlier test may have ended meanwhile
+
+
+def test_why_there_is_no_link_is_known_afterwards(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    graph = Graph()
+    monkeypatch.setitem(sys.modules, "day6_tui.core.link.link", None)
+    with pytest.raises(ImportError):
+        join(graph)
+    assert "day6_tui.core.link.link" in str(state_of(graph).problem)
+    monkeypatch.undo()
+    assert state_of(Graph()).problem is None
+    join(graph)
+    assert state_of(graph).problem is None
+    leave(graph)
 
 
 def test_remote_nodes_are_marked_and_not_told_on(world: World) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 import random
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 import yaml
@@ -162,11 +165,11 @@ def test_checking_a_robot_needs_neither_numpy_nor_yourdfpy() -> None:
 
 def test_when_the_light_import_fails_the_plain_one_is_used() -> None:
     code = (
-        "import sys, importlib\n"
+        "import sys, importlib.util\n"
         "from day6_tui.urdf import yourdfpy_robot, load_robot, shipped_model\n"
         "real = importlib.import_module\n"
         "def minding(name, *rest):\n"
-        "    if name == 'yourdfpy' and sys.modules.get('scipy', 0) is None: raise RuntimeError('no scipy')\n"
+        "    if name == 'yourdfpy' and not importlib.util.find_spec('scipy'): raise RuntimeError('no scipy')\n"
         "    return real(name, *rest)\n"
         "importlib.import_module = minding\n"
         "print(load_robot(shipped_model()).name, 'scipy' in sys.modules)"
@@ -187,11 +190,16 @@ def test_what_is_hidden_while_yourdfpy_is_imported_can_be_imported_afterwards() 
     from day6_tui.urdf import yourdfpy_robot
 
     sys.modules.pop("colorsys", None)
+    imported: list[ModuleType] = []
     loaded = sys.modules["math"]
     with yourdfpy_robot._hidden(("colorsys", "math")):
         with pytest.raises(ModuleNotFoundError):
             import colorsys
         assert sys.modules["math"] is loaded
+        meanwhile = threading.Thread(target=lambda: imported.append(importlib.import_module("colorsys")))
+        meanwhile.start()
+        meanwhile.join()
+        assert len(imported) == 1, "another thread may need it at this moment"
     import colorsys
 
     assert colorsys.rgb_to_hsv(0, 0, 0) == (0.0, 0.0, 0)
