@@ -26,6 +26,7 @@ ROOT = TESTS.parent
 # Tests are imported by path (--import-mode=importlib), what they share by name.
 sys.path.insert(0, str(TESTS / "stepped"))
 
+from rights import plain_user  # noqa: E402, F401
 from short_folder import make_short_folder  # noqa: E402
 
 if importlib.util.find_spec("day6_tui") is None:

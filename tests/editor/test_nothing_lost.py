@@ -236,7 +236,7 @@ def test_a_file_that_became_a_folder_is_told_and_the_text_stays(tmp_path: Path) 
     assert names(tmp_path)[-1] == "talker.py" and not list(path.iterdir())
 
 
-@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="for root no folder is read-only")
+@pytest.mark.usefixtures("plain_user")
 def test_a_read_only_folder_is_told(tmp_path: Path) -> None:
     folder = tmp_path / "locked"
     folder.mkdir()

@@ -136,9 +136,8 @@ def test_redirections_copies_and_moves_tell_and_the_old_files_stay(disk: Disk) -
         assert (disk.folder / "old").read_text() == "old\n"
 
 
+@pytest.mark.parametrize("disk", ["gone"], indirect=True)
 def test_no_command_brings_a_removed_folder_back(disk: Disk) -> None:
-    if disk.kind != "gone":
-        pytest.skip("of a removed folder")
     for words in (["colcon", "build"], ["ros2", "pkg", "create", "p"], ["env", "--vscode"]):
         disk.folder.mkdir(exist_ok=True)
         text_of(disk, *words)

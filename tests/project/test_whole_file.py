@@ -20,7 +20,6 @@ from day6_tui.core.whole_file import append_private, replace_file, write_private
 
 ROOT = Path(__file__).parents[2]
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no modes")
-not_root = pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everywhere")
 
 
 def mode(path: Path) -> int:
@@ -89,7 +88,7 @@ def test_a_folder_in_the_place_and_a_folder_that_is_gone(tmp_path: Path) -> None
     fails(tmp_path / "nowhere" / "file", errno.ENOENT)
 
 
-@not_root
+@pytest.mark.usefixtures("plain_user")
 def test_a_read_only_folder(tmp_path: Path) -> None:
     folder = tmp_path / "locked"
     folder.mkdir()

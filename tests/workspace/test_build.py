@@ -109,8 +109,7 @@ def test_names_with_spaces_and_chinese_build(workshop: Workshop) -> None:
     assert done.out.endswith("Hi from hello.\n"), done
 
 
-@posix_only
-@pytest.mark.skipif(hasattr(os, "geteuid") and os.geteuid() == 0, reason="root may write everywhere")
+@pytest.mark.usefixtures("plain_user")
 def test_a_folder_that_cannot_be_written_is_named(workshop: Workshop) -> None:
     workshop.create("hello")
     workshop.workspace.chmod(0o500)

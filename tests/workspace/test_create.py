@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import ast
-import os
-import sys
 from pathlib import Path
 
 import pytest
@@ -71,7 +69,7 @@ def test_what_is_made_can_be_read_by_the_tools_it_is_for(workshop: Workshop, kin
         ast.parse(path.read_text(encoding="utf-8"))
 
 
-@pytest.mark.skipif(sys.platform == "win32" or os.geteuid() == 0, reason="root may write everywhere")
+@pytest.mark.usefixtures("plain_user")
 def test_a_folder_that_cannot_be_written_is_told(workshop: Workshop) -> None:
     (workshop.workspace / "src").chmod(0o500)
     try:
