@@ -30,6 +30,8 @@ LONGEST_SOCKET_PATH = 100
 _SOCKET_NAME_LENGTH = len("p-0123456789abcdef-4194304.lock")
 _YOUNG = 10.0
 """Seconds in which a socket that refuses connections may still be about to listen."""
+_COARSE_NS = 100_000_000
+"""More than the time within which two changes of a folder may bear the same time: a tick of the kernel's."""
 
 
 class LinkError(OSError):
@@ -132,7 +134,8 @@ def neighbours(place: Place) -> Iterator[Neighbour]:
 class Neighbourhood:
     """The sessions of the processes in a meeting place, where nobody else can be: `zid in neighbourhood`.
 
-    The folder is read again only when it has changed. OSError where it is gone.
+    The folder is read again only when it has changed; one that changed just now may change once more at the same time of its
+    clock, which is a coarse one. OSError where it is gone.
     """
 
     def __init__(self, place: Place) -> None:
@@ -143,8 +146,9 @@ class Neighbourhood:
     def __contains__(self, zid: str) -> bool:
         changed = self._place.folder.stat().st_mtime_ns
         if self._read_at != changed:
+            is_old = time.time_ns() - changed > _COARSE_NS
             self._pids = {each.zid: each.pid for each in neighbours(self._place)}
-            self._read_at = changed
+            self._read_at = changed if is_old else -1
         pid = self._pids.get(zid)
         return pid is not None and process_exists(pid)  # a killed one leaves its socket
 

@@ -187,6 +187,15 @@ def test_a_neighbourhood_sees_who_comes_and_who_was_killed_though_the_folder_sta
         neighbourhood.__contains__("abc")
 
 
+def test_of_two_who_come_within_one_tick_of_the_clock_both_are_seen(place: Place) -> None:
+    neighbourhood = Neighbourhood(place)
+    now = time.time_ns()
+    for zid in ("abc", "def"):
+        (place.folder / f"p-{zid}-{os.getpid()}").touch()
+        os.utime(place.folder, ns=(now, now))
+        assert zid in neighbourhood
+
+
 def test_what_the_dead_left_is_removed_with_its_lock(place: Place, dead: int, listening: Path) -> None:
     gone, here = place.folder / f"p-def-{dead}", place.own_socket("abc")
     for path in (gone, here):
