@@ -41,6 +41,7 @@ KEYS = {
     "Ctrl-D": "\x04",
     "Ctrl-P": "\x10",
     "Ctrl-Q": "\x11",
+    "Ctrl-U": "\x15",
 }
 
 _FRAME = re.compile("[┃│╻║|#]")

@@ -101,8 +101,7 @@ async def test_closing_the_window_ends_its_program(tmp_path) -> None:
         await until(app, pilot, lambda: app.desktop.panes)
         app.desktop.focus_pane(next(iter(app.desktop.panes.values())))
         app.actions["close"]()
-        await until(app, pilot, lambda: not app.terminal_pane.views[0].terminal.busy)
-        assert app.desktop.panes == {}
+        await until(app, pilot, lambda: not app.terminal_pane.views[0].terminal.busy and app.desktop.panes == {})
 
 
 async def test_the_topic_monitor_measures_what_turtlesim_publishes(tmp_path) -> None:
