@@ -35,6 +35,7 @@ class Guidance:
         for action in ACTIONS:
             if action.palette:
                 key = f"action.{action.id}"
-                words = " ".join([catalogue(language)[key] for language in LANGUAGES] + [texts("help." + key)])
-                entries.append(Entry(texts(key), action.label, self._registry[action.id], words=words))
+                names = [catalogue(language)[key] for language in LANGUAGES]
+                choose = self._registry[action.id]
+                entries.append(Entry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
         self._desktop.open_overlay(Menu(self._look, "menu.palette", entries))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
 from textual import events
@@ -13,6 +14,9 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.overlay import Overlay
 from day6_tui.tui.pane import Piece
 
+if TYPE_CHECKING:
+    from textual.fuzzy import FuzzySearch
+
 
 class Entry(NamedTuple):
     """One line: its name, the note to the right of it, what choosing and deleting it do."""
@@ -21,8 +25,26 @@ class Entry(NamedTuple):
     note: str
     choose: Callable[[], object]
     delete: Callable[[], object] | None = None
+    also: Sequence[str] = ()
+    """Its names in other languages."""
     words: str = ""
-    """More text to search in (its name in the other language, its explanation)."""
+    """More text to search in: its explanation."""
+
+
+def _rank(entry: Entry, typed: Sequence[str], search: FuzzySearch) -> tuple[int, float] | None:
+    """How well an entry fits the words that were typed, the lowest best; None if it does not."""
+    names = [name.lower() for name in (entry.name, *entry.also)]
+    notes = f"{' '.join(names)} {entry.note.lower()}"
+    score = max(search.match("".join(typed), name.replace(" ", ""))[0] for name in names)
+    fits = (
+        any(name.startswith(" ".join(typed)) for name in names),
+        any(all(any(word.startswith(each) for word in re.findall(r"\w+", name)) for each in typed) for name in names),
+        any(all(each in name for each in typed) for name in names),
+        all(each in notes for each in typed),
+        all(each in f"{notes} {entry.words.lower()}" for each in typed),
+        score > 0,
+    )
+    return (fits.index(True), -score) if any(fits) else None
 
 
 class Menu(Overlay):
@@ -34,15 +56,21 @@ class Menu(Overlay):
         self._entries = list(entries)
         self._filter = ""
         self._chosen = chosen
+        self._search: FuzzySearch | None = None
 
     def matches(self) -> list[Entry]:
-        """The entries in which every word typed occurs."""
-        words = self._filter.lower().split()
-        return [
-            entry
-            for entry in self._entries
-            if all(word in f"{entry.name} {entry.note} {entry.words}".lower() for word in words)
+        """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word
+        in their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
+        typed = self._filter.lower().split()
+        if not typed:
+            return list(self._entries)
+        from textual.fuzzy import FuzzySearch  # not before somebody searches
+
+        search = self._search = self._search or FuzzySearch()
+        ranked = [
+            (rank, at) for at, each in enumerate(self._entries) if (rank := _rank(each, typed, search)) is not None
         ]
+        return [self._entries[at] for _, at in sorted(ranked)]
 
     def wanted_height(self, width: int) -> int:
         return len(self._entries) + 2

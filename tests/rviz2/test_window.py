@@ -119,8 +119,8 @@ def test_add_by_topic_rename_duplicate_move_and_remove(machine: RVizMachine) -> 
             rviz = machine.rviz
             await at.press("a")
             await at.type("scan")
-            assert "by topic" in at.line("/scan")
-            await at.press("down", "enter")
+            assert "by topic" in at.line("▸ /scan")
+            await at.press("enter")
             await at.settle()
             assert [(each.type, each.name) for each in rviz.displays] == [("Grid", "Grid"), ("LaserScan", "LaserScan")]
             assert rviz.displays[1].topic.value == "/scan"

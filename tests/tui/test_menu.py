@@ -1,0 +1,63 @@
+"""What a menu offers for what was typed, and in which order."""
+
+from __future__ import annotations
+
+import pytest
+from screens import UTF8, make_look
+
+from day6_tui.tui.app import Day6App
+from day6_tui.tui.menu import Entry, Menu
+from day6_tui.tui.options import Options
+
+ENTRIES = (
+    Entry("Quit", "^Q", lambda: None, also=("退出", "Quit"), words="Ends day6-tui and closes everything"),
+    Entry("Enclose in a frame", "", lambda: None),
+    Entry("Do close window", "^W", lambda: None, words="x"),
+    Entry("Close window", "^W", lambda: None, also=("关闭窗口",), words="Ends its program"),
+    Entry("Other", "close", lambda: None),
+    Entry("Clear the old screen", "", lambda: None),
+    Entry("LaserScan", "", lambda: None),
+    Entry("/scan", "by topic", lambda: None),
+    Entry("RobotModel", "", lambda: None),
+    Entry("Odometry", "shows where a robot was", lambda: None),
+)
+
+
+@pytest.mark.parametrize(
+    ("typed", "names"),
+    [
+        ("", [entry.name for entry in ENTRIES]),
+        (
+            "close",
+            ["Close window", "Do close window", "Enclose in a frame", "Other", "Quit", "Clear the old screen"],
+        ),
+        ("CLOSE w", ["Close window", "Do close window"]),
+        ("window close", ["Do close window", "Close window"]),
+        ("关", ["Close window"]),
+        ("robot", ["RobotModel", "Odometry"]),
+        ("scan", ["/scan", "LaserScan"]),
+        ("rbtmdl", ["RobotModel"]),
+        ("nothing", []),
+    ],
+)
+def test_the_likeliest_comes_first(typed: str, names: list[str]) -> None:
+    menu = Menu(make_look(Options(lang="en"), UTF8), "menu.palette", ENTRIES)
+    menu._filter = typed
+    assert [entry.name for entry in menu.matches()] == names
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize(
+    ("typed", "action"), [("close", "close"), ("关闭", "close"), ("quit", "quit"), ("退出", "quit")]
+)
+async def test_the_palette_never_takes_a_word_of_an_explanation_for_a_name(
+    desk, lang: str, typed: str, action: str
+) -> None:
+    options = Options(fps=0, lang=lang)
+    app = Day6App(options, desk=desk, look=make_look(options, UTF8))
+    async with app.run_test(size=(100, 30)):
+        app.actions["palette"]()
+        menu = app.desktop.overlay
+        assert isinstance(menu, Menu)
+        menu._filter = typed
+        assert menu.matches()[0].name == app.look.texts(f"action.{action}")
