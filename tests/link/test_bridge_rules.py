@@ -335,6 +335,13 @@ def test_long_work_leaves_the_program_a_turn_every_five_milliseconds(it: Bridged
     assert it.clock.slept == [0.001, 0.001]
 
 
+def test_ten_thousand_messages_wait_and_no_more(it: Bridged) -> None:
+    for _ in range(10_002):
+        it.inner.one("subscriber").call(sample("i"))
+    it.work()
+    assert len(it.outer.puts) == 10_000
+
+
 def test_at_the_end_both_sessions_are_closed_this_machines_first_and_nothing_is_kept(it: Bridged) -> None:
     it.token(it.outer, endpoint("abc", 2, "MS"))
     it.token(it.inner, endpoint("def", 2, "SS"))
