@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
@@ -348,7 +349,11 @@ def _whole(row: Sequence[Char], x: int) -> str:
 
 def tab_name(command: str) -> str:
     """A short name for what runs: of `ros2 run turtlesim turtle_teleop_key` the executable, of `ros2 topic echo /x` 'echo /x'."""
-    words = [word for word in command.split() if not word.startswith("-")]
+    try:
+        parts = shlex.split(command)
+    except ValueError:  # a quotation that does not end
+        parts = command.split()
+    words = [word for word in parts if not word.startswith("-")]
     if words[:2] == ["ros2", "launch"] and len(words) > 2 and "." in words[2]:
         return words[2].rpartition("/")[2]
     if words and "/lib/" in words[0]:

@@ -36,7 +36,9 @@ def main(arguments: list[str]) -> int:
     shell = os.environ.get("COMSPEC", "cmd.exe") if os.name == "nt" else os.environ.get("SHELL") or "/bin/sh"
     for number in (signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
         signal.signal(number, lambda number, frame: sys.exit(128 + number))  # leaves through the `with` below
-    with tempfile.TemporaryDirectory(prefix="day6-shell-") as name:
+    # compinit of zsh stumbles over Chinese letters in the path of its .zshrc.
+    place = None if os.name == "nt" or tempfile.gettempdir().isascii() else "/tmp"
+    with tempfile.TemporaryDirectory(prefix="day6-shell-", dir=place) as name:
         env = environment()
         words = [shell, *_start_file(Path(shell).name, Path(name), env)]
         print(

@@ -166,7 +166,8 @@ _MASKS: list[tuple[str, str]] = [
     (r"Command '\[.*\]' returned", "Command '[...]' returned"),
     # setuptools since 69 keeps the underscore of a name in the scripts it makes.
     (r"day6-publisher==", "day6_publisher=="),
-    (r"#!\S+/bin/python\S*", "#!<PYTHON>"),
+    # Quoted where the path has blanks.
+    (r"#!.+/bin/python\S*", "#!<PYTHON>"),
     # How far Python marks what is wrong in a line differs from version to version.
     (r"(?m)^ +[~^]*\^[~^]*\n", ""),
 ]  # fmt: skip

@@ -20,7 +20,7 @@ def shell(place: Place, name: str) -> Terminal:
     place.home.mkdir(exist_ok=True)
     (place.home / f".{name}rc").write_text("PS1='ready> '\n", encoding="utf-8")
     (place.work / "robot.urdf").write_text("<robot/>", encoding="utf-8")
-    screen = place.terminal("shell", SHELL=path, HOME=str(place.home), columns=100, ZDOTDIR=None)
+    screen = place.terminal("shell", SHELL=path, HOME=str(place.home), columns=100, ZDOTDIR=None, LC_ALL="C.UTF-8")
     screen.wait("(day6) ready>")
     return screen
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import signal
 from typing import TYPE_CHECKING
 
@@ -97,7 +98,7 @@ def test_in_the_background_of_a_real_shell_it_runs_and_logs(place: Place) -> Non
 
     env = {**place.environment(), "PS1": "$ "}
     with Terminal(["/bin/bash", "--norc", "-i"], 120, 24, cwd=place.work, env=env) as screen:
-        screen.line(f"{' '.join([*DAY6, *TURTLESIM])} &")
+        screen.line(f"{shlex.join([*DAY6, *TURTLESIM])} &")
         screen.wait("Spawning turtle [turtle1]")
         place.wait_nodes("/turtlesim")
         assert "╭" not in screen.look() and "┏" not in screen.look()
@@ -112,7 +113,7 @@ def test_ctrl_z_gives_the_shell_its_terminal_and_fg_the_window(place: Place) -> 
 
     env = {**place.environment(DAY6_LANG="en"), "PS1": "$ "}
     with Terminal(["/bin/bash", "--norc", "-i"], 120, 24, cwd=place.work, env=env) as screen:
-        screen.line(" ".join([*DAY6, *TURTLESIM]))
+        screen.line(shlex.join([*DAY6, *TURTLESIM]))
         screen.wait("x 5.54")
         screen.send("\x1a")
         screen.wait("Stopped")

@@ -89,6 +89,7 @@ def diagnostics(tmp_path_factory: pytest.TempPathFactory) -> Diagnostics:
         [command, "--outputjson", "--pythonpath", sys.executable, "--project", str(project)],
         capture_output=True,
         encoding="utf-8",
+        env={**os.environ, "LC_ALL": "C.UTF-8"},
         timeout=300,
     )
     report = json.loads(done.stdout)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 
 import pytest
@@ -343,7 +344,7 @@ def test_run_with_a_prefix_is_a_line_of_the_shell(machine, processes):
     ):
         result = machine.ros2("run", "--prefix", "nice -n '5 6'", "lab", "go", "a b")
         assert (result.stdout, result.status) == (told, status)
-    assert lines[0] == f"nice -n '5 6' {path} 'a b'"
+    assert lines[0] == f"nice -n '5 6' {shlex.quote(str(path))} 'a b'"
 
 
 def test_run_with_a_prefix_needs_a_shell_of_ours(machine):
@@ -351,7 +352,7 @@ def test_run_with_a_prefix_needs_a_shell_of_ours(machine):
     result = machine.ros2("run", "--prefix", "nice", "lab", "go")
     assert result == (
         "",
-        f"--prefix needs the shell of day6-tui, which did not start this command: nice {path}\n",
+        f"--prefix needs the shell of day6-tui, which did not start this command: nice {shlex.quote(str(path))}\n",
         1,
     )
 
