@@ -81,6 +81,9 @@ KEYS_PER_SECOND = 40.0
 LONGEST_WAIT = 6.0
 """Seconds a step waits for a window or program."""
 
+STAYS = 0.3
+"""Seconds for which a topic has to be there."""
+
 FAILED_AFTER = 1.5
 """Seconds after a command from which a prompt means that it has ended: before, it may not have begun."""
 
@@ -146,6 +149,7 @@ class Player:
                     return
             elif kind == "topic":
                 yield from self._until(partial(stage.has_topic, value))
+                yield STAYS  # a program that refuses its input may have published for a moment
                 if not stage.has_topic(value):
                     return
             elif kind == "reading":
