@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
@@ -31,11 +32,21 @@ class Entry(NamedTuple):
     """More text to search in: its explanation."""
 
 
+MOST_WAYS = 10_000
+"""FuzzySearch looks at every way in which letters can stand in a name; that of a topic may be anybody's."""
+
+
+def _is_quick(letters: str, name: str) -> bool:
+    """Return whether a search for letters in a name ends soon: what occurs as it is does at once."""
+    return letters in name or math.prod(name.count(letter) for letter in letters) <= MOST_WAYS
+
+
 def _rank(entry: Entry, typed: Sequence[str], search: FuzzySearch) -> tuple[int, float] | None:
     """How well an entry fits the words that were typed, the lowest best; None if it does not."""
     names = [name.lower() for name in (entry.name, *entry.also)]
     notes = f"{' '.join(names)} {entry.note.lower()}"
-    score = max(search.match("".join(typed), name.replace(" ", ""))[0] for name in names)
+    letters = "".join(typed)
+    score = max((search.match(letters, name)[0] for name in names if _is_quick(letters, name)), default=0.0)
     fits = (
         any(name.startswith(" ".join(typed)) for name in names),
         any(all(any(word.startswith(each) for word in re.findall(r"\w+", name)) for each in typed) for name in names),
@@ -57,11 +68,18 @@ class Menu(Overlay):
         self._filter = ""
         self._chosen = chosen
         self._search: FuzzySearch | None = None
+        self._found: tuple[tuple[str, int], list[Entry]] | None = None
+        """What `matches` found last, and for what: every line of the menu asks."""
 
     def matches(self) -> list[Entry]:
         """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word
         in their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
-        typed = self._filter.lower().split()
+        key = (self._filter, len(self._entries))
+        if self._found is None or self._found[0] != key:
+            self._found = key, self._ranked(self._filter.lower().split())
+        return self._found[1]
+
+    def _ranked(self, typed: Sequence[str]) -> list[Entry]:
         if not typed:
             return list(self._entries)
         from textual.fuzzy import FuzzySearch  # not before somebody searches

@@ -61,3 +61,9 @@ async def test_the_palette_never_takes_a_word_of_an_explanation_for_a_name(
         assert isinstance(menu, Menu)
         menu._filter = typed
         assert menu.matches()[0].name == app.look.texts(f"action.{action}")
+
+
+def test_a_name_made_to_be_searched_for_ever_is_not() -> None:
+    menu = Menu(make_look(Options(lang="en"), UTF8), "menu.palette", [Entry("/" + "ab" * 120, "", lambda: None)])
+    menu._filter = "a" * 30
+    assert menu.matches() == []
