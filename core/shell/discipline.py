@@ -64,6 +64,7 @@ class Discipline:
         if before.is_raw != after.is_raw:
             (self.become_raw if after.is_raw else self.become_cooked)()
         self.interrupts = 0
+        self._hand_on()
         self.arrived.set()
 
     # -- typing --------------------------------------------------------------------------------------------------------
@@ -188,6 +189,13 @@ class Discipline:
 
     def add_receiver(self, receiver: KeyReceiver) -> None:
         self._receivers.add(receiver)
+        self._hand_on()
+
+    def _hand_on(self) -> None:
+        """Give what was typed ahead to the process in the foreground, if there is one; none in the background may have it."""
+        receiver = self.front.receiver
+        if receiver is None:
+            return
         typed, self._line = self._ready.take_all() + self._line, ""
         if typed:
             receiver.keys(typed)
@@ -242,12 +250,15 @@ class TtyInput(InputStream):
         return self.terminal if mine else None
 
     def pass_keys_to(self, receiver: KeyReceiver | None) -> None:
-        scheduler = self.terminal.desk.scheduler
+        # At once on the scheduler's thread, where keys arrive: what was typed before stays before what is typed next.
+        self.terminal.desk.scheduler.call(lambda: self._pass_keys_to(receiver))
+
+    def _pass_keys_to(self, receiver: KeyReceiver | None) -> None:
         before, self.receiver = self.receiver, receiver
         if before is not None:
-            scheduler.call_soon_threadsafe(lambda: self.discipline.remove_receiver(before))
+            self.discipline.remove_receiver(before)
         if receiver is not None:
-            scheduler.call_soon_threadsafe(lambda: self.discipline.add_receiver(receiver))
+            self.discipline.add_receiver(receiver)
 
     def push_back(self, text: str) -> None:
         self.terminal.type_again(text)

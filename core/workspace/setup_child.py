@@ -8,7 +8,9 @@ are not caught, so a traceback names the student's line.
 from __future__ import annotations
 
 import configparser
+import functools
 import importlib
+import importlib.metadata
 import json
 import os
 import sys
@@ -24,6 +26,7 @@ def main() -> None:
     """Report the arguments of setup(), then run the requested commands."""
     sys.path[0] = os.getcwd()
     _ignore_newer_warnings()
+    _read_entry_points_once()
     importlib.import_module("setuptools")
     core = importlib.import_module("distutils.core")
     distribution = core.run_setup("setup.py", [], "config")
@@ -52,6 +55,21 @@ def _ignore_newer_warnings() -> None:
     warnings.filterwarnings("ignore", message=r"(?s).*License classifiers are deprecated")
     # The build sets all folders; the system's own distutils would change them.
     os.environ.setdefault("SETUPTOOLS_USE_DISTUTILS", "local")
+
+
+def _read_entry_points_once() -> None:
+    """Read once what each installed distribution offers: setuptools asks nineteen times, a quarter of a small build."""
+    read = importlib.metadata.entry_points
+
+    @functools.cache
+    def all_of(path: tuple[str, ...]) -> Any:
+        return read()
+
+    def entry_points(**wanted: Any) -> Any:
+        found = all_of(tuple(sys.path))
+        return found.select(**wanted) if wanted else found
+
+    importlib.metadata.entry_points = entry_points
 
 
 def _options(distribution: Any, section: str) -> dict[str, str]:

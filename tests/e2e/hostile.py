@@ -51,6 +51,14 @@ _OF_A_COMMAND = re.compile(
 )
 
 
+_CUT = re.compile(rb"(?:\x1b(?:\[[\d;?]*)?|[\xc0-\xff][\x80-\xbf]{0,3})\Z")
+
+
+def whole(data: bytes) -> bytes:
+    """The output of a program that still runs, without a sequence or character that was only begun when it was read."""
+    return _CUT.sub(b"", data)
+
+
 def foreign(data: bytes, *, desktop: bool) -> list[str]:
     """What is in the stream beside text, colours, ends of lines and, of the desktop, its own sequences; [] if all is well."""
     text = data.decode("utf-8", "surrogateescape")

@@ -10,7 +10,7 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
-from hostile import HOSTILE, MARK, SEQUENCES, SHORT, foreign
+from hostile import HOSTILE, MARK, SEQUENCES, SHORT, foreign, whole
 from waiting import until
 
 if TYPE_CHECKING:
@@ -302,5 +302,5 @@ def test_every_window_title_tab_and_list_of_the_desktop_shows_hostile_texts_as_t
             screen.wait_gone(title)
         screen.line("cd; nano text.txt")
         screen.wait("␛]0;T␇␛]52;c")
-        data = bytes(screen.output)
+        data = whole(bytes(screen.output))
     assert foreign(data, desktop=True) == []

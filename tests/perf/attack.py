@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "e2e"))
 
 import pyte
 from ends import KEYS, LINES, PROGRAMS
-from hostile import HOSTILE, SEQUENCES, SHORT, foreign
+from hostile import HOSTILE, SEQUENCES, SHORT, foreign, whole
 from random_runs import RandomRun, options_of, played
 from screen import set_window_size
 
@@ -316,7 +316,7 @@ class Attack(RandomRun):
         self.check_terminal()
 
     def check_output(self) -> None:
-        data = bytes(self.screen.output)
+        data = whole(bytes(self.screen.output))
         if _LAST in data:  # what comes behind it is the echo of the terminal itself
             data = data[: data.rindex(_LAST) + len(_LAST)]
         if b"\x1b]52;c;b3duZWQ=\x07" in data:

@@ -387,3 +387,28 @@ def test_what_is_typed_while_a_program_runs_and_it_does_not_read_is_the_shells(s
     (seat.desk.home / "go").touch()
     seat.wait(lambda text: "typed ahead" in text.splitlines() and text.endswith(f"{PROMPT} echo un"))
     assert "你好" in seat.look().splitlines()
+
+
+_WAITS = "import pathlib, os, time\npathlib.Path('started').touch()\nwhile not os.path.exists('go'): time.sleep(0.01)\n"
+
+
+@posix
+def test_what_is_typed_ahead_is_not_for_a_program_in_the_background(seat: Any) -> None:
+    write(seat.desk.home, "a.py", _WAITS)
+    seat.type("python3 a.py & sleep 50\recho for the shell\r")
+    seat.wait(lambda _: (seat.desk.home / "started").exists())
+    seat.settle(60)
+    assert seat.look().splitlines()[-2:] == ["for the shell", PROMPT]
+    (seat.desk.home / "go").touch()
+    assert until(lambda: not running_processes(), meanwhile=seat.desk.scheduler.advance)
+
+
+@posix
+def test_what_is_typed_ahead_reaches_a_program_that_comes_to_the_foreground(seat: Any) -> None:
+    write(seat.desk.home, "a.py", _WAITS + "print('read', input())\n")
+    seat.type("python3 a.py & sleep 50; fg\r")
+    seat.wait(lambda _: (seat.desk.home / "started").exists())
+    seat.type("mine\r")
+    seat.settle(60)
+    (seat.desk.home / "go").touch()
+    seat.wait(lambda text: "read mine" in text)

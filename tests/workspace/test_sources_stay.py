@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -33,6 +34,14 @@ WORKSPACES = 8
 """In which the shapes are built, so that the work can be shared."""
 
 
+def to_build(shapes: Mapping[str, Shape], step: int) -> dict[str, Shape]:
+    """What a step builds: all, but of those whose sources and options are as in the step before only every fourth."""
+    if step == 0 or STEPS[step][0] != STEPS[step - 1][0]:
+        return dict(shapes)
+    alike = [name for name, shape in shapes.items() if shape.later is None]
+    return {name: shape for name, shape in shapes.items() if name not in alike or alike.index(name) % 4 == 0}
+
+
 @pytest.mark.parametrize("number", range(WORKSPACES))
 def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: int) -> None:
     shapes = dict(list({**PYTHON, **CMAKE}.items())[number::WORKSPACES])
@@ -41,7 +50,8 @@ def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: i
     for step, (option, later) in enumerate(STEPS):
         lay_out(workshop.workspace / "src", shapes, later)
         before = snapshot(workshop.home)
-        _, output = build(workshop, f"--continue-on-error {option}")
+        built = to_build(shapes, step)
+        _, output = build(workshop, f"--continue-on-error {option} --packages-select {' '.join(built)}")
         kept = {path: what for path, what in before.items() if path.startswith("ros2_ws/src") or "ros2_ws" not in path}
         after = {
             path: what
@@ -50,8 +60,8 @@ def test_no_shape_of_a_package_costs_a_source_file(workshop: Workshop, number: i
         }
         assert changes(kept, after) == [], f"step {step}: colcon build {option}"
         ended = results(output)
-        assert ended.keys() == shapes.keys()
-        for name, shape in shapes.items():
+        assert ended.keys() == built.keys()
+        for name, shape in built.items():
             used = shape.later if later and shape.later is not None else shape
             failed = used.fails or used.refused or (used.fails_linked and bool(option))
             if not shape.either and bool(ended[name]) != failed:
