@@ -1,8 +1,12 @@
-"""What goes wrong is told in the very words of real rclpy 9.1.2, with rcl's files and lines (recorded in texts.json)."""
+"""What goes wrong is told in the very words of real rclpy 9.1.2, with rcl's files and lines.
+
+`PYTHON tests/rclpy/test_texts.py`, with an interpreter that has the real rclpy, records the cases into texts.json.
+"""
 
 from __future__ import annotations
 
 import json
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -23,7 +27,8 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 from rclpy.subscription_content_filter_options import ContentFilterOptions
 
-RECORDED: dict[str, list[str]] = json.loads((Path(__file__).parent / "texts.json").read_text(encoding="utf-8"))
+TEXTS = Path(__file__).parent / "texts.json"
+RECORDED: dict[str, list[str]] = json.loads(TEXTS.read_text(encoding="utf-8"))
 
 ARGUMENTS = (
     "-r|x", "-r|x:=", "-r|x:=1y", "-r|*:=y", "-r|**:=y", "-r|:=y", "-r|a/**:=y", "-r|a/*:=y", r"-r|x:=\1", r"-r|\1:=x",
@@ -164,3 +169,30 @@ def test_what_goes_wrong_is_told_as_by_real_rclpy(world: Any, tmp_path: Path, ca
 
 def test_every_case_was_recorded() -> None:
     assert set(CASES) == set(RECORDED)
+
+
+class RealWorld:
+    """What a case needs, of the real rclpy."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.context = Context()
+        self.context.init([])
+
+    def node(self, name: str, **keywords: Any) -> Node:
+        return Node(name, context=self.context, **keywords)
+
+
+def record() -> None:
+    """Write what every case tells here."""
+    texts = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for case in CASES:
+            world = RealWorld(Path(folder))
+            texts[case] = told(case, world)
+            world.context.try_shutdown()
+    TEXTS.write_text(json.dumps(texts, indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    record()
