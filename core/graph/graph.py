@@ -31,7 +31,7 @@ class Transport(Protocol):
         """Send the response of a local server to a remote client."""
 
     def wait_settled(self, timeout: float) -> bool:
-        """Wait until the graph knows what the other processes have told of theirs; False if `timeout` seconds passed first."""
+        """Wait until the graph knows what the other processes have announced; False if `timeout` seconds passed first."""
 
 
 class Change(Enum):

@@ -121,7 +121,7 @@ _NOT_UTF_8 = re.compile("[\udc80-\udcff]")
 
 
 async def rev(session: Session) -> int:
-    """util-linux's: unlike coreutils' tools it takes `-` for a file, and it stops at what is no text."""
+    """util-linux's: unlike coreutils' tools it takes `-` for a file, and it stops at anything that is not text."""
     try:
         _, names = parse(session.argv)
     except UsageError as error:

@@ -46,7 +46,7 @@ HELP_EVERY = 20
 
 
 class Teleop:
-    """The node, the velocity that is wanted and the one that is told, which follows it by half a step a message."""
+    """The node, the wanted velocity, and the published one, which follows it by half a step per message."""
 
     def __init__(self, session: Session) -> None:
         self._session = session

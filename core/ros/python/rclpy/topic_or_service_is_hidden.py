@@ -6,5 +6,5 @@ HIDDEN_TOPIC_PREFIX = "_"
 
 
 def topic_or_service_is_hidden(name: str) -> bool:
-    """Say whether a part of the name starts with an underscore."""
+    """Return whether a part of the name starts with an underscore."""
     return names.is_hidden(name)
