@@ -178,8 +178,8 @@ class Screen(PyteScreen):
 
     @property
     def text(self) -> str:
-        """The screen as plain lines, for tests and copying."""
-        return "\n".join(row_text(self.row(y)) for y in range(self.lines)).rstrip()
+        """The screen as plain lines without blanks at their ends."""
+        return "\n".join(row_text(self.row(y)).rstrip(" ") for y in range(self.lines)).rstrip()
 
     @property
     def bracketed_paste(self) -> bool:
@@ -628,16 +628,22 @@ class Screen(PyteScreen):
         fit(self.buffer[self.cursor.y], self.columns)
 
     def erase_characters(self, count: int | None = None) -> None:
-        super().erase_characters(count)
-        fit(self.buffer[self.cursor.y], self.columns)
+        self._erase(self.cursor.x, min(self.cursor.x + (count or 1), self.columns))
 
     def erase_in_line(self, how: int = 0, private: bool = False) -> None:
         x = self.cursor.x
-        first, end = {0: (x, self.columns), 1: (0, min(x + 1, self.columns)), 2: (0, self.columns)}[how]
+        self._erase(*{0: (x, self.columns), 1: (0, min(x + 1, self.columns)), 2: (0, self.columns)}[how])
+
+    def _erase(self, first: int, end: int) -> None:
+        """Erase cells of the line with the cursor."""
         line = self._line()
         self._clear_halves(line, first, end - first)
-        line.update(dict.fromkeys(range(first, end), self.cursor.attrs))
+        line.update(dict.fromkeys(range(first, end), self._blank()))
         self.dirty.add(self.cursor.y)
+
+    def _blank(self) -> Char:
+        """An erased cell: of the pen's attributes it takes the background alone (terminfo's bce)."""
+        return self.default_char._replace(bg=self.cursor.attrs.bg)
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
@@ -662,7 +668,16 @@ class Screen(PyteScreen):
             self.scrollback.clear()
             self.dirty.update(range(self.lines))
             return
-        super().erase_in_display(how, *args, **kwargs)
+        y, blank = self.cursor.y, self._blank()
+        erased = {0: range(y + 1, self.lines), 1: range(y), 2: range(self.lines)}[how]
+        lines = self.buffer
+        for each in erased:
+            lines.pop(each, None)
+            if blank != self.default_char:  # pyte leaves cells alone that nothing was drawn in
+                lines[each].update(dict.fromkeys(range(self.columns), blank))
+        self.dirty.update(erased)
+        if how != 2:
+            self.erase_in_line(how)
 
     def scroll_up(self, count: int = 0) -> None:
         """SU: the lines between the margins move up, and the cursor stays where it is."""

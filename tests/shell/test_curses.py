@@ -85,3 +85,24 @@ def test_a_box_of_curses_is_a_box(seat: Any, unicode: str) -> None:
     ]
     seat.terminal.send("x")
     seat.wait(lambda text: "┘" not in text)
+
+
+@pytest.mark.parametrize(
+    ("sequence", "painted"),
+    [
+        ("\x1b[2J", [range(10)] * 4),
+        ("\x1b[2;4H\x1b[J", [range(0), range(3, 10), range(10), range(10)]),
+        ("\x1b[2;4H\x1b[1J", [range(10), range(4), range(0), range(0)]),
+        ("\x1b[2;4H\x1b[K", [range(0), range(3, 10), range(0), range(0)]),
+        ("\x1b[2;4H\x1b[3X", [range(0), range(3, 6), range(0), range(0)]),
+    ],
+)
+def test_what_is_erased_has_the_colour_of_the_background_and_no_other_attribute(
+    sequence: str, painted: list[range]
+) -> None:
+    screen = Screen(10, 4)
+    screen.feed("ab\r\n中文c\x1b[1;4;7;31;44m" + sequence)
+    cells = [[screen.buffer[y].get(x, screen.default_char) for x in range(10)] for y in range(4)]
+    assert [[x for x in range(10) if row[x].bg == "blue"] for row in cells] == [list(each) for each in painted]
+    erased = {cell for row in cells for cell in row if cell.bg == "blue"}
+    assert erased == {screen.default_char._replace(bg="blue")}
