@@ -56,6 +56,16 @@ _PALETTE_ON_LIGHT = {
     "brightcyan": 0x057B7E,
     "brightwhite": 0x000000,
 }
+# Ubuntu's own: the ones above are lighter, to be read as letters on its violet.
+_BACKGROUNDS = {
+    **_PALETTE,
+    "red": 0xCC0000,
+    "green": 0x4E9A06,
+    "brown": 0xC4A000,
+    "blue": 0x3465A4,
+    "magenta": 0x75507B,
+    "cyan": 0x06989A,
+}
 _SIXTEEN_NAMES = {"brown": "yellow", "brightbrown": "bright_yellow"}
 
 Attributes: TypeAlias = tuple[str, str, bool, bool, bool, bool, bool, bool]
@@ -81,10 +91,10 @@ def _style(attributes: Attributes, colours: Colours) -> Style:
     if colours.name == "sixteen":
         style = base + Style(color=_sixteen(fg), bgcolor=_sixteen(bg)) + marks
         return style + Style(reverse=True) if reverse else style
-    palette = _PALETTE if colours.dark else _PALETTE_ON_LIGHT
+    palette = _PALETTE if colours.dark or bg != "default" else _PALETTE_ON_LIGHT
     if bold and fg != "default" and "bright" + fg in palette:
         fg = "bright" + fg
-    style = base + pixel_style(_rgb(fg, palette), _rgb(bg, palette))
+    style = base + pixel_style(_rgb(fg, palette), _rgb(bg, _BACKGROUNDS))
     if reverse:
         style = Style(color=style.bgcolor, bgcolor=style.color)
     return style + marks

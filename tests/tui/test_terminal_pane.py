@@ -139,6 +139,29 @@ def test_the_colours_of_programs_are_kept() -> None:
     assert all(segment.style.color is None for segment in plain)
 
 
+def _contrast(style) -> float:
+    """How well letters can be read, 1 to 21 (WCAG 2)."""
+
+    def luminance(colour) -> float:
+        parts = [part / 255 for part in colour.get_truecolor()]
+        linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    darker, lighter = sorted(map(luminance, (style.color, style.bgcolor)))
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+@pytest.mark.parametrize("pair", ["1;37;40", "1;37;41", "1;37;44", "33;44", "1;33;44", "1;37;45", "30;42", "30;46", "30;47"])
+def test_the_usual_pairs_of_full_screen_programs_can_be_read(theme, pair) -> None:
+    terminal = FakeTerminal(20, 2)
+    terminal.write(f"\x1b[{pair}mtext")
+    view = TerminalView(terminal)
+    view.changes()
+    style = next(segment.style for segment in view.segments(0, colours(theme), focused=False) if segment.text == "text")
+    assert _contrast(style) >= 2.5
+
+
 async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
         app.desktop.focus_pane(app.terminal_pane)
