@@ -152,7 +152,9 @@ def _contrast(style) -> float:
 
 
 @pytest.mark.parametrize("theme", ["dark", "light"])
-@pytest.mark.parametrize("pair", ["1;37;40", "1;37;41", "1;37;44", "33;44", "1;33;44", "1;37;45", "30;42", "30;46", "30;47"])
+@pytest.mark.parametrize(
+    "pair", ["1;37;40", "1;37;41", "1;37;44", "33;44", "1;33;44", "1;37;45", "30;42", "30;46", "30;47"]
+)
 def test_the_usual_pairs_of_full_screen_programs_can_be_read(theme, pair) -> None:
     terminal = FakeTerminal(20, 2)
     terminal.write(f"\x1b[{pair}mtext")
