@@ -32,7 +32,9 @@ CALLERS = {
 def test_nothing_of_the_callers_reaches_a_test(tmp_path: Path) -> None:
     """Plays the next test in an odd place: started by `nohup`, with a umask and variables of its own."""
     probe = f"{__file__}::test_a_test_starts_with_the_environment_of_the_fixtures"
-    command = f"umask 077; trap '' INT HUP; exec '{sys.executable}' -m pytest -q -p no:cacheprovider '{probe}'"
+    # Its own place for temporary files: in the usual one pytest removes those of earlier runs, gigabytes after a whole suite.
+    options = f"-q -p no:cacheprovider --basetemp='{tmp_path / 'base'}'"
+    command = f"umask 077; trap '' INT HUP; exec '{sys.executable}' -m pytest {options} '{probe}'"
     done = subprocess.run(
         ["sh", "-c", command], cwd=tmp_path, env={**os.environ, **CALLERS}, capture_output=True, text=True, timeout=60
     )

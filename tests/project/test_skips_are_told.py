@@ -37,7 +37,21 @@ def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, proc
     for name, code in SUITE.items():
         (tmp_path / name).write_text("\n".join(line[8:] for line in code.splitlines()), encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "conftest", "-p", "no:cacheprovider", "-n", processes, "."],
+        # In the usual place for temporary files pytest removes those of earlier runs, gigabytes after a whole suite.
+        [
+            sys.executable,
+            "-m",
+            "pytest",
+            "-q",
+            "-p",
+            "conftest",
+            "-p",
+            "no:cacheprovider",
+            "-n",
+            processes,
+            f"--basetemp={tmp_path / 'base'}",
+            ".",
+        ],
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(TESTS), "PYTEST_ADDOPTS": "", "COLUMNS": "80"},
         capture_output=True,
