@@ -356,7 +356,7 @@ class Screen(PyteScreen):
         for index, piece in enumerate(_COLOUR.split(line)):
             if index % 2:
                 if piece == "K":
-                    beyond = self._style()
+                    beyond = PLAIN_STYLE._replace(bg=self._style().bg)
                 else:
                     self.colour(piece[:-1])
             elif "\t" in piece:
@@ -376,7 +376,7 @@ class Screen(PyteScreen):
         if special and (used > self.columns or not self._tabs_are_regular()):
             self.cursor.attrs = before
             return None
-        if beyond is not None and used < self.columns:
+        if beyond is not None and beyond != PLAIN_STYLE and used < self.columns:
             runs.append((" " * (self.columns - used), beyond))
         return folded_runs(runs, self.columns) if used > self.columns else [tuple(runs)]
 

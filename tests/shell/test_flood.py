@@ -307,3 +307,13 @@ def test_no_bytes_break_the_screen(parts: list[bytes]) -> None:
     screen.feed(text)
     screen.feed("\x18\x1b\\\x1bcalive")
     assert screen.text == "alive"
+
+
+@pytest.mark.parametrize("style", ["31", "1", "4;7", "44", "1;4;42"])
+@pytest.mark.parametrize("line", ["\x1b[K", "grep\x1b[K", "a\x1b[K\tb", "\x1b[K\r", "中文\x1b[K", "\tx\x1b[m\x1b[K"])
+def test_an_erased_end_of_a_line_that_scrolls_by_has_the_background_alone(style: str, line: str) -> None:
+    text = f"\x1b[{style}m" + f"{line}\r\n" * 9
+    fast, drawn = Screen(12, 3), DrawnScreen(12, 3)
+    fast.feed(text)
+    drawn.feed(text)
+    assert picture(fast) == picture(drawn)
