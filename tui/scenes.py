@@ -16,10 +16,9 @@ Step = tuple[str, str]
 
 
 class Scene(NamedTuple):
-    """A name, the window it is about, and what is done."""
+    """A name, and what is done."""
 
     name: str
-    title: str
     steps: tuple[Step, ...]
 
     @property
@@ -31,7 +30,6 @@ class Scene(NamedTuple):
 SCENES: dict[str, Scene] = {
     "turtle": Scene(
         "turtle",
-        "bar.turtle",
         (
             ("terminal", "idle"),
             ("type", "ros2 run turtlesim turtlesim_node"),
@@ -44,7 +42,6 @@ SCENES: dict[str, Scene] = {
     ),
     "car": Scene(
         "car",
-        "bar.car",
         (
             ("terminal", "idle"),
             ("type", "{fetch}"),
@@ -61,7 +58,6 @@ SCENES: dict[str, Scene] = {
     ),
     "world": Scene(
         "world",
-        "bar.world",
         (
             ("terminal", "idle"),
             ("type", "ros2 launch day6_world world.launch.py world:=walls"),
@@ -72,7 +68,7 @@ SCENES: dict[str, Scene] = {
             ("reading", ""),
         ),
     ),
-    "empty": Scene("empty", "bar.desk", ()),
+    "empty": Scene("empty", ()),
 }
 
 KEYS_PER_SECOND = 40.0

@@ -291,12 +291,13 @@ class PipeWriter(OutputStream):
         return len(text)
 
     async def drain(self) -> None:
-        """Wait until the pipe has been read.
+        """Wait until the pipe has been read, and now and then let other programs run.
 
         Raises:
             BrokenPipeError: when the reader has gone.
         """
         await wait_for(self._pipe._drained)
+        await super().drain()
         if self._pipe._reader_closed:
             raise BrokenPipeError(32, "Broken pipe")
 
@@ -409,7 +410,8 @@ class FileOutput(OutputStream):
         self._raise_problem()
 
     async def drain(self) -> None:
-        """Raise the first WriteError (or BrokenPipeError) since the last time."""
+        """Let other programs run now and then. Raises the first WriteError (or BrokenPipeError) since the last time."""
+        await super().drain()
         self._raise_problem()
 
     def close(self) -> None:

@@ -84,10 +84,21 @@ def test_what_would_take_all_memory_or_wait_for_ever_ends_with_a_message(line: s
     assert (process.returncode, error.splitlines()[0][: len(message)]) == (status, message)
 
 
-def test_others_go_on_beside_a_command_that_never_waits(tmp_path: Path) -> None:
-    process = start(
-        "cat /dev/zero > /dev/null & wc /dev/zero & seq 9999999999 > /dev/null & sleep 0.1; echo on", tmp_path
-    )
+@pytest.mark.parametrize(
+    "commands",
+    [
+        "cat /dev/zero > /dev/null & wc /dev/zero & seq 9999999999 > /dev/null &",
+        "seq 9999999999 > file &",
+        "seq 9999999999 | wc -l > file &",
+        "seq 9999999999 | tail -n 1 | cat > file &",
+        "wc /dev/zero | cat &",
+        "tr a b < /dev/zero | wc -c > file &",
+        "seq 9999999999 | tee file > /dev/null &",
+        "cat /dev/zero > file &",
+    ],
+)
+def test_others_go_on_beside_a_command_that_never_waits(commands: str, tmp_path: Path) -> None:
+    process = start(f"{commands} sleep 0.1; echo on; kill $(jobs -p)", tmp_path)
     try:
         said, _ = process.communicate(timeout=PATIENCE)
     finally:

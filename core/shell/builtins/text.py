@@ -12,6 +12,7 @@ from pathlib import Path
 from day6_tui.core.session.blocking_files import refuse
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.session.streams import FileInput, InputStream
+from day6_tui.core.session.task import let_others_run
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
 from day6_tui.core.shell.byte_text import joined, of_byte, of_code
 from day6_tui.core.shell.outside import agreed, keys_of
@@ -23,6 +24,8 @@ _ESCAPES = {
 }  # fmt: skip
 _ESCAPE = re.compile(r"\\(0[0-7]{1,3}|[0-7]{1,3}|x[0-9a-fA-F]{1,2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
 _STOP_OUTPUT = "\\c"
+LONG = 65536
+"""Characters of a line after which other programs get their turn."""
 LONGEST_TEXT = 64 * 1024 * 1024
 """Characters held in memory at once: a shell on a machine this small would not get more either."""
 
@@ -128,6 +131,8 @@ async def lines_of(
             while line := await stream.read_line():
                 yield name, line
                 await session.stdout.drain()
+                if len(line) > LONG:
+                    await let_others_run()
         finally:
             if isinstance(stream, FileInput) and stream is not session.stdin:
                 stream.close()
