@@ -13,13 +13,20 @@ class UsageError(Exception):
 
 
 def parse(
-    argv: list[str], flags: str = "", values: str = "", long: Mapping[str, str] | None = None, joined: str = ""
+    argv: list[str],
+    flags: str = "",
+    values: str = "",
+    long: Mapping[str, str] | None = None,
+    joined: str = "",
+    *,
+    dash_number: bool = False,
 ) -> tuple[dict[str, str], list[str]]:
     """Return (options, operands) of a command line; `argv[0]` is the command's name.
 
     `flags` are letters without, `values` letters with a value; `long` maps '--name' to one of those letters. A flag given n times
     has the value of n letters, so that `'r' in options` and `len(options['v'])` both work. Of a value given more than once the
-    last one counts, but those of the letters in `joined` are kept, one a line. Raises UsageError.
+    last one counts, but those of the letters in `joined` are kept, one a line. With `dash_number`, `-3` means `-n 3`.
+    Raises UsageError.
     """
     options: dict[str, str] = {}
 
@@ -47,7 +54,7 @@ def parse(
                 options[letter] = options.get(letter, "") + letter
         elif argument.startswith("-") and len(argument) > 1:
             rest = argument[1:]
-            if "n" in values and rest.isdigit():  # head -3
+            if dash_number and rest.isdigit():
                 options["n"] = rest
                 continue
             while rest:

@@ -167,7 +167,8 @@ async def tail(session: Session) -> int:
 
 async def _ends(session: Session, *, first: bool) -> int:
     try:
-        options, names = parse(session.argv, "qvfF", "n", {"--lines": "n", "--quiet": "q", "--follow": "f"})
+        long = {"--lines": "n", "--quiet": "q", "--follow": "f"}
+        options, names = parse(session.argv, "qvfF", "n", long, dash_number=True)
         text = options.get("n", "10")
         count = int(text)
     except UsageError as error:
