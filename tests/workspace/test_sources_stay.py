@@ -30,7 +30,7 @@ def results(output: str) -> dict[str, str]:
     return dict(re.findall(r"(?m)^(?:Finished|Failed|Aborted) +<<< (\S+) \[[\d.]+s(.*)\]$", output))
 
 
-WORKSPACES = 8
+WORKSPACES = 22
 """In which the shapes are built, so that the work can be shared."""
 
 
