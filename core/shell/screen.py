@@ -356,7 +356,8 @@ class Screen(PyteScreen):
         for index, piece in enumerate(_COLOUR.split(line)):
             if index % 2:
                 if piece == "K":
-                    beyond = PLAIN_STYLE._replace(bg=self._style().bg)
+                    background = self.cursor.attrs.bg
+                    beyond = PLAIN_STYLE if background == "default" else PLAIN_STYLE._replace(bg=background)
                 else:
                     self.colour(piece[:-1])
             elif "\t" in piece:
@@ -643,7 +644,8 @@ class Screen(PyteScreen):
 
     def _blank(self) -> Char:
         """An erased cell: of the pen's attributes it takes the background alone (terminfo's bce)."""
-        return self.default_char._replace(bg=self.cursor.attrs.bg)
+        background = self.cursor.attrs.bg
+        return self.default_char if background == "default" else self.default_char._replace(bg=background)
 
     # -- scrolling -----------------------------------------------------------------------------------------------------
 
