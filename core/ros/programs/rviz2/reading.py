@@ -120,6 +120,6 @@ class Reader:
         return self._session.cwd / Path(name).expanduser()
 
     def write(self, path: Path, text: str) -> None:
-        """Write a small text file. Raises OSError."""
+        """Write a small text file, without waiting for the disk: this is the scheduler's thread. Raises OSError."""
         path.parent.mkdir(parents=True, exist_ok=True)
-        replace_file(path, text.encode("utf-8"))
+        replace_file(path, text.encode("utf-8"), sync=False)
