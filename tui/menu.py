@@ -68,14 +68,14 @@ class Menu(Overlay):
         self._filter = ""
         self._chosen = chosen
         self._search: FuzzySearch | None = None
-        self._found: tuple[tuple[str, int], list[Entry]] | None = None
+        self._found: tuple[tuple[str, int], list[Entry]] = (("", -1), [])
         """What `matches` found last, and for what: every line of the menu asks."""
 
     def matches(self) -> list[Entry]:
         """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word
         in their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
         key = (self._filter, len(self._entries))
-        if self._found is None or self._found[0] != key:
+        if self._found[0] != key:
             self._found = key, self._ranked(self._filter.lower().split())
         return self._found[1]
 

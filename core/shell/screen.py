@@ -356,7 +356,7 @@ class Screen(PyteScreen):
         for index, piece in enumerate(_COLOUR.split(line)):
             if index % 2:
                 if piece == "K":
-                    background = self.cursor.attrs.bg
+                    background = self.cursor.attrs.bg  # as `_blank`, whose cell costs a quarter of such a line
                     beyond = PLAIN_STYLE if background == "default" else PLAIN_STYLE._replace(bg=background)
                 else:
                     self.colour(piece[:-1])

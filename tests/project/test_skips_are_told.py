@@ -39,18 +39,8 @@ def test_a_run_ends_with_a_list_of_what_was_skipped_and_why(tmp_path: Path, proc
     done = subprocess.run(
         # In the usual place for temporary files pytest removes those of earlier runs, gigabytes after a whole suite.
         [
-            sys.executable,
-            "-m",
-            "pytest",
-            "-q",
-            "-p",
-            "conftest",
-            "-p",
-            "no:cacheprovider",
-            "-n",
-            processes,
-            f"--basetemp={tmp_path / 'base'}",
-            ".",
+            *(sys.executable, "-m", "pytest", "-q", "-p", "conftest", "-p", "no:cacheprovider"),
+            *("-n", processes, f"--basetemp={tmp_path / 'base'}", "."),
         ],
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(TESTS), "PYTEST_ADDOPTS": "", "COLUMNS": "80"},
