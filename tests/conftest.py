@@ -78,6 +78,7 @@ def environment() -> dict[str, str]:
         **kept,
         "TMPDIR": tempfile.gettempdir(),
         "HOME": str(folders["home"]),
+        "LOGNAME": "student",
         "USERPROFILE": str(folders["home"]),
         "XDG_DATA_HOME": str(folders["data"]),
         "XDG_CONFIG_HOME": str(folders["config"]),

@@ -23,6 +23,9 @@ class Action(NamedTuple):
     palette: bool = True
 
 
+ARROW_OF = {"left": "left", "right": "right", "above": "up", "below": "down"}
+"""The arrow key of each direction."""
+
 ACTIONS: tuple[Action, ...] = (
     Action("terminal", "f2", "F2", weight=5),
     Action("next", "f3", "F3", weight=7),
@@ -31,21 +34,29 @@ ACTIONS: tuple[Action, ...] = (
     Action("inspector", "f6", "F6", weight=1),
     Action("enlarge", "f8", "F8", weight=3),
     Action("pause", "f9", "F9", weight=2),
-    Action("palette", "ctrl+p", "^P", weight=6, palette=False),
+    Action("palette", "f7", "F7", weight=6, palette=False),
     Action("quit", "ctrl+q", "^Q", weight=8),
     Action("help", "f1", "F1"),
     Action("scene.turtle"),
     Action("scene.car"),
     Action("scene.world"),
+    Action("split.right", "alt+backslash", "Alt+\\"),
+    Action("split.below", "alt+minus", "Alt+-"),
     Action("close"),
     Action("copy"),
     Action("paste"),
+    Action("find", "ctrl+shift+f", "^⇧F"),
     Action("clear"),
     Action("language"),
     Action("theme"),
     Action("glyphs"),
-    Action("grow", "alt+up", "Alt+↑"),
-    Action("shrink", "alt+down", "Alt+↓"),
+    Action("layout.load"),
+    Action("layout.save"),
+    Action("layout.lesson"),
+    Action("layout.four"),
+    Action("layout.presenter"),
+    Action("stack"),
+    *(Action(f"move.{side}") for side in ARROW_OF),
     Action("step"),
     Action("faster"),
     Action("slower"),
@@ -64,6 +75,14 @@ def bar_actions() -> list[Action]:
 def bindings() -> list[tuple[str, str]]:
     """Pairs of key and action id, for every action that has a key."""
     return [(action.key, action.id) for action in ACTIONS if action.key]
+
+
+def pane_bindings() -> list[tuple[str, str]]:
+    """Pairs of key and the call it stands for, for the keys that name a direction or the number of a pane."""
+    found = [(f"alt+{number}", f"go_to({number})") for number in range(1, 10)]
+    for side, arrow in ARROW_OF.items():
+        found += [(f"alt+{arrow}", f"focus_beside('{side}')"), (f"alt+shift+{arrow}", f"resize('{side}')")]
+    return found
 
 
 Handlers = Mapping[str, Callable[[], object]]

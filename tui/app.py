@@ -12,7 +12,7 @@ import logging
 import os
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -26,9 +26,10 @@ lean.import_asyncio()
 import asyncio
 
 from textual import events, on
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.driver import Driver
+from textual.filter import LineFilter
 from textual.message import Message
 from textual.screen import Screen
 
@@ -36,6 +37,7 @@ from day6_tui.core.session.harmless import one_line
 from day6_tui.core.shell.heap import keep_heap_small
 from day6_tui.core.whole_file import append_private
 from day6_tui.tui import actions, chops, departure, output
+from day6_tui.tui.arranging import Arranging
 from day6_tui.tui.bars import Bar
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
@@ -51,13 +53,16 @@ from day6_tui.tui.looks import Looks
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import HINT_SECONDS, Notices
 from day6_tui.tui.options import Options
-from day6_tui.tui.overlay import MessageOverlay
-from day6_tui.tui.pane import Pane
+from day6_tui.tui.pixels.app import PictureApp
+from day6_tui.tui.poor_terminals import filters_for
 from day6_tui.tui.scene_play import ScenePlay
+from day6_tui.tui.session import Session
+from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import TYPED, PersonMessage, survive
 from day6_tui.tui.switching import Switching
 from day6_tui.tui.terminal_pane import ARROWS, TerminalPane
 from day6_tui.tui.terminals import Terminals
+from day6_tui.tui.themes import NAMES
 from day6_tui.tui.top_line import TopLine
 from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import WindowPane
@@ -74,6 +79,12 @@ output.install()
 _log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 30.0
+TITLE_SECONDS = 0.2
+"""Between two looks whether titles have changed: that costs as much as a moving turtle."""
+
+SAVE_SECONDS = 20.0
+"""How much of the session a crash may cost."""
+
 DOOR_SECONDS = 1.0
 """Seconds between checks of the connections to other machines, if there are any."""
 NOTICE_SECONDS = 10.0
@@ -84,10 +95,10 @@ WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""
 
 
-def make_look(options: Options, environ: Mapping[str, str] | None = None) -> Look:
-    """Glyphs, colours and language for the options and the terminal.
+def make_look(options: Options, environ: Mapping[str, str] | None = None, settings: Settings | None = None) -> Look:
+    """Glyphs, colours and language for the options, what the user chose before, and the terminal.
 
-    Raises KeyError for unknown glyphs, ValueError for a language.
+    Raises KeyError for unknown glyphs or an unknown theme, ValueError for a language.
     """
     environ = terminal_environ() if environ is None else environ
     glyphs = choose(options.glyphs, environ)
@@ -95,9 +106,11 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None) -> Loo
     if not glyphs.unicode:
         language = "en"  # Chinese cannot be written there at all
     sixteen = environ.get("TERM") == "linux" and not environ.get("COLORTERM")
+    remembered = settings.text("theme") if settings is not None else ""
+    theme = options.theme or (remembered if remembered in NAMES else NAMES[0])
     look = Look(
         glyphs,
-        colours(sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
+        colours(theme, sixteen=sixteen, colourless=bool(environ.get("NO_COLOR"))),
         Texts(language, plain=not glyphs.unicode),
     )
     look.reduced_motion = options.reduced_motion
@@ -108,46 +121,73 @@ class DeskScreen(Screen[None]):
     """Textual's screen, whose own background is never seen."""
 
     BLANK = True
+    ALLOW_SELECT = False  # terminals have their own selection; Textual's fails on a widget that is just being removed
+
+    def _compositor_refresh(self) -> None:
+        """Draw, or hand on what has changed to the modal screen through which it is seen.
+
+        Textual 8.2 marks this screen as changed too in that case, and so would send the same picture again and again.
+        """
+        changed = self._compositor._dirty_regions
+        if self.app.screen is self or not changed:
+            super()._compositor_refresh()
+            return
+        self.app.screen.refresh(*changed)
+        changed.clear()
+        self._dirty_widgets.clear()
 
 
-class Day6App(App[None]):
+class Day6App(PictureApp):
     """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
 
-    CSS = "Screen { layout: vertical; overflow: hidden; }"
+    CSS = """
+    Screen { layout: vertical; overflow: hidden; }
+    Toast { background: $hint; color: $hint-text; border: none; }
+    """
     ENABLE_COMMAND_PALETTE = False
-    ALLOW_SELECT = False  # terminals have their own selection; Textual's fails on a widget that is just being removed
-    BINDINGS = [Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()]
+    BINDINGS = [
+        *(Binding(key, f"do('{name}')", show=False, priority=True) for key, name in actions.bindings()),
+        *(Binding(key, call, show=False, priority=True) for key, call in actions.pane_bindings()),
+        Binding("ctrl+p", "do('palette')", show=False),  # in a terminal it is the shell's: the line before
+    ]
     TITLE = "day6-tui"
 
     def __init__(self, options: Options | None = None, *, desk: Desk | None = None, look: Look | None = None) -> None:
-        super().__init__()
+        self.settings = settings = Settings()
+        options = Options() if options is None else options
+        look = make_look(options, settings=settings) if look is None else look
+        super().__init__(ansi_color=not look.has_shades)
         self.ending: Ending | None = None
         """The end of the process, where this application is all of it."""
         self.leave_soon: Callable[[], object] | None = None
         """Exits the application, from any thread; None until it runs."""
-        self.options = options = Options() if options is None else options
-        self.look = look = make_look(options) if look is None else look
+        self.options = options
+        self.look = look
         fps = DEFAULT_FPS if options.fps is None else float(options.fps)
         self.frames = Frames(
             self.draw_frame, fps, work=self.read_flood, congested=self._congested, failed=self.frame_failed
         )
         look.wake = self.frames.wake
+        self._titled = 0.0
+        """When the titles of the panes were looked at last."""
         self.machine = machine = Machine(desk, wake=self.frames.wake)
-        self.terminal_pane = TerminalPane(look)
         self.welcome = WelcomePane(look)
-        self.desktop = desktop = Desktop(look, self.terminal_pane, self.welcome)
-        self.notices = notices = Notices(look)
+        self.desktop = desktop = Desktop(look, self.welcome)
+        self.notices = notices = Notices(look, lambda: self.size.width - 2, self._notify)
         self.terminals = Terminals(machine, desktop, notices, look)
         self.switching = Switching(desktop, self.terminals, machine, notices, look)
         self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
+        self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
+        self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
         self.leaving = Leaving(self, desktop, look)
         self.actions = registry = actions.Actions()
-        looks = Looks(self, look)
+        self.looks = looks = Looks(self, look)
         for owner in (
             self.terminals,
             self.switching,
             self.scenes,
-            Guidance(desktop, registry, look),
+            self.arranging,
+            Guidance(desktop, registry, look, self.terminals.run),
             WorldTime(machine, notices, look),
         ):
             registry.offer(owner.actions())
@@ -155,7 +195,7 @@ class Day6App(App[None]):
             {
                 "quit": self.leaving.quit,
                 "language": looks.next_language,
-                "theme": looks.next_theme,
+                "theme": self.choose_theme,
                 "glyphs": lambda: notices.show(looks.next_glyphs()),
                 "motion": looks.toggle_motion,
             }
@@ -170,6 +210,9 @@ class Day6App(App[None]):
     def get_default_screen(self) -> Screen[Any]:
         return DeskScreen(id="_default")
 
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        return [*super().get_line_filters(), *filters_for(self.look)]
+
     def compose(self) -> ComposeResult:
         yield self.top
         yield self.desktop
@@ -182,8 +225,10 @@ class Day6App(App[None]):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()
-        self.desktop.focus_pane(self.welcome if self.options.scene is None else self.terminal_pane)
+        pane = self.terminals.first_pane()
+        self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
         self.call_after_refresh(self._open_desk)
+        self.begin_pictures(self.options.glyphs)
 
     def _open_desk(self) -> None:
         """Start the simulated machine; after the first frame, so that the user sees a screen as soon as possible."""
@@ -196,17 +241,21 @@ class Day6App(App[None]):
             message = self.look.texts("error.home", path=path, reason=error.strerror or error)
             self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
-        self.terminals.open()
+        if self.options.scene is not None or not self.session.restore():
+            self.terminals.open()
+        self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
         self.set_timer(LINK_SECONDS, self.machine.open_link)
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
         if (endpoint := self.options.listen) and not self.options.secret:
             self.notices.show(self.look.texts("notice.open", port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
+        if self.settings.fault:
+            text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
+            self.notices.show(one_line(text), NOTICE_SECONDS)
         if self.options.scene is not None:
             self.scenes.start(self.options.scene)
-        elif self.desktop.focused_pane is not self.terminal_pane:  # otherwise an early key has moved the focus already
-            self.desktop.focus_pane(self.welcome)
-        self.terminal_pane.take_early_keys()
+        for pane in self.terminals.panes:
+            pane.take_early_keys()
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
@@ -237,6 +286,8 @@ class Day6App(App[None]):
         if self.ending is not None:
             output.let_go()
             self.ending.begin()
+        if not self._exit and self.machine.desk is not None:
+            self.session.save()
         super().exit(result, return_code, message)
 
     def _handle_exception(self, error: Exception) -> None:
@@ -260,8 +311,38 @@ class Day6App(App[None]):
 
     async def action_do(self, id: str) -> None:  # noqa: A002
         """Textual's entry: a key of the table was pressed."""
-        self.actions[id]()
+        if id == "quit":
+            self.leaving.press_quit()
+        else:
+            self.actions[id]()
         self.frames.wake()
+
+    async def action_go_to(self, number: int) -> None:
+        """Textual's entry: Alt and a number."""
+        self.switching.go_to(number)
+
+    async def action_focus_beside(self, side: str) -> None:
+        """Textual's entry: Alt and an arrow."""
+        self.switching.focus_beside(side)
+
+    async def action_resize(self, side: str) -> None:
+        """Textual's entry: Alt, Shift and an arrow."""
+        self.switching.resize(side)
+
+    def _notify(self, text: str, seconds: float) -> None:
+        self.notify(one_line(text), timeout=seconds, markup=False)
+
+    def choose_theme(self) -> None:
+        """Offer the themes, and remember the choice."""
+        if self.looks.has_choice:
+            self.desktop.open_overlay(self.looks.theme_menu(self._remember_theme))
+
+    def _remember_theme(self, name: str) -> None:
+        try:
+            self.settings.set("theme", name)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            self.notices.show(self.look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)
 
     def action_help_quit(self) -> None:
         """Ctrl-C that no pane handles does nothing (Textual would explain how to quit)."""
@@ -288,42 +369,50 @@ class Day6App(App[None]):
 
     def read_flood(self) -> float | None:
         """Between frames: read what programs print without end."""
-        return self.terminal_pane.read_flood() if self.machine.desk is not None else None
+        return self.terminals.read_flood() if self.machine.desk is not None else None
 
     def draw_frame(self) -> bool:
         """Pull what is new into the panes; return True while something is animated."""
         now = time.monotonic()
-        again = self.scenes.advance(now)
         machine = self.machine
         if machine.desk is not None:
+            # Before a scene goes on: what it waits for has its place first.
             if (windows := machine.changed_windows()) is not None:
                 key = actions.BY_ID["windows"].label
                 for unseen in self.desktop.show_windows(windows):
                     self.notices.show(self.look.texts("window.hidden", title=unseen.label, key=key))
+                self.session.place_windows()
             self.terminals.follow_desk()
-            self.terminal_pane.key_back = self.switching.key_to_terminal()
+        again = self.scenes.advance(now)
+        if machine.desk is not None:
             again = self._pull(now) or again
-            self.terminal_pane.place_cursor()
             self.desktop.yield_to_full_terminals()
         again = self.notices.expire(now) or again
         self.top.pull(now)
         self.bottom.pull(now)
+        self.send_pictures()
         return again
 
     def _pull(self, now: float) -> bool:
-        """Let the visible panes read their models; hidden terminals are read too."""
-        again = False
-        shown = self.desktop.shown()
-        panes: list[Pane] = [self.terminal_pane, *self.desktop.panes.values()]
-        for pane in panes:
-            if pane is self.terminal_pane or pane in shown:
-                try:
-                    pane.measure()
-                    again = pane.pull(now) or again
-                except Exception as error:
-                    if not isinstance(pane, WindowPane):
-                        raise
-                    self.window_failed(pane, error)
+        """Let the visible panes read their models, and now and then their titles."""
+        titles = not self.frames.rate or now - self._titled >= TITLE_SECONDS
+        if titles:
+            self._titled = now
+        again = not titles
+        for pane in self.desktop.shown():
+            try:
+                pane.measure()
+                again = pane.pull(now) or again
+                if titles:
+                    pane.pull_title()
+            except Exception as error:
+                if not isinstance(pane, WindowPane):
+                    raise
+                self.window_failed(pane, error)
+            if isinstance(pane, TerminalPane):
+                if titles:
+                    pane.key_back = self.switching.key_to(pane)
+                pane.place_cursor()
         return again
 
     def frame_failed(self, error: Exception) -> None:
@@ -334,8 +423,10 @@ class Day6App(App[None]):
         if self._exit:
             return  # the panes are going away
         _log.error("a frame failed", exc_info=error)
-        if not isinstance(self.desktop.overlay, MessageOverlay):
-            self.desktop.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))
+        from day6_tui.tui.message import ErrorModal
+
+        if not isinstance(self.desktop.overlay, ErrorModal):
+            self.desktop.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
 
     @on(WindowPane.Failed)
     def drop_broken_window(self, event: WindowPane.Failed) -> None:
@@ -357,32 +448,53 @@ class Day6App(App[None]):
         if kind == "action":
             self.actions[rest]()
         elif event.does.startswith("type:"):
-            self.terminals.use_idle().terminal.send(event.does.removeprefix("type:"))
-            self.desktop.focus_pane(self.terminal_pane)
+            if (pane := self.terminals.use_idle()) is not None:
+                pane.view.terminal.send(event.does.removeprefix("type:"))
+                self.desktop.focus_pane(pane)
         else:
-            self.welcome.show_guide()
-            self.desktop.focus_pane(self.terminal_pane)
+            self._leave_welcome()
         self.frames.wake()
+
+    @on(WelcomePane.Closed)
+    def close_guide(self) -> None:
+        self.desktop.close_guide()
 
     @on(WelcomePane.Typed)
     def type_in_terminal(self, event: WelcomePane.Typed) -> None:
         """A command is typed where there is no terminal: send it to one that is waiting for a command."""
-        self._leave_welcome()
-        self.terminal_pane.on_key(event.key)
+        if (pane := self._leave_welcome()) is not None:
+            pane.on_key(event.key)
 
     @on(WelcomePane.Pasted)
     def paste_in_terminal(self, event: WelcomePane.Pasted) -> None:
         """The same for text from the clipboard."""
-        self._leave_welcome()
-        self.terminal_pane.paste(event.text)
+        if (pane := self._leave_welcome()) is not None:
+            pane.paste(event.text)
 
-    def _leave_welcome(self) -> None:
+    def _leave_welcome(self) -> TerminalPane | None:
+        """Give the keyboard to a terminal that waits for a command."""
         self.welcome.show_guide()
-        if self.desktop.focused_pane is not self.terminal_pane:
-            if self.machine.desk is not None:
-                self.terminals.use_idle()
-            self.desktop.focus_pane(self.terminal_pane)
+        pane = self.desktop.focused_pane
+        if not isinstance(pane, TerminalPane):
+            pane = self.terminals.use_idle() if self.machine.desk is not None else self.terminals.current
+            if pane is not None:
+                self.desktop.focus_pane(pane)
         self.frames.wake()
+        return pane
+
+    @on(TerminalPane.CloseAsked)
+    def close_terminal(self, event: TerminalPane.CloseAsked) -> None:
+        self.terminals.close(event.pane)
+
+    @on(Desktop.ListAsked)
+    def list_panes(self) -> None:
+        self.switching.list_all()
+
+    @on(Desktop.Dragging)
+    def tell_where_it_falls(self, event: Desktop.Dragging) -> None:
+        texts = self.look.texts
+        where = texts(f"drop.{event.side}", name=event.target.label)
+        self.notices.show(texts("drop.told", name=event.pane.label, where=where))
 
     @on(TerminalPane.ArrowEchoed)
     def explain_arrows(self) -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.session.ending import Ending, Step
 from day6_tui.tui import output
+from day6_tui.tui.pixels.app import PictureApp
 
 if TYPE_CHECKING:
     from textual.app import App
@@ -68,7 +69,8 @@ def give_back(app: App[None]) -> None:
                 termios.tcflush(driver.fileno, termios.TCOFLUSH)
     if driver is not None:
         with contextlib.suppress(OSError):
-            os.write(2, GIVE_BACK.encode())
+            pictures = app.look.pictures if isinstance(app, PictureApp) else None
+            os.write(2, ((pictures.farewell() if pictures is not None else "") + GIVE_BACK).encode())
 
 
 def attend_stops(app: App[None], soon: Callable[[Callable[[], object]], object]) -> None:

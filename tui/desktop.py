@@ -1,26 +1,32 @@
-"""The area between the bars: one pane for the terminals, one for each window, laid out by `arrangement`."""
+"""The area between the bars: every terminal and every window is a pane in one tree of splits (`splits`)."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 
-from textual import events
+from textual import events, on
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
+from textual.message import Message
 from textual.widget import Widget
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.arrangement import WIDE, Arrangement, Place, arrange
+from day6_tui.tui import splits
+from day6_tui.tui.frame_mouse import FrameMouse
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import Overlay, PaneHost
 from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.pane_host import PaneHost
+from day6_tui.tui.placement import GUIDE, OTHER, TERMINAL, WIDE, WINDOWS, Needs, put
+from day6_tui.tui.splits import Extent, Place, Tree
+from day6_tui.tui.tabs import Tab, tab_pieces
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.welcome import WelcomePane
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
 
 class _DesktopLayout(Layout):
-    """Places every pane as the desktop's arrangement says; a pane that is behind another gets no place."""
+    """Places every pane as the desktop's tree says; a pane that is behind another gets no place."""
 
     name = "desktop"
 
@@ -29,19 +35,10 @@ class _DesktopLayout(Layout):
         found = parent.plan(size.width, size.height)
         placements = []
         for child in children:
-            if isinstance(child, Overlay):
-                over = child.place(_column_for_overlays(found, size))
-                placements.append(WidgetPlacement(Region(*over), NULL_OFFSET, NULL_SPACING, child))
-                continue
-            place = found.terminal if child is parent.terminals else found.windows.get(_number_of(child))
+            place = found.places.get(child.slot) if isinstance(child, Pane) and parent.holds(child) else None
             if place is not None:
                 placements.append(WidgetPlacement(Region(*place), NULL_OFFSET, NULL_SPACING, child))
         return placements
-
-
-def _number_of(widget: Widget) -> int:
-    """The window number of a window's pane, or of the pane that replaces it; -1 for others."""
-    return widget.number if isinstance(widget, (WindowPane, WelcomePane)) else -1
 
 
 def _pane_of(widget: Widget) -> Pane | None:
@@ -49,40 +46,47 @@ def _pane_of(widget: Widget) -> Pane | None:
     return next((found for found in widget.ancestors_with_self if isinstance(found, Pane)), None)
 
 
-def _column_for_overlays(found: Arrangement, size: Size) -> Place:
-    """The part of the desktop that an overlay may cover: one column of panes.
-
-    Textual cuts every line at the edges of all widgets on it, also of those below, and a Chinese character that is cut is lost.
-    """
-    places = list(found.windows.values())
-    if found.terminal is None or not places or found.terminal.x == places[0].x:
-        return Place(0, 0, size.width, size.height)
-    return Place(places[0].x, 0, places[0].width, size.height)
-
-
 class Desktop(PaneHost):
-    """Owns the panes, the last used window and what is enlarged; the windows themselves belong to the display."""
+    """Owns the panes, the tree of their places and what is enlarged; windows belong to the display, terminals to the desk."""
 
-    DEFAULT_CSS = "Desktop { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
+    DEFAULT_CSS = "Desktop { width: 1fr; height: 1fr; overflow: hidden; }"
 
     BLANK = True  # the panes cover it
 
-    def __init__(self, look: Look, terminals: TerminalPane, welcome: WelcomePane) -> None:
-        super().__init__(terminals, welcome, id="desktop")
+    class ListAsked(Message):
+        """The user wants to see all panes."""
+
+    class Dragging(Message):
+        """A pane is over a place where it can be dropped."""
+
+        def __init__(self, pane: Pane, target: Pane, side: str) -> None:
+            super().__init__()
+            self.pane = pane
+            self.target = target
+            self.side = side
+
+    def __init__(self, look: Look, welcome: WelcomePane) -> None:
+        super().__init__(welcome, id="desktop")
         self._layout_of_panes = _DesktopLayout()
         self.look = look
-        self.terminals = terminals
         self.welcome = welcome
+        self.split_tree = Tree()
+        self.slots: dict[int, Pane] = {}
+        """All panes by their number, the guide included while it has a place."""
         self.panes: dict[int, WindowPane[object]] = {}
         """The panes of the open windows, by window number, oldest first."""
-        self.active: int | None = None
-        """The window used last."""
-        self.enlarged: str | None = None
-        self.share = 0.5
+        self.recent: list[int] = []
+        """The numbers of all panes, the one used last first."""
+        self.enlarged = False
+        """Whether the focused pane fills the desktop."""
         self.guided = True
-        """Whether the welcome pane is shown while there are no windows."""
-        self.guide_yields = False
-        """On a small screen the guide makes room for terminals whose text no longer fits, while they have the focus."""
+        """Whether the guide is shown beside a terminal that is alone."""
+        self._guide_yields = False
+        """On a small screen the guide makes room for a terminal whose text no longer fits."""
+        self._last_focus: Pane | None = None
+        self._mouse = FrameMouse(self)
+        self._planned: tuple[Size, splits.Layout] | None = None
+        """The places at a size, until something changes."""
 
     @property
     def layout(self) -> Layout:
@@ -90,119 +94,251 @@ class Desktop(PaneHost):
 
     # -- what is shown -------------------------------------------------------------------------------------------------
 
-    @property
-    def numbers(self) -> list[int]:
-        """The numbers of the windows, the welcome pane's if there is none."""
-        return list(self.panes) or ([WelcomePane.number] if self.guided else [])
+    def holds(self, pane: Pane) -> bool:
+        return self.slots.get(pane.slot) is pane
 
-    def plan(self, width: int, height: int) -> Arrangement:
-        terminal_focused = self.terminals.has_focus or self._lately_terminal
-        yields = self.guide_yields and not self.panes and terminal_focused and width < WIDE
-        return arrange(
-            width,
-            height,
-            [] if yields else self.numbers,
-            self.active,
-            enlarged=self.enlarged,
-            terminal_focused=terminal_focused,
-            share=self.share,
-        )
+    def terminals(self) -> Iterator[TerminalPane]:
+        """The panes of the terminals, by their numbers."""
+        return (pane for _, pane in sorted(self.slots.items()) if isinstance(pane, TerminalPane))
 
-    @property
-    def _lately_terminal(self) -> bool:
-        # While an overlay has the focus the pane below it stays where it is.
-        return self._last_focus is self.terminals
+    def plan(self, width: int, height: int) -> splits.Layout:
+        """The places of the panes at a size."""
+        if self._planned is None or self._planned[0] != (width, height):
+            self._planned = Size(width, height), self._plan(width, height)
+        return self._planned[1]
 
-    _last_focus: Pane | None = None
+    def _plan(self, width: int, height: int) -> splits.Layout:
+        self._turn_guide(width)
+        focused = self.focused_pane
+        if self.enlarged and focused is not None and self.holds(focused):
+            stack = self.split_tree.stack_of(focused.slot)
+            return splits.Layout({focused.slot: Place(0, 0, width, height)}, {focused.slot: list(stack.keys)})
+        return self.split_tree.lay_out(width, height, lambda slot: self.needs(slot).good, self.recent)
+
+    def plan_now(self) -> splits.Layout:
+        return self.plan(*self.size)
 
     def shown(self) -> list[Pane]:
         """The visible panes."""
-        found = self.plan(*self.size)
-        panes: list[Pane] = [self.terminals] if found.terminal is not None else []
-        for number in found.windows:
-            pane = self.pane(number)
-            if pane is not None:
-                panes.append(pane)
-        return panes
+        return [self.slots[slot] for slot in self.plan_now().places]
 
-    def pane(self, number: int) -> Pane | None:
-        """The pane of a window, or the welcome pane for its number."""
-        return self.welcome if number == WelcomePane.number and not self.panes else self.panes.get(number)
+    def is_shown(self, pane: Pane) -> bool:
+        return self.holds(pane) and pane.slot in self.plan_now().places
 
-    def hidden_windows(self) -> list[WindowPane[object]]:
-        """The hidden windows: their names are shown on the frames of other panes."""
-        places = self.plan(*self.size).windows
-        return [pane for number, pane in self.panes.items() if number not in places]
+    def needs(self, slot: int) -> Needs:
+        """What a pane needs to be useful."""
+        pane = self.slots.get(slot)
+        if isinstance(pane, TerminalPane):
+            return TERMINAL
+        return WINDOWS.get(pane.window.kind, OTHER) if isinstance(pane, WindowPane) else GUIDE
 
-    # -- windows come and go -------------------------------------------------------------------------------------------
+    def tabs(self, pane: Pane, room: int) -> list[Piece]:
+        """The names of the panes that share a place with `pane`, its own among them."""
+        keys = self.plan_now().stacks.get(pane.slot, [pane.slot])
+        beside = [self.slots[key] for key in keys if key in self.slots]
+        if pane not in beside:
+            return []
+        tabs = [
+            Tab(
+                str(each.slot) if each.slot else "",
+                each.label,
+                each.has_news and each is not pane,
+                partial(self.focus_pane, each),
+            )
+            for each in beside
+        ]
+        return tab_pieces(
+            self.look, tabs, beside.index(pane), focused=pane.has_focus_within, room=room, list_all=self._ask_for_list
+        )
+
+    def more(self, pane: Pane) -> list[Piece]:
+        """How many panes an enlarged one covers."""
+        if not self.enlarged:
+            return []
+        covered = len(self.slots) - sum(map(len, self.plan_now().stacks.values()))
+        return [Piece(f" +{covered} ", self.look.colours.title, self._ask_for_list)] if covered else []
+
+    def _ask_for_list(self) -> None:
+        self.post_message(self.ListAsked())
+
+    # -- panes come and go ---------------------------------------------------------------------------------------------
+
+    def add(self, pane: Pane, *, beside: Pane | None = None, side: str = "", takes_focus: bool = False) -> None:
+        """Show a new pane at a `side` of another one, or where most of all panes is seen."""
+        pane.slot = next(number for number in range(1, len(self.slots) + 2) if number not in self.slots)
+        self.slots[pane.slot] = pane
+        keyboard = self.focused_pane
+        self.recent.insert(0 if takes_focus or not self.recent else 1, pane.slot)
+        self._settle_guide()
+        if beside is not None and self.holds(beside):
+            self.split_tree.add(pane.slot, beside.slot, side)
+        else:
+            slot = keyboard.slot if keyboard is not None else None
+            put(self.split_tree, pane.slot, Extent(*self.size), self.needs, self.recent, keyboard=slot)
+            if not takes_focus and keyboard is not None and self.holds(keyboard):
+                self.split_tree.bring_to_front(keyboard.slot)  # where there was no other place
+        self._settle_guide()
+        if not pane.is_attached:
+            self.mount(pane)
+        self.rearrange()
+
+    def close_guide(self) -> None:
+        """The guide is not wanted any more."""
+        self.guided = False
+        self._settle_guide()
+        if (heir := self._heir()) is not None:
+            self.focus_pane(heir)
+
+    def drop(self, pane: Pane) -> None:
+        """Take a pane away; if it had the keyboard, the one used before gets it."""
+        if not self.holds(pane):
+            return
+        had_keyboard = self.focused_pane is pane
+        self._take_out(pane)
+        pane.remove()
+        if had_keyboard:
+            self.enlarged = False
+        self._settle_guide()
+        if had_keyboard and (heir := self._heir()) is not None:
+            self.focus_pane(heir)
+        self.rearrange()
+
+    def _take_out(self, pane: Pane) -> None:
+        """Forget the place of a pane."""
+        self.split_tree.remove(pane.slot)
+        del self.slots[pane.slot]
+        self.recent.remove(pane.slot)
+        self._planned = None
+
+    def _heir(self) -> Pane | None:
+        """Who gets the keyboard when its owner has gone: the visible pane used last."""
+        shown = self.plan_now().places
+        return next((self.slots[slot] for slot in self.recent if slot in shown), None)
 
     def show_windows(self, windows: list[Window[object]]) -> list[WindowPane[object]]:
-        """Make the panes agree with the display's list; return the new ones that do not fit beside the terminal."""
-        unseen: list[WindowPane[object]] = []
+        """Make the panes agree with the display's list; return the new ones that have no place of their own."""
         open_numbers = {window.number for window in windows}
-        focused_gone = False
         for number in [number for number in self.panes if number not in open_numbers]:
-            pane = self.panes.pop(number)
-            focused_gone = focused_gone or self.focused_pane is pane
-            pane.remove()
+            self.drop(self.panes.pop(number))
+        unseen: list[WindowPane[object]] = []
         for window in windows:
             if window.number not in self.panes:
                 pane = make_window(window, self.look)
                 self.panes[window.number] = pane
-                self.active = window.number
-                self.mount(pane)
-                if pane.takes_focus or self._covers_the_focus():
+                self.add(pane)
+                if pane.takes_focus:
                     self.call_after_refresh(self.focus_pane, pane)
-                elif pane.number not in self.plan(*self.size).windows:
+                elif not self.is_shown(pane):
                     unseen.append(pane)
-        if self.active not in self.panes:
-            self.active = next(reversed(self.panes), WelcomePane.number)
-            if self.enlarged == "window":
-                self.enlarged = None
-        self.welcome.display = not self.panes and self.guided
-        if focused_gone:
-            self.focus_pane(self.terminals)
-        self.rearrange()
         return unseen
-
-    def yield_to_full_terminals(self) -> None:
-        """Let the guide (not the choices of the start) make room once something has scrolled out of a terminal."""
-        if not self.guide_yields and self.welcome.help_key == "guide" and any(v.history for v in self.terminals.views):
-            self.guide_yields = True
-            self.rearrange()
-
-    def _covers_the_focus(self) -> bool:
-        """Whether the window opened last covers the focused one, which would then be invisible."""
-        focused = self.focused_pane
-        return isinstance(focused, WindowPane) and focused.number not in self.plan(*self.size).windows
 
     def break_window(self, pane: WindowPane[object], error: Exception) -> None:
         """Show the reason in place of a window that failed while being drawn."""
         broken = BrokenPane(pane.window, self.look, error)
-        self.panes[pane.number] = broken
+        broken.slot = pane.slot
+        self.panes[pane.window.number] = broken
+        self.slots[pane.slot] = broken
         pane.remove()
         self.mount(broken)
         self.rearrange()
+
+    def arrange_as(self, tree: Tree) -> None:
+        """Arrange the panes as in a tree; those it does not have come where most is seen."""
+        self.enlarged = False
+        for slot in list(tree.keys):
+            if slot not in self.slots:
+                tree.remove(slot)
+        for slot in [slot for slot in self.recent if slot not in tree.keys]:
+            lately = [each for each in self.recent if each in tree.keys or each == slot]
+            put(tree, slot, Extent(*self.size), self.needs, lately, keyboard=lately[0])
+        self.split_tree = tree
+        pane = self.focused_pane
+        if pane is not None:
+            tree.bring_to_front(pane.slot)
+        self.rearrange()
+
+    # -- the guide -----------------------------------------------------------------------------------------------------
+
+    def _settle_guide(self) -> None:
+        """The guide is there beside a terminal that is alone, and nowhere else."""
+        others = [pane for pane in self.slots.values() if pane is not self.welcome]
+        wanted = self.guided and len(others) == 1 and isinstance(others[0], TerminalPane)
+        there = self.holds(self.welcome)
+        if there and not wanted:
+            if self.focused_pane is self.welcome:
+                self._last_focus = others[0] if others else None
+            self._take_out(self.welcome)
+        elif wanted and not there and others[0].slot in self.split_tree.keys:
+            self._planned = None
+            self.slots[self.welcome.slot] = self.welcome
+            self.recent.append(self.welcome.slot)
+            self.split_tree.add(self.welcome.slot, others[0].slot, "tab" if self._guide_yields else "above")
+            self.split_tree.bring_to_front(others[0].slot)
+        self.welcome.display = wanted
+
+    def _turn_guide(self, width: int) -> None:
+        """The guide is on the right of its terminal if there is room, else above it."""
+        root = self.split_tree.root
+        if isinstance(root, splits.Split) and len(self.slots) == 2 and self.holds(self.welcome):
+            across = width >= WIDE
+            if root.across != across:
+                root.across, root.shares = across, None
+                root.parts.reverse()
+
+    def yield_to_full_terminals(self) -> None:
+        """On a small screen the guide (not the choices of the start) makes room once text has scrolled out of its terminal."""
+        if self._guide_yields or self.size.width >= WIDE or not self.holds(self.welcome):
+            return
+        if self.welcome.guide and (terminal := next(self.terminals(), None)) is not None and terminal.view.history:
+            self._guide_yields = True
+            self.split_tree.move(self.welcome.slot, terminal.slot, "tab")
+            self.split_tree.bring_to_front(self.focused_pane.slot if self.focused_pane is not None else terminal.slot)
+            self.rearrange()
 
     # -- focus and size ------------------------------------------------------------------------------------------------
 
     def rearrange(self) -> None:
         """Lay out the panes again."""
+        self._planned = None
         # Asked of a child: a widget's own arrangement is only forgotten when a child's layout changes.
-        self.terminals.refresh(layout=True)
-        for pane in (self.terminals, self.welcome, *self.panes.values()):
+        self.welcome.refresh(layout=True)
+        for pane in (self.welcome, *self.slots.values()):
             pane.touch()
+        self._tell_sizes_of_hidden()
+
+    def on_resize(self) -> None:
+        self._tell_sizes_of_hidden()
+
+    def _tell_sizes_of_hidden(self) -> None:
+        """A terminal behind another one has its size, so that nothing moves when it comes to the front."""
+        if self.enlarged or not self.size.width:
+            return
+        found = self.plan_now()
+        for front, keys in found.stacks.items():
+            for key in keys:
+                pane = self.slots.get(key)
+                if key != front and isinstance(pane, TerminalPane):
+                    pane.take_size(found.places[front])
 
     def focus_pane(self, pane: Pane) -> None:
-        """Focus a pane and bring it to the front; an overlay over another pane is closed."""
-        self.drop_overlay()
-        self._last_focus = pane
-        if isinstance(pane, (WindowPane, WelcomePane)):
-            self.active = pane.number
-        if self.enlarged is not None:
-            self.enlarged = "terminal" if pane is self.terminals else "window"
-        self.rearrange()
+        """Focus a pane and bring it to the front; a modal screen over another pane is closed."""
+        self._note_focus(pane)
+        self.close_overlay()
         self.give_keyboard(pane)
+
+    def bring_to_front(self, pane: Pane) -> None:
+        """Show a pane that is behind another one, without giving it the keyboard."""
+        if self.holds(pane):
+            self.split_tree.bring_to_front(pane.slot)
+            self.rearrange()
+
+    def _note_focus(self, pane: Pane) -> None:
+        self._last_focus = pane
+        if self.holds(pane):
+            self.split_tree.bring_to_front(pane.slot)
+            self.recent.remove(pane.slot)
+            self.recent.insert(0, pane.slot)
+        self.rearrange()
 
     def give_keyboard(self, pane: Pane) -> None:
         """Focus a pane at once: with `Widget.focus`, quick keys meant for `pane` would still go to another one."""
@@ -215,45 +351,49 @@ class Desktop(PaneHost):
     def keep_keyboard(self) -> None:
         """Called before a key: if nothing, or something removed, has the focus, focus the pane that should have it.
 
-        Textual gives it back to an overlay that was closed in the meantime when the terminal has lost and won the focus.
+        Textual leaves it so when the terminal has lost and won the focus while a modal screen was opened or closed.
         """
-        if not self.is_attached:
+        if not self.is_attached or self.overlay is not None:
             return
         focused = self.screen.focused
-        if focused is None or not focused.is_attached or (isinstance(focused, Overlay) and focused is not self.overlay):
-            self.give_keyboard(self.focused_pane if self.overlay is None else self.overlay)
+        lost = focused is None or not focused.is_attached or focused.screen is not self.screen
+        if lost and (target := self.focused_pane) is not None:
+            self.give_keyboard(target)
 
     @property
-    def focused_pane(self) -> Pane:
-        """The pane that has the focus, or had it before an overlay."""
+    def focused_pane(self) -> Pane | None:
+        """The pane that has the focus, or had it before a modal screen was opened; None before there is one."""
         last = self._last_focus
-        return last if last is not None and last.is_attached else self.terminals
+        if last is not None and self.holds(last):
+            return last
+        return next((self.slots[slot] for slot in self.recent), None)
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         pane = _pane_of(event.widget)
-        if pane is None or isinstance(pane, Overlay) or pane is self._last_focus:
+        if pane is None or pane is self._last_focus:
             return
         if event.widget is not self.screen.focused:
             return  # quick keys: the news of one pane may come when the next already has the focus
-        self._last_focus = pane
-        if isinstance(pane, (WindowPane, WelcomePane)):
-            self.active = pane.number
-        self.rearrange()
+        self._note_focus(pane)
+
+    # -- the mouse on frames -------------------------------------------------------------------------------------------
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        self._mouse.press(event)
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        if (falling := self._mouse.drag(event)) is not None:
+            self.post_message(self.Dragging(*falling))
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        self._mouse.release(event)
+
+    @on(Pane.Enlarged)
+    def enlarge(self, event: Pane.Enlarged) -> None:
+        self.focus_pane(event.pane)
+        self.toggle_enlarged()
 
     def toggle_enlarged(self) -> None:
         """Make the focused pane fill the desktop, or put it back."""
-        if self.enlarged is not None:
-            self.enlarged = None
-        else:
-            self.enlarged = "terminal" if self.focused_pane is self.terminals else "window"
+        self.enlarged = not self.enlarged
         self.rearrange()
-
-    def tabs_beside(self, pane: Pane) -> list[Piece]:
-        """The names of the hidden windows: shown on the upper edge of the terminals and of the last used window."""
-        if isinstance(pane, WindowPane) and pane.number != self.active:
-            return []
-        colours = self.look.colours
-        return [
-            Piece(f" {hidden.label} ", colours.title, partial(self.focus_pane, hidden))
-            for hidden in self.hidden_windows()
-        ]

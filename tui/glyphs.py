@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 CANVASES = ("half", "braille", "cell", "ascii")
+PIXELS = "pixels"
+"""The set for terminals that show real pixels, once they have said so (tui/pixels); what is not drawn so has half blocks."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,7 @@ _ASCII_SYMBOLS = {
 }  # fmt: skip
 
 GLYPH_SETS: dict[str, GlyphSet] = {
+    PIXELS: GlyphSet(PIXELS, "half", ROUND, HEAVY, **_SYMBOLS),  # type: ignore[arg-type]
     "half": GlyphSet("half", "half", ROUND, HEAVY, **_SYMBOLS),  # type: ignore[arg-type]
     "braille": GlyphSet("braille", "braille", ROUND, HEAVY, **_SYMBOLS),  # type: ignore[arg-type]
     "cell": GlyphSet("cell", "cell", SINGLE, DOUBLE, **_CONSOLE_SYMBOLS),  # type: ignore[arg-type]
@@ -124,7 +127,7 @@ def detect(environ: Mapping[str, str] | None = None, platform: str = sys.platfor
 
 
 def choose(name: str | None, environ: Mapping[str, str] | None = None) -> GlyphSet:
-    """The glyph set called `name` (any of `CANVASES`), or the detected one for None and 'auto'.
+    """The glyph set called `name` (`PIXELS` or any of `CANVASES`), or the detected one for None and 'auto'.
 
     Raises KeyError for another name.
     """

@@ -1,6 +1,9 @@
-"""The help page (F1) and the command palette, both made from the table of actions."""
+"""The manual (F1) and the command palette, both made from the table of actions."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
 
 from day6_tui.tui.actions import ACTIONS, Actions, Handlers
 from day6_tui.tui.desktop import Desktop
@@ -8,10 +11,23 @@ from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.look import Look
 
 
-class Guidance:
-    """Opens the help and the palette over the desktop."""
+def programs() -> Iterator[tuple[str, str]]:
+    """Names of the programs that come with the desktop, and the commands that start them."""
+    from day6_tui.core.ros.program_index import COMMANDS, executables, packages
 
-    def __init__(self, desktop: Desktop, registry: Actions, look: Look) -> None:
+    yield from ((command, command) for command in COMMANDS if command.startswith(("rqt", "rviz")))
+    known = set(COMMANDS.values())
+    for package in packages():
+        for executable in executables(package):
+            if (package, executable) not in known:
+                yield f"{package} {executable}", f"ros2 run {package} {executable}"
+
+
+class Guidance:
+    """Opens them over the desktop."""
+
+    def __init__(self, desktop: Desktop, registry: Actions, look: Look, run: Callable[[str], None]) -> None:
+        self._run = run
         self._desktop = desktop
         self._registry = registry
         self._look = look
@@ -20,22 +36,35 @@ class Guidance:
         return {"help": self.toggle_help, "palette": self.open_palette}
 
     def toggle_help(self) -> None:
-        from day6_tui.tui.help import HelpOverlay
+        from day6_tui.tui.manual import Manual
 
-        if isinstance(self._desktop.overlay, HelpOverlay):
+        if isinstance(self._desktop.overlay, Manual):
             self._desktop.close_overlay()
-        else:
-            self._desktop.open_overlay(HelpOverlay(self._look, self._desktop.focused_pane))
+        elif (pane := self._desktop.focused_pane) is not None:
+            self._desktop.open_overlay(Manual(self._look, pane, self._keys_everywhere()))
+
+    def _keys_everywhere(self) -> list[tuple[str, str]]:
+        texts = self._look.texts
+        found = [
+            (action.label, texts("list.head", name=texts(f"action.{action.id}")) + texts(f"help.action.{action.id}"))
+            for action in ACTIONS
+            if action.label
+        ]
+        return [
+            *found,
+            *((key, what) for key, _, what in (line.partition("\t") for line in texts("help.panes").split("\n"))),
+        ]
 
     def open_palette(self) -> None:
-        """Offer every action of the desktop, searchable by its name in either language."""
+        """Offer every action of the desktop, searchable by its name in either language, and every program."""
         from day6_tui.tui.menu import Entry, Menu
 
         texts, entries = self._look.texts, []
         for action in ACTIONS:
-            if action.palette:
+            if action.palette and (action.id != "language" or self._look.glyphs.chinese):
                 key = f"action.{action.id}"
                 names = [catalogue(language)[key] for language in LANGUAGES]
                 choose = self._registry[action.id]
                 entries.append(Entry(texts(key), action.label, choose, also=names, words=texts("help." + key)))
+        entries += [Entry(name, texts("menu.program"), partial(self._run, command)) for name, command in programs()]
         self._desktop.open_overlay(Menu(self._look, "menu.palette", entries))

@@ -32,7 +32,8 @@ class KeyLine:
             return [Piece(f" {self._notices.text} ", look.colours.hint)], []
         if self._scenes.player is not None:
             return [Piece(f" {texts('bar.playing')} ", look.colours.hint)], []
-        keys = [KeyHint(key, name) for key, name in self._desktop.focused_pane.key_hints()]
+        pane = self._desktop.focused_pane
+        keys = [KeyHint(key, name) for key, name in pane.key_hints()] if pane is not None else []
         for action in bar_actions():
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
             keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))

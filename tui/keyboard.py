@@ -10,16 +10,19 @@ import codecs
 import logging
 import re
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, cast
 
 from rich.text import Text
 from textual import constants, events
+from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 from textual._parser import ParseTimeout
 from textual._time import get_time
 from textual._xterm_parser import BRACKETED_PASTE_END, BRACKETED_PASTE_START, XTermParser
 from textual.app import App
 from textual.driver import Driver
 from textual.message import Message
+
+from day6_tui.tui.pixels import ask
 
 LARGEST_WINDOW = 4096
 """More columns or rows than this in a report of the terminal are nonsense."""
@@ -32,7 +35,15 @@ _ENDLESS = re.compile(r"\x1b\[[0-?]{32,}")
 """Longer than any control sequence; Textual would type it as text."""
 
 _REST_OF_IT = re.compile(r"[0-?]*[ -/]*[@-~]?")
+_ALT_KEY = re.compile(r"\x1b[^\x00-\x20\x7fNOPX\[\\\]^_]")
+"""Alt and a character that begins no longer sequence."""
+
 _HIGH = re.compile(rb"[\x80-\xff]+")
+
+
+for _key in "1234567890-=":
+    # Textual types what macOS's keyboard has there (£ for Alt+3), also where Alt is Alt; here these keys go to panes.
+    cast("dict[str, object]", ANSI_SEQUENCES_KEYS).pop(f"\x1b{_key}", None)
 
 
 class BadInput(Message):
@@ -131,12 +142,18 @@ class KeyboardParser(XTermParser):
             before, found, rest = data.partition(mark)
             if not found:
                 before, self._held = _without_beginning_of(mark, before)
+            if not found and self._paste is None:
+                whole = before + self._held
+                end = min(len(before), ask.beginning(whole))
+                before, self._held = whole[:end], whole[end:]
             if self._paste is not None:
                 self._paste.append(before)
                 if found:
                     yield from self._end_paste()
             else:
-                before = self._without_endless(before)
+                for answer in ask.ANSWER.findall(before):
+                    yield ask.Answered(answer)
+                before = self._without_endless(ask.ANSWER.sub("", before))
                 if before:
                     yield from super().feed(before)
                 if found:
@@ -170,7 +187,10 @@ class KeyboardParser(XTermParser):
                 parts, self._paste = self._paste, []
                 yield events.Paste("".join(parts).replace("\x00", ""))
             return
-        if self._held and waited > constants.ESCAPE_DELAY:
+        if ask.is_certain(self._held):
+            if waited > SILENCE:
+                self._held = ""  # the rest of an answer was lost, and it is not a key
+        elif self._held and waited > constants.ESCAPE_DELAY:
             held, self._held = self._held, ""
             yield from super().feed(held)
             yield from self._finish_key()
@@ -199,9 +219,19 @@ class KeyboardParser(XTermParser):
 
     def _sequence_to_key_events(self, sequence: str, alt: bool = False) -> Iterable[events.Key]:
         try:
-            return list(super()._sequence_to_key_events(sequence, alt))
+            found = list(super()._sequence_to_key_events(sequence, alt))
+            if not found and _ALT_KEY.fullmatch(sequence):
+                # At once: followed by another key's ESC, Textual would type ^ and the character.
+                alt, found = True, list(super()._sequence_to_key_events(sequence[1:], True))
         except (ValueError, OverflowError):  # a number that is no character
             return []
+        # Textual forgets Alt with signs: Alt+. would type a full stop.
+        return [
+            events.Key(f"alt+{each.key}", each.character)
+            if alt and each.is_printable and "alt" not in each.key.split("+")
+            else each
+            for each in found
+        ]
 
 
 def _without_beginning_of(mark: str, text: str) -> tuple[str, str]:

@@ -1,11 +1,20 @@
-"""Leaving the desktop: not before the user knows what would be lost."""
+"""Leaving the desktop: not before the user knows what would be lost or ended."""
 
 from __future__ import annotations
 
 from textual.app import App
 
+from day6_tui.tui.cells import clip
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
+from day6_tui.tui.modal import Modal
+from day6_tui.tui.terminal_view import tab_name
+from day6_tui.tui.windows import WindowPane
+
+NAME_WIDTH = 40
+"""Cells for the name of a program that still runs."""
+
+MOST_NAMES = 6
 
 
 class Leaving:
@@ -15,22 +24,50 @@ class Leaving:
         self._app = app
         self._desktop = desktop
         self._look = look
+        self._asked: Modal | None = None
+        """The question whether to end what runs."""
 
     def lost(self) -> list[str]:
         """What the windows cannot keep if the desktop ends now, each with the reason."""
         return [lost for pane in self._desktop.panes.values() if (lost := pane.loses_at_the_end())]
 
+    def running(self) -> list[str]:
+        """The programs that run in the terminals, by their short names."""
+        panes = [pane for pane in self._desktop.terminals() if pane.has_terminal]
+        commands = [command for pane in panes for command in pane.view.terminal.running]
+        return [clip(tab_name(command), NAME_WIDTH) for command in commands]
+
+    def press_quit(self) -> None:
+        """^Q: a window with a file closes its file; anywhere else it ends the desktop."""
+        pane = self._desktop.focused_pane
+        if self._desktop.overlay is None and isinstance(pane, WindowPane) and pane.closes_on_quit:
+            pane.close()
+        else:
+            self.quit()
+
     def quit(self) -> None:
-        """End the desktop; ask first if a text would be lost because there is no room for a copy of it."""
-        lost = self.lost()
-        if not lost:
+        """End the desktop. Ask first if a text would be lost because there is no room for a copy of it, or programs run.
+
+        Asked a second time while that question is open, it ends the programs.
+        """
+        lost, running = self.lost(), self.running()
+        asked_twice = self._asked is not None and self._desktop.overlay is self._asked
+        if not lost and (not running or asked_twice):
             self._app.exit()
             return
-        from day6_tui.tui.prompt import Question
+        from day6_tui.tui.question import Answer, Question
 
         texts = self._look.texts
-        title = texts("quit.lost", what="; ".join(lost))
-        self._desktop.open_overlay(Question(self._look, texts("quit.title"), title, {"y": self._app.exit}))
+        if lost:
+            title, text, yes = texts("quit.title"), texts("quit.lost", what="; ".join(lost)), texts("quit.anyway")
+        else:
+            names = texts("list.comma").join(running[:MOST_NAMES])
+            more = texts("quit.more", count=len(running) - MOST_NAMES) if len(running) > MOST_NAMES else ""
+            text = texts("quit.runs" if len(running) == 1 else "quit.run", what=names + more)
+            title, yes = texts("quit.running"), texts("quit.end")
+        question = Question(self._look, title, text, [Answer("y", yes, self._app.exit)], careful=bool(lost))
+        self._asked = None if lost else question
+        self._desktop.open_overlay(question)
 
     def end_by_signal(self) -> None:
         """End after a closed terminal or `kill`: the user cannot be asked, but what is lost is reported."""

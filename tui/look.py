@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from day6_tui.tui.colours import Colours
 from day6_tui.tui.glyphs import GlyphSet
 from day6_tui.tui.locale import Texts
+
+if TYPE_CHECKING:
+    from day6_tui.tui.pixels.pictures import Pictures
 
 
 @dataclass
@@ -20,3 +24,15 @@ class Look:
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
     """Requests a frame: for panes whose size or state the user changed."""
+    pictures: Pictures | None = None
+    """What writes pictures of real pixels, where the application has a terminal."""
+
+    @property
+    def pixels(self) -> Pictures | None:
+        """The same while panes should draw with pixels, else None."""
+        return self.pictures if self.pictures is not None and self.pictures.on else None
+
+    @property
+    def has_shades(self) -> bool:
+        """Whether the terminal has more than the sixteen colours of its own, or any at all."""
+        return not self.colours.colourless and self.colours.name != "sixteen"

@@ -61,6 +61,10 @@ class Machine:
         there = self.desk is not None and (self.desk.home / model.name).exists()
         return {"robot": f"~/{model.name}", "fetch": "" if there else f"cp {shlex.quote(str(model))} ~"}
 
+    def own_file(self, name: str) -> Path | None:
+        """The file with this name in which the desktop keeps something in the home folder; None before there is one."""
+        return self.desk.home / ".config" / "day6-tui" / name if self.desk is not None else None
+
     def hurry(self) -> None:
         """Make `close` stop waiting for programs. Any thread; before `close` or while it runs."""
         if self.desk is not None and self._given is None:

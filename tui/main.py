@@ -11,110 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    import argparse
-
     from day6_tui.core.session.local import Foreground
-
-_DESCRIPTION = "ROS 2 for people who have no ROS 2. Without a command, opens the desktop."
-_COMMANDS = """\
-commands:
-  shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
-  exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
-  python FILE [ARG ...]       run a Python file unmodified as a ROS program
-  ros2 ...                    the ros2 command, on the graph of this machine
-  colcon ...                  build a workspace
-  rviz2                       the robot in 3-D; a window takes this terminal
-  rqt, rqt_graph, rqt_console, rqt_plot, rqt_topic
-                              the windows of rqt
-  check_urdf FILE             check a robot description
-  urdf_to_graphviz FILE       draw a robot description
-  xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
-  export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
-  env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE
-
-day6-tui COMMAND --help says more."""
-
-
-def build_parser() -> argparse.ArgumentParser:
-    """The options of the desktop."""
-    import argparse
-    from pathlib import Path
-
-    parser = argparse.ArgumentParser(
-        prog="day6-tui",
-        description=_DESCRIPTION,
-        epilog=_COMMANDS,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument(
-        "--scene", choices=("turtle", "car", "world", "empty"), help="what to begin with (default: the welcome choices)"
-    )
-    parser.add_argument("--robot", metavar="FILE", help="a URDF file of your own instead of the shipped car")
-    parser.add_argument("--lang", choices=("zh", "en"), help="language of the screen (default: that of the system)")
-    parser.add_argument(
-        "--glyphs",
-        choices=("half", "braille", "cell", "ascii"),
-        help="what pictures are drawn with (default: by terminal)",
-    )
-    parser.add_argument("--fps", type=_frame_rate, metavar="N", help="most frames a second (default: 30)")
-    parser.add_argument("--reduced-motion", action="store_true", help="no pulses and no animation")
-    parser.add_argument("--home", type=Path, metavar="DIR", help="the folder that is ~ in the terminals")
-    parser.add_argument(
-        "--listen",
-        type=partial(_endpoint, listening=True),
-        metavar="ENDPOINT",
-        help="let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command",
-    )
-    parser.add_argument(
-        "--connect",
-        type=partial(_endpoint, listening=False),
-        metavar="ENDPOINT",
-        help="join another machine, e.g. tcp/192.168.1.5:7447",
-    )
-    parser.add_argument(
-        "--secret",
-        type=_secret,
-        metavar="FILE|WORD",
-        help="what the machines of --listen and --connect must have in common: better a file that only you can read "
-        "(chmod 600) than a word, which every user of this machine can see in the list of processes",
-    )
-    parser.add_argument("--version", action="store_true", help="print the version and exit")
-    return parser
-
-
-def _frame_rate(text: str) -> float:
-    try:
-        rate = float(text)
-    except ValueError:
-        rate = 0.0
-    if not 1 <= rate <= 120:
-        import argparse
-
-        raise argparse.ArgumentTypeError(f"'{text}' is no number from 1 to 120")
-    return rate
-
-
-def _endpoint(text: str, *, listening: bool) -> str:
-    import argparse
-
-    from day6_tui.core.link.addresses import address_of
-
-    try:
-        address_of(text, listening=listening)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
-    return text
-
-
-def _secret(text: str) -> str:
-    import argparse
-
-    from day6_tui.core.link.secret import secret_of
-
-    try:
-        return secret_of(text)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -129,10 +26,15 @@ def main(arguments: list[str] | None = None) -> int:
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:
         return command(words[1:])
+    from day6_tui.tui.command_line import build_parser, language_of
+    from day6_tui.tui.locale import Texts
+
+    language = language_of(words)
+    texts = Texts(language)
     if words and not words[0].startswith("-"):
-        print(f"day6-tui: there is no command '{words[0]}'; day6-tui --help lists them", file=sys.stderr)
+        print(f"day6-tui: {texts('cli.no_command', name=words[0])}", file=sys.stderr)
         return 2
-    parser = build_parser()
+    parser = build_parser(language)
     options = parser.parse_args(words)
     if options.secret is not None and not (options.listen or options.connect):
         parser.error("argument --secret: needs --listen or --connect")
@@ -142,7 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"day6-tui {version('day6-tui')}")
         return 0
     if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
-        print("day6-tui: the desktop needs a terminal; day6-tui exec runs commands without one", file=sys.stderr)
+        print(f"day6-tui: {texts('cli.no_terminal')}", file=sys.stderr)
         return 2
     from day6_tui.core.session.ending import leave
     from day6_tui.tui.app import run
@@ -261,6 +163,7 @@ def _complete(words: list[str]) -> int:
 def _own_words(words: list[str]) -> list[str]:
     """Completions for the last word after `day6-tui`: commands and options; nothing where a file is expected."""
     from day6_tui.core.ros.program_index import COMMANDS
+    from day6_tui.tui.command_line import build_parser
 
     options = build_parser()._option_string_actions
     option = options.get(words[-2]) if len(words) > 1 else None

@@ -1,22 +1,27 @@
-"""A list to choose from, searched by typing: the command palette and the list of windows."""
+"""A list to choose from, searched by typing: the command palette, the list of windows, RViz's displays."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rich.segment import Segment
-from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.strip import Strip
+from textual.style import Style
+from textual.visual import RenderOptions, Visual
+from textual.widget import Widget
 
 from day6_tui.tui.cells import cell_len, clip, fit
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import Overlay
-from day6_tui.tui.pane import Piece
+from day6_tui.tui.modal import Modal, plain
 
 if TYPE_CHECKING:
     from textual.fuzzy import FuzzySearch
+    from textual.widgets import OptionList
 
 
 class Entry(NamedTuple):
@@ -34,6 +39,19 @@ class Entry(NamedTuple):
 
 MOST_WAYS = 10_000
 """FuzzySearch looks at every way in which letters can stand in a name; that of a topic may be anybody's."""
+
+
+def ranked(entries: Sequence[Entry], typed: str) -> list[Entry]:
+    """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word in
+    their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
+    words = typed.lower().split()
+    if not words:
+        return list(entries)
+    from textual.fuzzy import FuzzySearch  # not before somebody searches
+
+    search = FuzzySearch()
+    found = [(rank, at) for at, each in enumerate(entries) if (rank := _rank(each, words, search)) is not None]
+    return [entries[at] for _, at in sorted(found)]
 
 
 def _is_quick(letters: str, name: str) -> bool:
@@ -58,123 +76,141 @@ def _rank(entry: Entry, typed: Sequence[str], search: FuzzySearch) -> tuple[int,
     return (fits.index(True), -score) if any(fits) else None
 
 
-class Menu(Overlay):
-    """Shows `entries`; typing narrows them, Enter chooses."""
+class Row(Visual):
+    """An entry as Textual draws it in a list: the name at the left, the note at the right end."""
 
-    def __init__(self, look: Look, title: str, entries: Sequence[Entry], *, chosen: int = 0) -> None:
-        super().__init__(look)
-        self._title = title
+    def __init__(self, entry: Entry, look: Look, options: OptionList, index: int) -> None:
+        self._entry = entry
+        self._look = look
+        self._options = options
+        self._index = index
+
+    def render_strips(self, width: int, height: int | None, style: Style, options: RenderOptions) -> list[Strip]:
+        ellipsis = self._look.glyphs.ellipsis
+        note = clip(self._entry.note, width // 2, ellipsis)
+        size = cell_len(note) + 2 if note else 1
+        marker = (
+            self._look.glyphs.marker if self._options.highlighted == self._index else " "
+        )  # for eyes without colour
+        name = fit(f" {marker} {self._entry.name}", width - size, ellipsis)
+        front = style.foreground
+        faint = style if front is None or front.ansi is not None else style + Style(foreground=front.with_alpha(0.7))
+        segments = [Segment(name + " ", style.rich_style), Segment(f"{note} " if note else "", faint.rich_style)]
+        return [Strip(segments, width)]
+
+    def get_optimal_width(self, rules: Any, container_width: int) -> int:
+        return container_width
+
+    def get_minimal_width(self, rules: Any) -> int:
+        return 1
+
+    def get_height(self, rules: Any, width: int) -> int:
+        return 1
+
+
+class SearchedList(Modal):
+    """A line to type in, and a list of `entries` that it narrows; a subclass lays them out."""
+
+    def __init__(self, look: Look, title: str, keys: str, entries: Sequence[Entry]) -> None:
+        super().__init__(look, title, keys)
         self._entries = list(entries)
-        self._filter = ""
-        self._chosen = chosen
-        self._search: FuzzySearch | None = None
-        self._found: tuple[tuple[str, int], list[Entry]] = (("", -1), [])
-        """What `matches` found last, and for what: every line of the menu asks."""
+        self._matches = self._entries
+        self._typed = ""
+
+    def _make_widgets(self, placeholder: str, *, id: str | None = None) -> None:  # noqa: A002 - Textual's name
+        """Make the line and the list, which gets no keys itself."""
+        from textual.widgets import OptionList
+
+        from day6_tui.tui.line import Line
+
+        self._line = Line(self.look, placeholder=placeholder)
+        self._list = OptionList(compact=True, markup=False, id=id)
+        self._list.can_focus = False
+
+    @property
+    def keyboard(self) -> Widget:
+        return self._line
 
     def matches(self) -> list[Entry]:
-        """The entries that what was typed may mean, the likeliest first: those whose name begins so, those with such a word
-        in their name, in the note, in the explanation, and last those in whose name the letters occur in this order."""
-        key = (self._filter, len(self._entries))
-        if self._found[0] != key:
-            self._found = key, self._ranked(self._filter.lower().split())
-        return self._found[1]
+        """The entries that are shown, the likeliest first."""
+        if self._line.value != self._typed:  # keys may be quicker than Textual's news of them
+            self._typed = self._line.value
+            self._show(ranked(self._entries, self._typed), 0)
+        return self._matches
 
-    def _ranked(self, typed: Sequence[str]) -> list[Entry]:
-        if not typed:
-            return list(self._entries)
-        from textual.fuzzy import FuzzySearch  # not before somebody searches
+    def _show(self, entries: list[Entry], chosen: int) -> None:
+        self._matches = list(entries)
+        self._list.set_options([Row(entry, self.look, self._list, at) for at, entry in enumerate(entries)])
+        self._list.highlighted = min(chosen, len(entries) - 1) if entries else None
 
-        search = self._search = self._search or FuzzySearch()
-        ranked = [
-            (rank, at) for at, each in enumerate(self._entries) if (rank := _rank(each, typed, search)) is not None
-        ]
-        return [self._entries[at] for _, at in sorted(ranked)]
+    def on_input_changed(self) -> None:
+        self.matches()
 
-    def wanted_height(self, width: int) -> int:
-        return len(self._entries) + 2
+    def move(self, step: int) -> None:
+        """The next or previous entry, in a circle."""
+        if count := len(self.matches()):
+            self._list.highlighted = ((self._list.highlighted or 0) + step) % count
 
-    def title(self) -> list[Piece]:
-        return [Piece(f" {self.look.texts(self._title)} ", self.look.colours.title_focus)]
 
-    def status(self) -> list[Piece]:
-        deletable = any(entry.delete is not None for entry in self._entries)
-        keys = self.look.texts("menu.keys.close" if deletable else "menu.keys")
-        return [Piece(f" {keys} ", self.look.colours.overlay_muted)]
+class Menu(SearchedList):
+    """Shows `entries`; typing narrows them, Enter or a click chooses."""
 
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        colours, texts = self.look.colours, self.look.texts
-        if y == 0:
-            self._hits.clear()
-            if self._filter:
-                return [Segment(f" {self._filter}", colours.overlay_strong), Segment("_", colours.overlay_key)]
-            return [Segment(f" {texts('menu.filter')}", colours.overlay_muted)]
-        if y == 1:
-            return [Segment(self.look.glyphs.border.horizontal * width, colours.overlay_muted)]
-        matches = self.matches()
-        if not matches:
-            return [Segment(f" {texts('menu.none')}", colours.overlay_muted)] if y == 2 else []
-        index = y - 2 + self._first(len(matches))
-        if index >= len(matches):
-            return []
-        entry = matches[index]
-        on = index == self._chosen
-        self.add_hit(y + 1, 1, width + 1, lambda: self._choose(index))
-        marker = self.look.glyphs.marker if on else " "
-        note = clip(entry.note, width // 2)
-        name = fit(f" {marker} {entry.name}", width - cell_len(note) - 2, self.look.glyphs.ellipsis)
-        style = colours.choice if on else colours.overlay
-        return [Segment(name + "  ", style), Segment(note, style if on else colours.overlay_muted)]
+    BINDINGS = [
+        Binding("down,tab", "move(1)", show=False),
+        Binding("up,shift+tab", "move(-1)", show=False),
+        Binding("pagedown", "page(1)", show=False),
+        Binding("pageup", "page(-1)", show=False),
+    ]
 
-    def _first(self, count: int) -> int:
-        room = max(1, self.inner_height - 2)
-        return max(0, min(self._chosen - room // 2, count - room))
+    def __init__(self, look: Look, title: str, entries: Sequence[Entry], *, chosen: int = 0) -> None:
+        deletable = any(entry.delete is not None for entry in entries)
+        super().__init__(look, look.texts(title), look.texts("menu.keys.close" if deletable else "menu.keys"), entries)
+        self._chosen = chosen
+
+    def inside(self) -> ComposeResult:
+        from textual.widgets import Static
+
+        self._make_widgets(self.look.texts("menu.filter"))
+        yield self._line
+        yield self._list
+        self._nothing = Static(plain(self.look.texts("menu.none")), id="nothing")
+        yield self._nothing
+        self._show(self._entries, self._chosen)
+
+    def on_resize(self) -> None:
+        self._list.styles.height = max(1, min(len(self._entries), self.size.height - 5))
+
+    def _show(self, entries: list[Entry], chosen: int) -> None:
+        super()._show(entries, chosen)
+        self._list.display, self._nothing.display = bool(entries), not entries
+
+    def action_move(self, step: int) -> None:
+        """The next or previous entry."""
+        self.move(step)
+
+    def action_page(self, step: int) -> None:
+        """The entries of the next or previous page."""
+        if self.matches():
+            at = (self._list.highlighted or 0) + step * max(1, self._list.size.height - 1)
+            self._list.highlighted = max(0, min(len(self._matches) - 1, at))
+
+    def accept(self) -> None:
+        """Enter."""
+        if self.matches():
+            self._choose(self._list.highlighted or 0)
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        self._choose(event.option_index)
 
     def _choose(self, index: int) -> None:
-        matches = self.matches()
-        if index < len(matches):
-            self.dismiss()
-            matches[index].choose()
+        if self.is_active and index < len(self._matches):
+            self.close()
+            self._matches[index].choose()
 
-    def handle_overlay_key(self, event: events.Key) -> None:
-        count = len(self.matches())
-        if event.key in ("down", "tab"):
-            self._chosen = (self._chosen + 1) % max(1, count)
-        elif event.key in ("up", "shift+tab"):
-            self._chosen = (self._chosen - 1) % max(1, count)
-        elif event.key in ("pagedown", "end"):
-            self._chosen = max(0, count - 1)
-        elif event.key in ("pageup", "home"):
-            self._chosen = 0
-        elif event.key == "enter":
-            self._choose(self._chosen)
-            return
-        elif event.key == "delete":
-            self._delete()
-        elif event.key == "backspace":
-            self._narrow(self._filter[:-1])
-        elif event.key == "ctrl+u":
-            self._narrow("")
-        elif event.character and event.character.isprintable():
-            self._narrow(self._filter + event.character)
-        self.touch()
-
-    def _narrow(self, text: str) -> None:
-        self._filter = text
-        self._chosen = 0
-
-    def _delete(self) -> None:
-        matches = self.matches()
-        if self._chosen < len(matches) and (delete := matches[self._chosen].delete) is not None:
-            self._entries.remove(matches[self._chosen])
-            self._chosen = max(0, min(self._chosen, len(matches) - 2))
+    def delete(self) -> None:
+        """Del."""
+        matches, index = self.matches(), self._list.highlighted or 0
+        if index < len(matches) and (delete := matches[index].delete) is not None:
+            self._entries.remove(matches[index])
+            self._show([entry for entry in matches if entry is not matches[index]], index)
             delete()
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._chosen = min(max(0, len(self.matches()) - 1), self._chosen + 1)
-        self.touch()
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._chosen = max(0, self._chosen - 1)
-        self.touch()

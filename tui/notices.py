@@ -1,9 +1,11 @@
-"""The short notice in the key bar: one at a time, for a few seconds."""
+"""Notices: one at a time in the key bar, for a few seconds; what does not fit there is Textual's notification."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
+from day6_tui.tui.cells import cell_len
 from day6_tui.tui.look import Look
 
 HINT_SECONDS = 15.0
@@ -13,13 +15,18 @@ HINT_SECONDS = 15.0
 class Notices:
     """Holds the current notice and when it expires."""
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, room: Callable[[], int], notify: Callable[[str, float], object]) -> None:
         self._look = look
+        self._room = room
+        self._notify = notify
         self._until = 0.0
         self.text = ""
 
     def show(self, text: str, seconds: float = 3.0) -> None:
         """Show `text` for this many seconds."""
+        if cell_len(text) > self._room():
+            self._notify(text, seconds)
+            return
         self.text = text
         self._until = time.monotonic() + seconds
         self._look.wake()

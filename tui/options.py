@@ -16,6 +16,8 @@ class Options:
     """A URDF file in place of the shipped car's."""
     lang: str | None = None
     glyphs: str | None = None
+    theme: str | None = None
+    """A name of `themes.NAMES`; None: as chosen last."""
     fps: float | None = None
     """Most frames a second; with 0 only `Frames.step` draws (tests)."""
     home: Path | None = None

@@ -7,13 +7,15 @@ moving turtle costs its own cells.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
 from textual.geometry import Region, Size
+from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -32,6 +34,30 @@ class Piece(NamedTuple):
     action: Action | None = None
 
 
+class Host:
+    """What lays panes out: knows which of them share a place."""
+
+    @abstractmethod
+    def tabs(self, pane: Pane, room: int) -> list[Piece]:
+        """The names of the panes that share a place with `pane`, its own among them, in at most `room` cells."""
+
+    def more(self, pane: Pane) -> list[Piece]:
+        """How to reach the panes that are not named anywhere."""
+        return []
+
+
+class PaneMessage(Message):
+    """Base of what a pane tells."""
+
+    def __init__(self, pane: Pane) -> None:
+        super().__init__()
+        self.pane = pane
+
+    @property
+    def control(self) -> Pane:
+        return self.pane
+
+
 class Pane(Widget, can_focus=True):
     """Base of everything framed. A subclass defines `content_line` and, as needed, title, status, keys and `pull`."""
 
@@ -42,6 +68,12 @@ class Pane(Widget, can_focus=True):
 
     framed = True
 
+    slot = 0
+    """Its number on the desktop, by which keys and lists name it; 0 where panes have none."""
+
+    class Enlarged(PaneMessage):
+        """The user wants this pane to fill the desktop, or to be put back."""
+
     def __init__(self, look: Look, *, id: str | None = None) -> None:  # noqa: A002 - Textual's name
         super().__init__(id=id)
         self.look = look
@@ -49,19 +81,41 @@ class Pane(Widget, can_focus=True):
         self.extent = Size(0, 0)
         """The size with the frame, as of the last `measure`: asking Textual costs ten times as much, many times a frame."""
         self._hits: dict[int, list[tuple[int, int, Action]]] = {}
+        self._shown_title: list[tuple[str, Style]] = []
 
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))
 
     # -- for subclasses ------------------------------------------------------------------------------------------------
 
+    @property
+    def label(self) -> str:
+        """Its name on frames and in lists."""
+        return ""
+
+    @property
+    def has_news(self) -> bool:
+        """Whether it has something that was not on the screen yet."""
+        return False
+
+    def close(self) -> None:
+        """Close it at the user's request; one that would lose something asks first."""
+
     def title(self) -> list[Piece]:
-        """The pieces on the upper edge, from the left."""
-        return []
+        """The pieces on the upper edge, from the left: the tabs of its place."""
+        right = sum(cell_len(piece.text) for piece in self.title_right())
+        return self.host.tabs(self, self.inner_width - right) if self.host is not None else []
 
     def title_right(self) -> list[Piece]:
-        """The pieces on the upper edge, from the right."""
-        return []
+        """The pieces on the upper edge, from the right, which are always there."""
+        if self.host is None:
+            return []
+        return [*self.host.more(self), Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)]
+
+    @property
+    def host(self) -> Host | None:
+        """What lays the panes out."""
+        return self.parent if isinstance(self.parent, Host) else None
 
     def status(self) -> list[Piece]:
         """The pieces on the lower edge, from the left."""
@@ -82,6 +136,13 @@ class Pane(Widget, can_focus=True):
     def pull(self, now: float) -> bool:
         """Read the model and touch what changed; `now` is the monotonic time. Return True to request another frame."""
         return False
+
+    def pull_title(self) -> None:
+        """Draw the upper edge anew if its tabs have changed."""
+        title = [(piece.text, piece.style) for piece in (*self.title(), *self.title_right())]
+        if title != self._shown_title:
+            self._shown_title = title
+            self.touch_frame()
 
     def key_hints(self) -> list[tuple[str, str]]:
         """Keys of this pane for the key bar while it is focused: (key, what it does)."""
@@ -111,6 +172,11 @@ class Pane(Widget, can_focus=True):
         return 1 if self.framed else 0
 
     # -- touching ------------------------------------------------------------------------------------------------------
+
+    def is_inside(self, event: events.MouseEvent) -> bool:
+        """Whether the mouse is on the content, not on the frame."""
+        at = self.inner_offset
+        return at <= event.x < at + self.inner_width and at <= event.y < at + self.inner_height
 
     def measure(self) -> bool:
         """Read the current size; return True if it changed and everything has to be drawn again."""
@@ -155,6 +221,11 @@ class Pane(Widget, can_focus=True):
         """Title and status may look different now."""
         if self.framed and self.extent.height > 1:
             self._compare((0, self.extent.height - 1))
+
+    def touch_status(self) -> None:
+        """The status may look different now: unlike the upper edge, with all its tabs, it often does."""
+        if self.framed and self.extent.height > 1:
+            self._compare((self.extent.height - 1,))
 
     def _compare(self, rows: Iterable[int]) -> None:
         """Draw rows of the pane anew and refresh what differs from the strips shown."""
@@ -201,30 +272,33 @@ class Pane(Widget, can_focus=True):
             side = Segment(border.vertical, style)
             strip = Strip([side, *inside, side], width)
         if not self.look.glyphs.unicode:
-            strip = _in_ascii(strip)
+            strip = Strip(in_ascii(strip), strip.cell_length)
         return strip
 
     def _border(self) -> tuple:  # type: ignore[type-arg]
         glyphs, colours = self.look.glyphs, self.look.colours
-        if self.has_focus:
+        if self.has_focus_within:  # an editor's text has it, not the pane itself
             return glyphs.strong_border, colours.frame_focus
         return glyphs.border, colours.frame
 
     def _edge(self, y: int, left: Sequence[Piece], right: Sequence[Piece]) -> Strip:
-        """The upper or lower edge of the frame with pieces set into it; the right ones go first when room is short."""
+        """The upper or lower edge of the frame with pieces set into it.
+
+        When room is short, the left ones are cut on the upper edge, which ends with the cross; below, the right ones go first.
+        """
         border, style = self._border()
         width = self.extent.width
         start, end = (border.top_left, border.top_right) if y == 0 else (border.bottom_left, border.bottom_right)
         room = width - 2
         left_width = sum(cell_len(piece.text) for piece in left)
         right_width = sum(cell_len(piece.text) for piece in right)
-        if left_width + right_width + 2 > room:
+        if left_width + right_width + 2 > room and (y or right_width + 4 > room):
             right, right_width = (), 0
         hits: list[tuple[int, int, Action]] = []
         segments = [Segment(start, style)]
         x = 1
         for piece in left:
-            text = clip(piece.text, room - (x - 1), self.look.glyphs.ellipsis)
+            text = clip(piece.text, room - right_width - (x - 1), self.look.glyphs.ellipsis)
             if not text:
                 break
             size = cell_len(text)
@@ -258,6 +332,11 @@ class Pane(Widget, can_focus=True):
         self._hits.setdefault(y, []).append((first, end, action))
 
     def on_click(self, event: events.Click) -> None:
+        if event.chain == 2 and event.y == 0 and self.framed and event.x < self.extent.width - 5:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Enlarged(self))
+            return
         action = self.hit(event.x, event.y)
         if action is not None:
             event.stop()
@@ -312,17 +391,13 @@ def _cells(strip: Strip) -> list[tuple[str, Style | None]]:
     return cells
 
 
-def _in_ascii(strip: Strip) -> Strip:
+def in_ascii(segments: Iterable[Segment]) -> Iterator[Segment]:
     """Replace what a terminal without UTF-8 cannot show: by a similar ASCII character, else by `?` (`??` for a wide one)."""
-    if all(segment.text.isascii() for segment in strip):
-        return strip
-    return Strip(
-        [
-            Segment("".join(char if char.isascii() else _plain(char) for char in segment.text), segment.style)
-            for segment in strip
-        ],
-        strip.cell_length,
-    )
+    for segment in segments:
+        text = segment.text
+        if not text.isascii():
+            segment = Segment("".join(c if c.isascii() else _plain(c) for c in text), segment.style, segment.control)
+        yield segment
 
 
 def _plain(char: str) -> str:

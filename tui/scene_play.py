@@ -7,6 +7,7 @@ from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import TerminalView
 from day6_tui.tui.terminals import Terminals
 
@@ -27,9 +28,8 @@ class ScenePlay:
         self._robot = robot
         self._machine = machine
         self._desktop = desktop
-        self._pane = desktop.terminals
         self._terminals = terminals
-        self._held = desktop.terminals.held
+        self._held = terminals.held
         self._look = look
         self._visibly = visibly
         self.player: Player | None = None
@@ -46,7 +46,8 @@ class ScenePlay:
         """Type the commands of a scene."""
         scene = SCENES[name]
         self._desktop.welcome.show_guide()
-        self._desktop.focus_pane(self._pane)
+        if (pane := self._terminals.current) is not None:
+            self._desktop.focus_pane(pane)
         if scene.steps:
             visibly = self._visibly and not self._look.reduced_motion
             values = self._machine.robot_words(self._robot) if scene.needs_robot else {}
@@ -70,9 +71,9 @@ class ScenePlay:
             return True
         view, keys = self._held.view, self._held.keys
         self._end()
-        if view in self._pane.views:
+        if (pane := self._pane_of(view)) is not None:
             for event in keys:
-                self._pane.type_key(view, event)
+                pane.type_key(event)
         return False
 
     def _end(self) -> None:
@@ -81,21 +82,22 @@ class ScenePlay:
 
     # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
 
+    def _pane_of(self, view: TerminalView | None) -> TerminalPane | None:
+        return next((pane for pane in self._terminals.panes if pane.has_terminal and pane.view is view), None)
+
     @property
     def _view(self) -> TerminalView | None:
         """The terminal it types into, if that is still there."""
-        return self._held.view if self._held.view in self._pane.views else None
+        return self._held.view if self._pane_of(self._held.view) is not None else None
 
     def use_terminal(self, which: str) -> None:
-        pane, held = self._pane, self._held
-        left = pane.active if held.view is not None and pane.view is not held.view else None
-        if which == "idle":
-            held.view = self._terminals.use_idle()
-        else:
-            self._terminals.open()
-            held.view = pane.view
-        if left is not None:
-            pane.activate(left)  # the user went to another one: the scene goes on beside it
+        desktop, held = self._desktop, self._held
+        before = self._pane_of(held.view)
+        keyboard = desktop.focused_pane
+        pane = self._terminals.use_idle() if which == "idle" else self._terminals.open()
+        held.view = pane.view if pane is not None else None
+        if pane is not None and (held.view is None or keyboard is before or before is None):
+            desktop.focus_pane(pane)  # else the user went to another one: the scene goes on beside it
 
     def send(self, text: str) -> None:
         if self._view is not None:

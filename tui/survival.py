@@ -23,10 +23,11 @@ class PersonMessage(Message):
     """Base of a pane's messages about user input."""
 
 
-async def survive(app: App[Any], event: Message, handling: Awaitable[None]) -> None:
+async def survive(app: App[Any], event: Message, handling: Awaitable[None], *, typed: bool = False) -> None:
     """Await the `handling` of an event; pass an exception caused by user input to the application's `frame_failed`.
 
-    Every other exception propagates, and without a terminal (tests) all of them do.
+    `typed` says that the event was user input, although its type does not. Every other exception propagates, and without a
+    terminal (tests) all of them do.
     """
     try:
         await handling
@@ -35,6 +36,6 @@ async def survive(app: App[Any], event: Message, handling: Awaitable[None]) -> N
             _log.debug("a key or a click came too late", exc_info=error)  # for a pane that is gone
             return
         failed = getattr(app, "frame_failed", None)
-        if failed is None or app.is_headless or not isinstance(event, (*TYPED, PersonMessage)):
+        if failed is None or app.is_headless or not (typed or isinstance(event, (*TYPED, PersonMessage))):
             raise
         failed(error)

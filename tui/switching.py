@@ -1,8 +1,10 @@
-"""Moving between panes: the cycle of F3, the list of F4, and how much room the panes get."""
+"""Moving between panes and moving panes: the round of F3, Alt with arrows and numbers, the list of F4, borders."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
 from day6_tui.tui import actions
 from day6_tui.tui.desktop import Desktop
@@ -10,93 +12,165 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import Notices
 from day6_tui.tui.pane import Pane
-from day6_tui.tui.terminal_view import tab_name
+from day6_tui.tui.splits import SIDES, Extent
+from day6_tui.tui.teleop_keys import keys_of
+from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminals import Terminals
 from day6_tui.tui.windows import WindowPane
 
-SHARE_STEP = 0.05
-SMALLEST_SHARE, LARGEST_SHARE = 0.2, 0.8
+if TYPE_CHECKING:
+    from day6_tui.tui.menu import Entry
+
+STEP = Extent(4, 2)
+"""Columns and rows a border moves at a key press."""
+
+DIRECTIONS = SIDES[:4]
 
 
 class Switching:
-    """Decides which pane is next; remembers where a cycle through the windows begins."""
+    """Decides which pane is next, and where panes go."""
 
     def __init__(self, desktop: Desktop, terminals: Terminals, machine: Machine, notices: Notices, look: Look) -> None:
         self._desktop = desktop
-        self._pane = desktop.terminals
         self._terminals = terminals
         self._machine = machine
         self._notices = notices
         self._look = look
-        self._front: int | None = None
-        """The window in front when the keyboard was in a terminal last: a round of F3 through the windows begins there."""
 
     def actions(self) -> actions.Handlers:
-        return {
+        handlers: dict[str, Callable[[], object]] = {
             "next": lambda: self.cycle(1),
             "previous": lambda: self.cycle(-1),
             "windows": self.list_all,
             "inspector": self.toggle_inspector,
             "enlarge": self._desktop.toggle_enlarged,
-            "grow": lambda: self._change_share(SHARE_STEP),
-            "shrink": lambda: self._change_share(-SHARE_STEP),
+            "stack": self.stack_or_spread,
             "close": self.close_focused,
         }
+        for side in DIRECTIONS:
+            handlers[f"move.{side}"] = partial(self.move, side)
+        return handlers
 
     # -- the round -----------------------------------------------------------------------------------------------------
 
     def cycle(self, step: int) -> None:
-        """Through all terminals and then all windows, beginning with the one that is in front."""
-        if self._desktop.focused_pane is self._pane:
-            self._front = self._desktop.active
-        target, index = self._stop(step)
-        if target is self._pane and self._pane.views:
-            self._pane.activate(index)
-        self._desktop.focus_pane(target)
+        """Through all panes, as they stand on the screen, with the tabs of each place."""
+        target = self._stop(step)
+        if target is not None:
+            self._desktop.focus_pane(target)
 
-    def _stop(self, step: int) -> tuple[Pane, int]:
-        """Where that leads: a pane, and which of the terminals if it is theirs."""
-        stops: list[tuple[Pane, int]] = [(self._pane, index) for index in range(len(self._pane.views))]
+    def _stop(self, step: int) -> Pane | None:
+        keys = self._desktop.split_tree.keys
         pane = self._desktop.focused_pane
-        numbers = self._desktop.numbers
-        front = self._desktop.active if pane is self._pane else self._front
-        first = numbers.index(front) if front in numbers else 0
-        windows = [self._desktop.pane(number) for number in numbers[first:] + numbers[:first]]
-        stops += [(window, 0) for window in windows if window is not None]
-        here = (pane, self._pane.active if pane is self._pane else 0)
-        if here in stops:
-            return stops[(stops.index(here) + step) % len(stops)]
-        return stops[0] if stops else here
+        if pane is None or pane.slot not in keys:
+            return self._desktop.slots[keys[0]] if keys else None
+        return self._desktop.slots[keys[(keys.index(pane.slot) + step) % len(keys)]]
 
-    def key_to_terminal(self, index: int | None = None) -> str:
-        """The key that leads from here to a terminal, without an index to the one that is shown."""
-        wanted = (self._pane, self._pane.active if index is None else index)
+    def key_to(self, pane: Pane) -> str:
+        """The key that leads from here to a pane."""
         keys = {1: actions.BY_ID["next"].label, -1: actions.BY_ID["previous"].label}
-        return next((key for step, key in keys.items() if self._stop(step) == wanted), actions.BY_ID["windows"].label)
+        found = next((key for step, key in keys.items() if self._stop(step) is pane), "")
+        if not found and 1 <= pane.slot <= 9:
+            found = f"Alt+{pane.slot}"
+        return found or actions.BY_ID["windows"].label
+
+    def go_to(self, number: int) -> None:
+        """Give the pane with this number the keyboard."""
+        if (pane := self._desktop.slots.get(number)) is not None:
+            self._desktop.focus_pane(pane)
+
+    def focus_beside(self, side: str) -> None:
+        """Give the pane on this side the keyboard."""
+        if (pane := self._beside(side)) is not None:
+            self._desktop.focus_pane(pane)
+
+    def _beside(self, side: str) -> Pane | None:
+        desktop, pane = self._desktop, self._desktop.focused_pane
+        if pane is None or desktop.enlarged:
+            return None
+        slot = desktop.plan_now().neighbour(pane.slot, side, desktop.recent)
+        return desktop.slots[slot] if slot is not None else None
 
     def tell_where_arrows_drive(self) -> None:
-        """An arrow key was pressed where it drives nothing: name the terminal in which it would, if there is one."""
-        for index, view in enumerate(self._pane.views):
-            if view.reading_keys and "teleop" in view.terminal.title:
-                key = self.key_to_terminal(index)
-                self._notices.show(self._look.texts("terminal.arrows", number=index + 1, key=key))
+        """An arrow key was pressed where it drives nothing: name the keys that do, and the terminal in which, if there is one."""
+        texts, here = self._look.texts, self._desktop.focused_pane
+        if isinstance(here, TerminalPane) and here.has_terminal and here.view.reading_keys:
+            self._notices.show(texts("terminal.not_arrows", keys=keys_of(here.view.terminal.title, texts)))
+            return
+        for pane in self._terminals.panes:
+            if pane.has_terminal and pane.view.reading_keys and "teleop" in pane.view.terminal.title:
+                keys, key = keys_of(pane.view.terminal.title, texts), self.key_to(pane)
+                self._notices.show(texts("terminal.arrows", keys=keys, number=pane.slot, key=key))
                 return
 
-    # -- lists and sizes -----------------------------------------------------------------------------------------------
+    # -- moving panes --------------------------------------------------------------------------------------------------
+
+    def move(self, side: str) -> None:
+        """Let the focused pane and the one on this side change places."""
+        pane, other = self._desktop.focused_pane, self._beside(side)
+        if pane is not None and other is not None:
+            self._desktop.split_tree.swap(pane.slot, other.slot)
+            self._desktop.focus_pane(pane)
+
+    def resize(self, side: str) -> None:
+        """Move the border of the focused pane that lies in this direction, or else the one behind it, that way."""
+        desktop, pane = self._desktop, self._desktop.focused_pane
+        found = desktop.plan_now()
+        place = found.places.get(pane.slot) if pane is not None else None
+        if place is None:
+            return
+        across = side in ("left", "right")
+        low, high = (place.x, place.right) if across else (place.y, place.bottom)
+        crossing = (place.y, place.bottom) if across else (place.x, place.right)
+        step = (STEP.columns if across else STEP.rows) * (1 if side in ("right", "below") else -1)
+        beside = [
+            border
+            for border in found.borders
+            if border.split.across == across
+            and border.at in (low, high)
+            and border.first < crossing[1]
+            and border.end > crossing[0]
+        ]
+        # The border at the right or the bottom, if there is one: it goes where the arrow points.
+        if beside:
+            border = max(beside, key=lambda each: each.at)
+            desktop.split_tree.drag(border, border.at + step)
+            desktop.rearrange()
+
+    def stack_or_spread(self) -> None:
+        """Put the focused pane behind its neighbour as a tab, or, if it is one of several tabs, beside them."""
+        desktop, pane = self._desktop, self._desktop.focused_pane
+        if pane is None or not desktop.holds(pane):
+            return
+        stack = desktop.split_tree.stack_of(pane.slot)
+        place = desktop.plan_now().places.get(pane.slot)
+        if len(stack.keys) > 1 and place is not None:
+            other = next(key for key in stack.keys if key != pane.slot)
+            desktop.split_tree.move(pane.slot, other, "right" if place.width >= 2 * place.height else "below")
+        else:
+            beside = next((found for side in DIRECTIONS if (found := self._beside(side)) is not None), None)
+            if beside is None:
+                return
+            desktop.split_tree.move(pane.slot, beside.slot, "tab")
+        desktop.focus_pane(pane)
+
+    # -- lists ---------------------------------------------------------------------------------------------------------
 
     def list_all(self) -> None:
-        """Offer all terminals and windows, to go to or to close."""
+        """Offer all windows and terminals, to go to or to close."""
         from day6_tui.tui.menu import Entry, Menu
 
-        texts, entries = self._look.texts, []
-        for index, view in enumerate(self._pane.views):
-            name = f"{index + 1} {tab_name(view.terminal.title)}"
-            go = partial(self._terminals.go_to, index)
-            entries.append(Entry(name, texts("menu.terminal"), go, view.terminal.hang_up))
-        for pane in self._desktop.panes.values():
-            go = partial(self._desktop.focus_pane, pane)
-            entries.append(Entry(pane.label, texts("menu.window"), go, pane.close))
-        self._desktop.open_overlay(Menu(self._look, "menu.windows", entries))
+        texts = self._look.texts
+        windows: list[Entry] = []
+        terminals: list[Entry] = []
+        for slot, pane in sorted(self._desktop.slots.items()):
+            if pane is self._desktop.welcome:
+                continue
+            kind, found = ("menu.terminal", terminals) if isinstance(pane, TerminalPane) else ("menu.window", windows)
+            found.append(
+                Entry(f"{slot} {pane.label}", texts(kind), partial(self._desktop.focus_pane, pane), pane.close)
+            )
+        self._desktop.open_overlay(Menu(self._look, "menu.windows", [*windows, *terminals]))
 
     def toggle_inspector(self) -> None:
         """Open the inspector, or close the one that is open."""
@@ -106,15 +180,10 @@ class Switching:
                 return
         self._machine.run_tool("day6_inspector", "inspector")
 
-    def _change_share(self, step: float) -> None:
-        self._desktop.share = max(SMALLEST_SHARE, min(LARGEST_SHARE, self._desktop.share + step))
-        self._desktop.rearrange()
-
     def close_focused(self) -> None:
         """Close the window or the terminal that has the keyboard."""
         pane = self._desktop.focused_pane
-        if pane is self._pane:
-            if self._pane.view is not None:
-                self._pane.view.terminal.hang_up()
-        elif isinstance(pane, WindowPane):
+        if isinstance(pane, TerminalPane):
+            self._terminals.close(pane)
+        elif isinstance(pane, WindowPane) or pane is self._desktop.welcome:
             pane.close()

@@ -10,6 +10,7 @@ import contextlib
 import logging
 import os
 import select
+from typing import TYPE_CHECKING
 
 from textual import events
 
@@ -19,6 +20,11 @@ except ImportError:  # Windows: Textual has another driver there, and this one i
     from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
 from day6_tui.tui.keyboard import BadInput, InputDecoder, KeyboardParser, is_possible
+from day6_tui.tui.pixels.app import PictureApp, leave_pictures
+from day6_tui.tui.pixels.ask import Answered
+
+if TYPE_CHECKING:
+    from day6_tui.tui.pixels.pictures import Pictures
 
 READ_SIZE = 65536
 FAILED = 1
@@ -85,9 +91,21 @@ class TerminalDriver(LinuxDriver):
                 parser.mouse_pixels = False
                 parser.terminal_size = None
                 continue
+            if isinstance(message, Answered) and (pictures := self._pictures) is not None:
+                pictures.hear(message.text)
             self.process_message(message)
         for message in parser.tick():
             self.process_message(message)
+
+    @property
+    def _pictures(self) -> Pictures | None:
+        return self._app.look.pictures if isinstance(self._app, PictureApp) else None
+
+    def stop_application_mode(self) -> None:
+        """Leave the terminal as it was, without our pictures."""
+        if text := leave_pictures(self._pictures):
+            self.write(text)
+        super().stop_application_mode()
 
     def _report(self, fault: str) -> None:
         if fault not in self._reported:

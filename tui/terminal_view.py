@@ -15,6 +15,7 @@ from day6_tui.tui.colours import Colours, pixel_style
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.light_pyte import Char
+    from day6_tui.core.shell.reflow import Marker
     from day6_tui.core.shell.rows import Row
     from day6_tui.core.shell.terminal import Terminal
 
@@ -72,6 +73,9 @@ Attributes: TypeAlias = tuple[str, str, bool, bool, bool, bool, bool, bool]
 """fg, bg, bold, italics, underscore, strikethrough, reverse, blink of a cell."""
 
 
+Selection: TypeAlias = tuple[tuple[int, int], tuple[int, int]]
+
+
 class Span(NamedTuple):
     """Cells from `first` to before `end` in a line of the view."""
 
@@ -122,14 +126,14 @@ def _sixteen(colour: str) -> str | None:
 class TerminalView:
     """Keeps what is shown of one terminal, and finds the spans that differ from the last frame.
 
-    `scroll` is how many lines the view looks back. `selection` is (line, column) to (line, column), lines counted from the
-    beginning of the scrollback, the end excluded.
+    Where it looks and what is selected follow the text when another width wraps it anew.
     """
 
     def __init__(self, terminal: Terminal) -> None:
         self.terminal = terminal
-        self.scroll = 0
-        self.selection: tuple[tuple[int, int], tuple[int, int]] | None = None
+        self._top: Marker | None = None
+        """The first line that is shown, while the view looks back."""
+        self._selected: tuple[Marker, Marker] | None = None
         self._rows: list[list[Char]] = []
         self._cursor: tuple[int, int] | None = None
         self._stale = True
@@ -141,16 +145,52 @@ class TerminalView:
 
     @property
     def columns(self) -> int:
-        return int(self.terminal.screen.columns)
+        return self.terminal.columns
 
     @property
     def lines(self) -> int:
-        return int(self.terminal.screen.lines)
+        return self.terminal.rows
 
     @property
     def history(self) -> int:
         """How many lines of the scrollback there are."""
         return len(self.terminal.screen.scrollback)
+
+    @property
+    def scroll(self) -> int:
+        """How many lines the view looks back."""
+        if self._top is None:
+            return 0
+        return max(0, min(self.history, self.terminal.screen.scrolled - self._top.line))
+
+    @scroll.setter
+    def scroll(self, lines: int) -> None:
+        self._top = self._marker(self.history - lines, 0) if lines else None
+
+    @property
+    def selection(self) -> Selection | None:
+        """(line, column) to (line, column), lines counted from the beginning of the scrollback, the end excluded."""
+        if self._selected is None:
+            return None
+        oldest = self._oldest
+        first, last = [(mark.line - oldest, mark.column) if mark.line >= oldest else (0, 0) for mark in self._selected]
+        return (first, last) if first != last or first != (0, 0) else None
+
+    @selection.setter
+    def selection(self, places: Selection | None) -> None:
+        self._selected = None if places is None else (self._marker(*places[0]), self._marker(*places[1]))
+
+    def _marker(self, line: int, column: int) -> Marker:
+        from day6_tui.core.shell.reflow import Marker  # not at the top: it brings pyte along
+
+        marker = Marker(self._oldest + line, column)
+        self.terminal.screen.markers.add(marker)
+        return marker
+
+    @property
+    def _oldest(self) -> int:
+        """The first line of the scrollback, counted from the first line that the terminal ever showed."""
+        return self.terminal.screen.scrolled - self.history
 
     @property
     def has_more(self) -> bool:
@@ -207,13 +247,14 @@ class TerminalView:
         screen.dirty.clear()
         columns, lines = screen.columns, screen.lines
         if self.scroll:
-            # Looking back, the view stays with its lines however many more scroll away.
-            self.scroll = min(self.history, max(0, self.scroll + screen.scrolled - self._scrolled))
             dirty = range(lines)
-        self.passed = screen.scrolled - self._scrolled
+        else:
+            self._top = None
+        resized = len(self._rows) != lines or len(self._rows[0]) != columns
+        self.passed = 0 if resized else screen.scrolled - self._scrolled
         self._scrolled = screen.scrolled
         cursor = self.cursor
-        if self._stale or len(self._rows) != lines or (self._rows and len(self._rows[0]) != columns):
+        if self._stale or resized:
             self._rows = [self._read(line, columns) for line in range(lines)]
             self._cursor = cursor
             self._stale = False
@@ -317,7 +358,7 @@ class TerminalView:
                 start = first if absolute == first_line else 0
                 end = last if absolute == last_line else self.columns
                 marks = dict.fromkeys(range(start, end), colours.selection)
-        cursor = self.cursor
+        cursor = self._cursor  # as of the rows, which another width may have left behind
         if cursor is not None and cursor[1] == line:
             style = _CURSOR_FOCUSED if focused else _CURSOR_AWAY
             base = _style(self.row(line)[cursor[0]][1:], colours)
@@ -325,17 +366,25 @@ class TerminalView:
         return marks
 
     def selected_text(self) -> str:
-        """The selected text, lines without the blanks at their ends."""
+        """The selected text, lines without the blanks at their ends; one that was wrapped at the right edge is one line."""
+        from day6_tui.core.shell.rows import Folded, cells_of
+
         if self.selection is None:
             return ""
         (first_line, first), (last_line, last) = sorted(self.selection)
         found = []
-        for absolute in range(first_line, last_line + 1):
-            row = self._absolute_row(absolute, self.columns)
-            start = first if absolute == first_line else 0
-            end = last if absolute == last_line else self.columns
-            found.append("".join(char.data for char in row[start:end]).rstrip())
-        return "\n".join(found)
+        for line in range(first_line, last_line + 1):
+            row = self.line_row(line)
+            start = first if line == first_line else 0
+            text = "".join(cell.data for cell in cells_of(row)[start : last if line == last_line else None])
+            goes_on = isinstance(row, Folded) and line != last_line
+            found.append(text if goes_on else text.rstrip() + "\n")
+        return "".join(found).removesuffix("\n")
+
+    def line_row(self, line: int) -> Row:
+        """A line counted from the beginning of the scrollback, as styled text."""
+        screen, y = self.terminal.screen, line - self.history
+        return screen.row(y) if y >= 0 else screen.history_row(line)
 
 
 def _unfold(row: Row, columns: int, blank: Char) -> list[Char]:

@@ -13,7 +13,7 @@ from day6_tui.tui.canvas import Canvas
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.colours import background_of
 from day6_tui.tui.look import Look
-from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.pane import Pane, PaneMessage
 from day6_tui.tui.survival import PersonMessage
 from day6_tui.tui.windows.turtle_shapes import COATS, pixels
 
@@ -58,19 +58,9 @@ class WelcomePane(Pane):
     """The welcome choices, or (`guide`) the commands worth trying. A command typed here goes to a terminal."""
 
     help_key = "welcome"
-    number = 0
-    """Its window number; those of programs start at 1."""
 
-    class Did(PersonMessage):
+    class Did(PaneMessage, PersonMessage):
         """Base of this pane's messages."""
-
-        def __init__(self, pane: WelcomePane) -> None:
-            super().__init__()
-            self.pane = pane
-
-        @property
-        def control(self) -> WelcomePane:
-            return self.pane
 
     class Chosen(Did):
         """An entry was chosen; `does` is what it does."""
@@ -78,6 +68,9 @@ class WelcomePane(Pane):
         def __init__(self, pane: WelcomePane, does: str) -> None:
             super().__init__(pane)
             self.does = does
+
+    class Closed(Did):
+        """It is not wanted any more."""
 
     class Typed(Did):
         """A key that is no choice."""
@@ -131,10 +124,12 @@ class WelcomePane(Pane):
 
     # -- drawing -------------------------------------------------------------------------------------------------------
 
-    def title(self) -> list[Piece]:
-        colours = self.look.colours
-        name = self.look.texts("guide.title" if self.guide else "welcome.title")
-        return [Piece(f" {name} ", colours.title_focus if self.has_focus else colours.title)]
+    @property
+    def label(self) -> str:
+        return self.look.texts("guide.title" if self.guide else "welcome.title")
+
+    def close(self) -> None:
+        self.post_message(self.Closed(self))
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         state = (

@@ -12,7 +12,8 @@ import os
 import re
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
@@ -26,6 +27,7 @@ from textual import events, on
 from textual.app import App, ComposeResult
 from textual.binding import Binding
 from textual.driver import Driver
+from textual.filter import LineFilter
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
 from textual.screen import Screen
@@ -35,20 +37,22 @@ from day6_tui.core.session.display import Window
 from day6_tui.core.session.local import Foreground
 from day6_tui.tui import chops, output
 from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
-from day6_tui.tui.arrangement import Place
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.departure import give_back
 from day6_tui.tui.frames import Frames
-from day6_tui.tui.help import HelpOverlay
 from day6_tui.tui.keyboard import BadInput, leave, sturdy
 from day6_tui.tui.look import Look
 from day6_tui.tui.looks import Looks
 from day6_tui.tui.notices import HINT_SECONDS
 from day6_tui.tui.options import Options
-from day6_tui.tui.overlay import MessageOverlay, Overlay, PaneHost, TextOverlay
 from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.pane_host import PaneHost
+from day6_tui.tui.pixels.app import PictureApp
+from day6_tui.tui.poor_terminals import filters_for
+from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import survive
+from day6_tui.tui.tabs import Tab, tab_pieces
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()
@@ -68,7 +72,7 @@ MORE_KEYS = (("F3", "next"), ("F6", "glyphs"), ("F7", "language"), ("^Z", "suspe
 
 
 class _Stage(Layout):
-    """Gives all the space to the last used window; an overlay covers it."""
+    """Gives all the space to the last used window."""
 
     name = "stage"
 
@@ -76,20 +80,16 @@ class _Stage(Layout):
         assert isinstance(parent, Stage)
         placements = []
         for child in children:
-            if isinstance(child, Overlay):
-                region = Region(*child.place(Place(0, 0, size.width, size.height)))
-            elif child is parent.shown:
+            if child is parent.shown:
                 region = Region(0, 0, size.width, size.height)
-            else:
-                continue
-            placements.append(WidgetPlacement(region, NULL_OFFSET, NULL_SPACING, child))
+                placements.append(WidgetPlacement(region, NULL_OFFSET, NULL_SPACING, child))
         return placements
 
 
 class Stage(PaneHost):
     """Holds the panes of the program's windows (nearly always one)."""
 
-    DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; layers: below above; }"
+    DEFAULT_CSS = "Stage { width: 1fr; height: 1fr; overflow: hidden; }"
     BLANK = True
 
     def __init__(self, look: Look) -> None:
@@ -119,7 +119,7 @@ class Stage(PaneHost):
         """Show the reason in place of a window that failed while being drawn."""
         if pane in self.panes.values():
             pane.remove()
-            self._put(pane.number, BrokenPane(pane.window, self.look, error))
+            self._put(pane.window.number, BrokenPane(pane.window, self.look, error))
 
     def _put(self, number: int, pane: WindowPane[object]) -> None:
         self.panes[number] = pane
@@ -135,6 +135,21 @@ class Stage(PaneHost):
             if self.overlay is None:
                 self.give_keyboard(pane)
 
+    def tabs(self, pane: Pane, room: int) -> list[Piece]:
+        panes = list(self.panes.values())
+        tabs = [Tab("", each.label, each.has_news, partial(self.show, each)) for each in panes]
+        return (
+            tab_pieces(self.look, tabs, panes.index(pane), focused=True, room=room, list_all=self.show_next)
+            if pane in panes
+            else []
+        )
+
+    def show_next(self) -> None:
+        """Bring the next window to the front."""
+        panes = list(self.panes.values())
+        if self.shown in panes:
+            self.show(panes[(panes.index(self.shown) + 1) % len(panes)])
+
     @property
     def focused_pane(self) -> Pane | None:
         return self.shown
@@ -143,40 +158,11 @@ class Stage(PaneHost):
         pane.focus(scroll_visible=False)
 
 
-class SingleHelp(HelpOverlay):
-    """F1: the window and its keys."""
-
-    def everywhere(self) -> list[tuple[str, str]]:
-        return [("overlay", f"{key}\t{self.look.texts('help.single.' + part)}") for key, part in KEYS + MORE_KEYS]
-
-
-class LogOverlay(TextOverlay):
-    """F5: what the program has written since its window was opened."""
-
-    wanted_width = 400
-
-    def __init__(self, look: Look, lines: list[str]) -> None:
-        super().__init__(look, "single.log", "help.keys")
-        self._log_lines = lines or [look.texts("single.no_log")]
-
-    def wanted_height(self, width: int) -> int:
-        return 10_000
-
-    def paragraphs(self) -> list[tuple[str, str]]:
-        return [("overlay", line.replace("\t", "    ")) for line in self._log_lines]
-
-    def on_resize(self, event: events.Resize) -> None:
-        """Begin at the end, with the newest lines."""
-        self.measure()
-        self._scroll(len(self.lines(self.inner_width - 2)))
-
-
-class WindowApp(App[None]):
+class WindowApp(PictureApp):
     """Shows the windows of one program until it has ended."""
 
     CSS = "Screen { layout: vertical; overflow: hidden; }"
     ENABLE_COMMAND_PALETTE = False
-    ALLOW_SELECT = False
     BINDINGS = [
         Binding(key, f"do('{name}')", show=False, priority=True)
         for key, name in (
@@ -192,7 +178,7 @@ class WindowApp(App[None]):
     ]
 
     def __init__(self, foreground: Foreground, look: Look, fps: float = DEFAULT_FPS) -> None:
-        super().__init__()
+        super().__init__(ansi_color=not look.has_shades)
         self.foreground = foreground
         self.look = look
         self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
@@ -221,6 +207,9 @@ class WindowApp(App[None]):
     def get_default_screen(self) -> Screen[Any]:
         return DeskScreen(id="_default")
 
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        return [*super().get_line_filters(), *filters_for(self.look)]
+
     def compose(self) -> ComposeResult:
         yield self.stage
         yield self.bottom
@@ -233,6 +222,7 @@ class WindowApp(App[None]):
         self.foreground.backlog.on_change = self.frames.wake
         self.app_resume_signal.subscribe(self, self._resumed)
         self.set_interval(0.25, self._look)
+        self.begin_pictures(os.environ.get("DAY6_GLYPHS"))
         self._look()
 
     async def on_unmount(self) -> None:
@@ -259,7 +249,7 @@ class WindowApp(App[None]):
 
     def _resumed(self, app: App[Any]) -> None:
         """`fg`: the shell has written over everything."""
-        for pane in self.screen.query(Pane):
+        for pane in self.stage.query(Pane):
             pane.touch()
         self.screen.refresh()
 
@@ -286,13 +276,16 @@ class WindowApp(App[None]):
             except Exception as error:
                 self.window_failed(pane, error)
         self.bottom.pull(now)
+        self.send_pictures()
         return again
 
     def frame_failed(self, error: Exception) -> None:
         """Report an error of the screen itself, and let the program go on."""
         _log.error("a frame failed", exc_info=error)
-        if not isinstance(self.stage.overlay, MessageOverlay):
-            self.stage.open_overlay(MessageOverlay(self.look, f"{type(error).__name__}: {error}"))
+        from day6_tui.tui.message import ErrorModal
+
+        if not isinstance(self.stage.overlay, ErrorModal):
+            self.stage.open_overlay(ErrorModal(self.look, f"{type(error).__name__}: {error}"))
 
     @on(WindowPane.Failed)
     def drop_broken_window(self, event: WindowPane.Failed) -> None:
@@ -329,19 +322,20 @@ class WindowApp(App[None]):
 
     def on_key(self, event: events.Key) -> None:
         """What no window wanted."""
-        if event.key == "q":
+        if event.key == "q" and self.stage.overlay is None:
             self.do_end()
 
     def do_end(self) -> None:
         """Close the windows as a click on their crosses does; a program that ignores that is ended."""
-        windows = self.foreground.display.windows
         if self._presses == 0:
-            for window in windows:
-                window.close_by_user()
+            for pane in list(self.stage.panes.values()):
+                pane.close()
+            if self.stage.overlay is not None:
+                return  # a window asks first
         self._insist()
 
     def do_interrupt(self) -> None:
-        """Ctrl-C goes to the program, not to an overlay over its window."""
+        """Ctrl-C goes to the program, not to what is open over its window."""
         if self.stage.overlay is not None:
             self.stage.close_overlay()
             return
@@ -358,23 +352,27 @@ class WindowApp(App[None]):
 
     def do_help(self) -> None:
         """Explain the window."""
-        if isinstance(self.stage.overlay, SingleHelp):
+        from day6_tui.tui.manual import Manual
+
+        if isinstance(self.stage.overlay, Manual):
             self.stage.close_overlay()
         elif self.stage.shown is not None:
-            self.stage.open_overlay(SingleHelp(self.look, self.stage.shown))
+            keys = [(key, self.look.texts("help.single." + part)) for key, part in KEYS + MORE_KEYS]
+            self.stage.open_overlay(Manual(self.look, self.stage.shown, keys))
 
     def do_log(self) -> None:
         """Show what the program has written."""
-        if isinstance(self.stage.overlay, LogOverlay):
+        from day6_tui.tui.message import LogModal
+
+        if isinstance(self.stage.overlay, LogModal):
             self.stage.close_overlay()
         else:
-            self.stage.open_overlay(LogOverlay(self.look, self.foreground.backlog.lines()))
+            lines = self.foreground.backlog.lines() or [self.look.texts("single.no_log")]
+            self.stage.open_overlay(LogModal(self.look, self.look.texts("single.log"), lines))
 
     def do_next(self) -> None:
         """Bring the program's next window to the front."""
-        panes = list(self.stage.panes.values())
-        if self.stage.shown in panes and len(panes) > 1:
-            self.stage.show(panes[(panes.index(self.stage.shown) + 1) % len(panes)])
+        self.stage.show_next()
 
     def do_suspend(self) -> None:
         """Ctrl-Z: the shell gets its terminal back, and the program stands still, until `fg`."""
@@ -384,7 +382,9 @@ class WindowApp(App[None]):
 def show(foreground: Foreground) -> None:
     """Draw the program's windows on this terminal until they are gone (`core.session.local.Show`)."""
     keep_log_off_the_screen()
-    look = make_look(Options(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")))
+    look = make_look(
+        Options(glyphs=os.environ.get("DAY6_GLYPHS"), lang=os.environ.get("DAY6_LANG")), settings=Settings()
+    )
     app = WindowApp(foreground, look)
     foreground.ending.restore_terminal = lambda: give_back(app)
     app.run()

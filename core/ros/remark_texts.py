@@ -19,6 +19,10 @@ TEXTS = {
     ),
     "inspector.silent_joint": "the joint {joint} can move, but nobody sends its position on {topic}",
     "inspector.slow": "{topic} arrives {rate} times a second; the eye needs about 20",
+    "inspector.late": (
+        "this computer is too slow for all that runs here: time passes at {pace}x instead of {speed}x, "
+        "and topics arrive less often than their programs mean to"
+    ),
     "inspector.open": (
         "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and command"
     ),

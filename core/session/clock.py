@@ -1,10 +1,28 @@
-"""The world clock: the one time our own programs read.
+"""The clock of a machine: world time, by which programs move and wait, and real time, by which they measure.
 
-It is paced by wall time but advances only as far as the scheduler has run: when a timer due at T runs, the clock reads exactly
-T, and it never passes a timer that has not run. Under load it therefore falls behind wall time and never skips a tick. Paused,
-it stands still; at another speed a wall second is that many world seconds.
+World time (`steady_ns`) is paced by wall time but advances only as far as the scheduler has run: when a timer due at T runs, the
+clock reads exactly T, and it never passes a timer that has not run. Under load it therefore falls behind wall time and never
+skips a tick. Paused, it stands still; at another speed a wall second is that many world seconds. Real ROS has no such clock; to a
+program it is the steady clock of the machine, which timers run by.
 
-Real ROS has no such clock; to a program it looks like the system clock and the steady clock of the machine.
+Real time is what the machine's own clocks say, whatever the world does: `now_ns` the date, `wall_ns` the monotonic clock.
+
+Who reads which, of the programs that run here (a student's process has real time alone, as in ROS):
+
+World time is for what moves and what waits:
+- timers, periods, `sleep`, timeouts; the pace of `ros2 bag play` and `topic pub`;
+- what stops or starts anew for lack of news: a turtle one second after its last command, the wheels of the simulated robot;
+- what a window lets grow old, so that a pause ages nothing: RViz' frames, markers and points, the car window's joints;
+- the time axis of rqt_plot: a pause holds the picture, a slow world is drawn in its own seconds.
+
+Real time is for what is measured, stamped or compared with other processes:
+- `node.get_clock().now()`, so every stamp of a header, a log line or a goal, and the ages and extrapolations of tf; what
+  robot_state_publisher holds back, because that is decided by the stamps of others;
+- `ros2 topic hz`, `bw` and `delay`, tf2_monitor, rqt_topic; rates and speeds in the inspector, the car window and RViz;
+- when a message was sent and received, in its information and in bags; lifespans, deadlines and leases;
+- `date`, `time`, names of files; and beside world time: how fast the world runs (the simulated world's window).
+
+With `use_sim_time` a node's clock and timers follow /clock instead of both (`Session.timer_ns`).
 """
 
 from __future__ import annotations
@@ -24,21 +42,32 @@ def nanoseconds(seconds: float) -> int:
 
 
 class WorldClock:
-    """World time in nanoseconds: `steady_ns` starts at 0 with the world, `now_ns` is that plus the wall time of the start.
+    """World time in nanoseconds since the world began, and real time beside it.
 
-    `wall` is the pacing clock (ns, monotonic). With `wall=None` it does not move by itself: tests call `step`.
+    `wall` is the pacing clock (ns, monotonic), `system` the one that tells the date (ns since 1970). With `wall=None` world time
+    does not move by itself: tests call `step`. Nothing is real then, so that `now_ns` and `wall_ns` step along, from the date
+    `epoch_ns` on.
     Only the scheduler that owns the clock calls `target_ns`, `hold`, `release` and `fall_behind`.
     All methods may be called from any thread.
     """
 
-    def __init__(self, *, wall: Callable[[], int] | None = time.monotonic_ns, epoch_ns: int | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        wall: Callable[[], int] | None = time.monotonic_ns,
+        system: Callable[[], int] = time.time_ns,
+        epoch_ns: int | None = None,
+    ) -> None:
         self._wall = wall
-        self._epoch_ns = time.time_ns() if epoch_ns is None else epoch_ns
+        self._system = system
+        self._epoch_ns = system() if epoch_ns is None else epoch_ns
         self._lock = threading.Lock()
         self._anchor_world = 0
         self._anchor_wall = wall() if wall is not None else 0
         self._speed = 1.0
         self._paused = wall is None
+        self.lost_ns = 0
+        """World time that was given up because this computer is too slow for its programs; it only grows."""
         self._reading = 0
         """The latest value anything may have read."""
         self._free_until: int | None = 0
@@ -47,8 +76,12 @@ class WorldClock:
         """Called when pace or target was changed from outside, so that a waiting scheduler reads the clock again."""
 
     def now_ns(self) -> int:
-        """World time in nanoseconds since 1970 (the ROS and system clock)."""
-        return self._epoch_ns + self.steady_ns()
+        """Real nanoseconds since 1970: the ROS and system clock."""
+        return self._system() if self._wall is not None else self._epoch_ns + self.steady_ns()
+
+    def wall_ns(self) -> int:
+        """Real nanoseconds since some fixed moment; never goes back, whatever the date is set to."""
+        return self._wall() if self._wall is not None else self.steady_ns()
 
     def steady_ns(self) -> int:
         """World time in nanoseconds since the world began; never goes back."""
@@ -128,7 +161,9 @@ class WorldClock:
     def fall_behind(self, target_ns: int) -> None:
         """Forget the lag: from now on `target_ns` is where the world should be."""
         with self._lock:
-            self._rebase(max(target_ns, self._reading))
+            before, now = self._target(), max(target_ns, self._reading)
+            self.lost_ns += max(0, before - now)
+            self._rebase(now)
 
     def wall_seconds_until(self, steady_ns: int) -> float | None:
         """Wall seconds until the clock reaches `steady_ns`; None while it is paused before that."""

@@ -108,7 +108,7 @@ class Session:
 
     @property
     def context(self) -> Context:
-        """This program's own ROS context: on the machine's graph, with the world clock, logging to this session's stderr.
+        """This program's own ROS context: on the machine's graph, with the machine's clock, logging to this session's stderr.
 
         Raises:
             RuntimeError: the session has no graph.
@@ -184,6 +184,11 @@ class Session:
             if until_ns is not None:
                 deadline = until_ns if deadline is None else min(deadline, until_ns)
             await wait_for(wake, deadline)
+
+    def timer_ns(self, node: Node) -> int:
+        """The time (ns) by which the node's timers run: /clock where it uses simulated time, else the world's."""
+        clock = node.get_clock()
+        return int(clock.now().nanoseconds) if clock._is_simulated() else self.clock.steady_ns()
 
     # -- waiting -------------------------------------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.ros.program_index import named_by, place_of_command
 from day6_tui.core.ros.programs import load
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.shell.real_tools import find_tool, running
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
@@ -77,6 +78,13 @@ def place_of(name: str) -> str:
     return place_of_command(name) or f"/usr/bin/{name}"
 
 
+def where(name: str, shell: Shell) -> str:
+    """The same for every program: ours, else one of the real machine; '' for what is not one."""
+    if name in _MODULE_OF:
+        return place_of(name)
+    return find_tool(name, shell.variables, shell.cwd)
+
+
 LONGEST_ARGUMENT = 128 * 1024
 LONGEST_ARGUMENTS = 2 * 1024 * 1024
 """Bytes that Linux passes to a program, its variables included (execve(2): MAX_ARG_STRLEN, a quarter of an 8 MB stack)."""
@@ -84,7 +92,7 @@ LONGEST_ARGUMENTS = 2 * 1024 * 1024
 
 def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
     """Whether these arguments are too long for a program; built-ins of the shell take any."""
-    if not argv or argv[0] not in _MODULE_OF or argv[0] in SHELL_BUILTINS:
+    if not argv or argv[0] in SHELL_BUILTINS:
         return False
     texts = [*argv, *(f"{name}={value}" for name, value in environment.items())]
     if sum(map(len, texts)) < LONGEST_ARGUMENT // 4:
@@ -95,18 +103,25 @@ def too_long(argv: list[str], environment: Mapping[str, str]) -> bool:
 
 def list_too_long(name: str, shell: Shell) -> Main:
     """Return a program that reports that, as bash does."""
-    return _saying(f"{shell.name}: {place_of(name)}: Argument list too long", 126)
+    return _saying(f"{shell.name}: {where(name, shell) or name}: Argument list too long", 126)
 
 
 def find_command(name: str, shell: Shell) -> Main:
-    """Return the program for `name`: a function, one of ours, a file (with a / in it), or one that prints `command not found`."""
+    """Return the program for `name`: a function, one of ours, a file (with a / in it), one of the real machine.
+
+    If there is none, it is one that prints `command not found`.
+    """
     if name in shell.functions:
         from day6_tui.core.shell.language.functions import calling
 
         return calling(shell.functions[name])
     if "/" in name:
         return _file(name, shell)
-    return builtin(name) or _saying(f"{shell.name}: {name}: command not found", 127)
+    if name in _MODULE_OF:
+        return builtin(name) or _nothing
+    if tool := find_tool(name, shell.variables, shell.cwd):
+        return running([tool])
+    return _saying(f"{shell.name}: {name}: command not found", 127)
 
 
 def _file(name: str, shell: Shell) -> Main:
@@ -123,22 +138,22 @@ def _file(name: str, shell: Shell) -> Main:
         return _saying(f"{shell.name}: {name}: No such file or directory", 127)
     if os.name != "nt" and not os.access(path, os.X_OK):
         return _saying(f"{shell.name}: {name}: Permission denied", 126)
-    interpreter = _first_line(path)
-    if "python" in interpreter:
-        return _run_python([name])
-    if interpreter == "" or interpreter.endswith("sh"):
-        return _run_script(name)
-    return _saying(f"{shell.name}: {name}: cannot execute: only Python and shell scripts run on this machine", 126)
+    interpreter = _interpreter(path)
+    if interpreter is None or (interpreter and not interpreter.endswith("sh") and "python" not in interpreter):
+        return running([str(path)])
+    return _run_python([name]) if "python" in interpreter else _run_script(name)
 
 
-def _first_line(path: Path) -> str:
-    """The interpreter after `#!`, '' if the file begins with something else."""
+def _interpreter(path: Path) -> str | None:
+    """What is after `#!`; '' for a text that begins with something else, None for a file that is not text."""
     try:
         with path.open("rb") as file:
-            line = file.readline(256).decode("utf-8", "replace").strip()
+            line = file.readline(256)
     except OSError:
         return ""
-    return line[2:].strip() if line.startswith("#!") else ""
+    if b"\0" in line:
+        return None
+    return line[2:].decode("utf-8", "replace").strip() if line.startswith(b"#!") else ""
 
 
 def _saying(text: str, status: int) -> Main:

@@ -11,6 +11,7 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.shell.commands import command_names
 from day6_tui.core.shell.language.lexer import Token, tokenize
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem, Text
+from day6_tui.core.shell.real_tools import tools_beginning_with
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.language.interpreter import Shell
@@ -53,8 +54,10 @@ class Completer:
             return sorted(name for name in names if name.startswith(typed)), start
         if len(words) == 1 or (words[-2] in _BEFORE_A_COMMAND and len(words) == 2):
             if "/" not in typed and not typed.startswith("~"):
-                names = [*command_names(), *self._shell.aliases]
-                return sorted({name for name in names if name.startswith(typed) and name not in (".", ":", "[")}), start
+                commands = {*command_names(), *self._shell.aliases, *self._shell.functions}
+                if typed:
+                    commands |= tools_beginning_with(typed, self._shell.variables, self._shell.cwd)
+                return sorted(name for name in commands - {".", ":", "["} if name.startswith(typed)), start
         elif words[0] in COMPLETED:
             offered = await own_words(words, self._session, self._shell.cwd, self._shell.environment)
             if offered is not None:

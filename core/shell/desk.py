@@ -23,6 +23,7 @@ from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.core.shell.user import login_name
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
@@ -32,7 +33,6 @@ _log = logging.getLogger(__name__)
 FIRST_PID = 1001
 MOST_PROGRAMS = 1000
 """A runaway `while true; do … & done` ends with a message instead of the memory."""
-USER = "student"
 HOST = "day6"
 GRACE = 2.0
 """Seconds that a program has to end after Ctrl-C, and then SIGTERM, together; then comes SIGKILL."""
@@ -86,6 +86,7 @@ class Desk:
         activate()
         self._listen, self._connect, self._secret = listen, connect, secret
         self.home = (default_home() if home is None else home).expanduser().resolve()
+        self.user = login_name()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = _own_domain() if domain_id is None else domain_id
         self._domain_text = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else str(domain_id)
@@ -142,8 +143,8 @@ class Desk:
         env = program_environment(kept)
         env.update(
             HOME=str(self.home),
-            USER=USER,
-            LOGNAME=USER,
+            USER=self.user,
+            LOGNAME=self.user,
             SHELL="/bin/bash",
             TERM="xterm-256color",
             ROS_DOMAIN_ID=self._domain_text,
@@ -237,11 +238,15 @@ class Desk:
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
         command: str = "",
+        text: str = "",
     ) -> Terminal:
-        """Open a terminal with its own shell; with a `command` it runs that, with `env`, and ends."""
+        """Open a terminal with its own shell; with a `command` it runs that, with `env`, and ends.
+
+        `text` is what stood in an earlier one (`transcript`): it is shown above the first prompt.
+        """
         from day6_tui.core.shell.terminal import Terminal
 
-        terminal = Terminal(self, columns, rows, cwd=cwd, env=env, command=command)
+        terminal = Terminal(self, columns, rows, cwd=cwd, env=env, command=command, text=text)
         self.terminals.append(terminal)
         return terminal
 

@@ -25,7 +25,11 @@ def main() -> None:
     leave_no_core()
     if int(memory):
         limit_memory(int(memory))
-    os.execv(argv[0], argv)
+    try:
+        os.execv(argv[0], argv)
+    except OSError as error:  # it was there a moment ago, or no system calls it a program
+        sys.stderr.write(f"bash: {argv[0]}: {error.strerror}\n")
+        sys.exit(126)
 
 
 def leave_no_core() -> None:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import sys
 from types import ModuleType
-from typing import TypeAlias
 
 from day6_tui.core.width import char_width
 
@@ -23,7 +22,12 @@ finally:
     if not _is_late:
         del sys.modules["wcwidth"]
 
-Line: TypeAlias = "StaticDefaultDict[int, Char]"
-"""The cells of a line that were drawn, by their column; a blank where another one is asked for."""
+
+class Line(StaticDefaultDict[int, Char]):
+    """The cells of a line that were drawn, by their column; a blank where another one is asked for."""
+
+    folded = False
+    """Whether its text goes on in the next line, because it came to the right edge."""
+
 
 __all__ = ["Char", "Cursor", "Line", "Screen", "Stream", "charsets", "modes"]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.discipline import TtyInput
 from day6_tui.core.shell.edit_line import KEYS, EditLine
-from day6_tui.core.shell.line_layout import lay_out, near, shown
+from day6_tui.core.shell.line_layout import Shown, lay_out, near, shown
 from day6_tui.core.width import text_width
 
 if TYPE_CHECKING:
@@ -46,8 +46,7 @@ class LineEditor:
         """Index into the history; its length stands for the line being typed."""
         self._edited: dict[int, str] = {}
         """Lines changed while browsing, by index."""
-        self._cursor_row = 0
-        """Row of the cursor, counted from the row the prompt begins in, or from the first one that is drawn."""
+        self._shown = Shown()
         self._column = 0
         """Column of the cursor."""
         self._tabs = 0
@@ -60,7 +59,7 @@ class LineEditor:
         stdin = self._session.stdin
         assert isinstance(stdin, TtyInput)
         self._line.set("")
-        self._prompt, self._cursor_row, self._tabs = prompt, 0, 0
+        self._prompt, self._shown, self._tabs = prompt, Shown(), 0
         self._browsing = len(self._history.lines)
         self._edited = {}
         self._done = False
@@ -116,12 +115,12 @@ class LineEditor:
         self._line.at = len(self._line.text)
         self._draw()
         self._write(mark + PASTE_OFF + "\r\n")
-        self._cursor_row = 0
+        self._shown = Shown()
         self._done = True
 
     def _clear_screen(self) -> None:
         self._write("\x1b[H\x1b[2J")
-        self._cursor_row = 0
+        self._shown = Shown()
         self._draw()
 
     def _older(self) -> None:
@@ -194,7 +193,7 @@ class LineEditor:
         self._line.at = len(self._line.text)
         self._draw()
         self._write("\r\n" + "\r\n".join(lines) + "\r\n")
-        self._cursor_row = 0
+        self._shown = Shown()
         self._line.at = end
         self._draw()
 
@@ -240,17 +239,20 @@ class LineEditor:
     def _draw_resized(self) -> None:
         """Draw the line for the window's new size, without marking the terminal as having new output."""
         had_news = self._terminal.has_news
-        self._draw()
+        if not self._start_again_below():
+            self._draw()
         if not had_news:
             self._terminal.mark_seen()
 
-    def _start_again_below(self) -> None:
-        """Show prompt and line again below what other programs (a background job) wrote into the line."""
-        if self._terminal.version != self._own_version:
-            if not self._terminal.at_line_start:
-                self._write("\r\n")
-            self._cursor_row = 0
-            self._draw()
+    def _start_again_below(self) -> bool:
+        """Show prompt and line again below what other programs (a background job) wrote into the line, if they did."""
+        if self._terminal.version == self._own_version:
+            return False
+        if not self._terminal.at_line_start:
+            self._write("\r\n")
+        self._shown = Shown()
+        self._draw()
+        return True
 
     _drawn: tuple[str, str, int] = ("", "", 0)
 
@@ -271,6 +273,7 @@ class LineEditor:
         ):
             self._write(appended)
             self._column += text_width(appended)
+            self._shown = self._shown.longer(appended)
             self._drawn = (self._prompt, text, at)
             return
         self._draw()
@@ -289,26 +292,28 @@ class LineEditor:
         layout = lay_out(text, self._line.at - start, columns, indent=above.column)
         rows = above.row + len(layout.starts)
         row = above.row + layout.row
+        at = self._line.at - start
         top = max(0, row - height + 1)
         last = min(rows, top + height) - 1
         if last < rows - 1:
             text = text[: layout.starts[last + 1 - above.row]].removesuffix("\n")
         if top > above.row:
-            text = text[layout.starts[top - above.row] :]
+            prompt = bare = ""
+            text, at = text[layout.starts[top - above.row] :], at - layout.starts[top - above.row]
         elif top:
-            prompt, top = " " * above.column, above.row
-        if top <= above.row:
-            text = prompt.replace("\n", "\r\n") + shown(text).replace("\n", "\r\n")
-        else:
-            text = shown(text).replace("\n", "\r\n")
-        parts = [f"\x1b[{self._cursor_row}A" if self._cursor_row else "", "\r\x1b[J", text]
+            prompt = bare = " " * above.column
+            top = above.row
+        up = self._shown.row(columns)
+        self._shown = Shown(bare, text, at)
+        text = (prompt + shown(text)).replace("\n", "\r\n")
+        parts = [f"\x1b[{up}A" if up else "", "\r\x1b[J", text]
         if last == rows - 1 and layout.end_column == 0 and last and not text.endswith("\n"):
             parts.append(" \r")  # make the terminal really wrap
         if last > row:
             parts.append(f"\x1b[{last - row}A")
         parts.append("\r" + (f"\x1b[{layout.column}C" if layout.column else ""))
         self._write("".join(parts))
-        self._cursor_row, self._column = row - top, layout.column
+        self._column = layout.column
         self._drawn = (self._prompt, self._line.text, self._line.at)
 
 

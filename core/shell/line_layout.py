@@ -19,6 +19,23 @@ class Layout(NamedTuple):
     """The position after the text; the row is the last one."""
 
 
+class Shown(NamedTuple):
+    """What stands on the screen of a line being edited: the prompt without colours, the text, the cursor's place in it."""
+
+    prompt: str = ""
+    text: str = ""
+    at: int = 0
+
+    def row(self, columns: int) -> int:
+        """The row of the cursor, counted from the first one, in a window of that width."""
+        above = lay_out(self.prompt, len(self.prompt), columns)
+        return above.row + lay_out(self.text, self.at, columns, indent=above.column).row
+
+    def longer(self, text: str) -> Shown:
+        """The same with a text typed at its end."""
+        return Shown(self.prompt, self.text + text, self.at + len(text))
+
+
 def shown_char(char: str) -> str:
     """A character as it is drawn in the line: control characters as ^X, a newline of a pasted text as itself."""
     return char if char >= " " or char == "\n" else "^" + chr(ord(char) + 64)

@@ -1,4 +1,4 @@
-"""A student's program: a real process, `python3 FILE`, on the streams of the session that started it.
+"""A student's program, or one of the real machine: a process on the streams of the session that started it.
 
 In a terminal the process has a pty as controlling terminal, so line buffering, `input()`, getpass, curses and Ctrl-C are the
 system's own. Where its output goes into a pipe or a capture it gets pipes, and where a stream is a real file or our own standard
@@ -18,16 +18,19 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import IO
 
+from day6_tui.core.advice.fault import LONGEST
 from day6_tui.core.guardian import MARK, end_marked, guard, new_mark, release
 from day6_tui.core.session.folder import LOST
 from day6_tui.core.session.session import KilledBySignal, Session
 from day6_tui.core.session.signals import NUMBERS, from_system, to_system
 from day6_tui.core.session.streams import InputStream, OutputStream, TerminalSide
 from day6_tui.core.session.task import Signal, TaskCancelled, wait_for
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.shell.feeder import Feeder
 from day6_tui.core.shell.memory import memory_limit
 from day6_tui.core.shell.pty_keys import PtyKeys
@@ -51,15 +54,36 @@ def running_processes() -> list[Process]:
 
 
 async def run_python(session: Session, args: list[str]) -> int:
-    """Run `python3 ARGS…` for a program until it ends; returns its exit status.
+    """Run `python3 ARGS…` for a program until it ends, as `run_process` does; a hint follows an error on the terminal."""
+    process = Process(session, [sys.executable, *args])
+    status = await _run(session, process)
+    launch = session.argv[:2] == ["ros2", "launch"]
+    if not (status or launch) or not process.recent or not session.stderr.isatty():
+        return status
+    if hint := await in_thread(partial(_hint, process.recent, session.env, session.cwd, launch)):
+        session.print_error(hint)
+    return status
+
+
+def _hint(output: str, variables: Mapping[str, str], cwd: Path, launch: bool) -> str:
+    from day6_tui.core.advice.rules import Surroundings, hint_below  # most programs need none
+
+    return hint_below(output, Surroundings(variables, cwd, launch))
+
+
+async def run_process(session: Session, argv: list[str]) -> int:
+    """Run a process for a program until it ends; returns its exit status. `argv` begins with a path.
 
     Ctrl-C becomes SIGINT, SIGTERM SIGTERM, and SIGKILL SIGKILL of its group. Raises KilledBySignal (KeyboardInterrupt for SIGINT)
     when a signal ended it, and OSError when it could not be started.
     """
+    return await _run(session, Process(session, argv))
+
+
+async def _run(session: Session, process: Process) -> int:
     if not session.cwd.is_dir():
         session.print_error(f"{session.name}: {LOST}")
         return 1
-    process = Process(session, args)
     session.on_stop = process.pause
     session.defer(process.kill)
     process.start()
@@ -85,10 +109,12 @@ async def run_python(session: Session, args: list[str]) -> int:
 class Process:
     """One child process. `ended` is set when it is gone and its output has been read; then `returncode` is as in subprocess."""
 
-    def __init__(self, session: Session, args: list[str]) -> None:
+    def __init__(self, session: Session, argv: list[str]) -> None:
         self.session = session
-        self.args = args
+        self.argv = argv
         self.ended = Signal()
+        self.recent = ""
+        """The end of what it wrote to the terminal."""
         self.returncode = 0
         self.problem: Exception | None = None
         self._popen: subprocess.Popen[bytes] | None = None
@@ -234,7 +260,7 @@ class Process:
         terminal = session.stdin.terminal_of(session.stdout, session.stderr)
         env = dict(session.env)
         self._mark = env[MARK] = new_mark()
-        argv = [sys.executable, *self.args]
+        argv = self.argv
         if sys.platform == "win32":
             self._launch_with_pipes(argv, env)
         elif terminal is not None:
@@ -310,9 +336,13 @@ class Process:
             self._read(popen.stderr, self.session.stderr)
 
     def _read(self, source: int | IO[bytes], target: OutputStream) -> None:
-        reader = threading.Thread(target=_pump, args=(source, target), name="day6-output", daemon=True)
+        seen = self._remember if target.isatty() else None
+        reader = threading.Thread(target=_pump, args=(source, target, seen), name="day6-output", daemon=True)
         self._readers.append(reader)
         reader.start()
+
+    def _remember(self, text: str) -> None:
+        self.recent = (self.recent + text)[-LONGEST:]
 
     def _take_unread(self) -> str:
         """Close our end of the program's side; return the keys that are still in it, as they were typed."""
@@ -358,8 +388,8 @@ def _launcher(mode: str) -> list[str]:
     return [sys.executable, "-I", "-S", str(LAUNCHER), mode, str(NICE), str(memory_limit())]
 
 
-def _pump(source: int | IO[bytes], target: OutputStream) -> None:
-    """Copy a process's output to a stream as it comes, until its end; waits while the stream is full."""
+def _pump(source: int | IO[bytes], target: OutputStream, seen: Callable[[str], None] | None = None) -> None:
+    """Copy a process's output to a stream, and tell `seen`, as it comes, until its end; waits while the stream is full."""
     decoder: codecs.IncrementalDecoder | io.IncrementalNewlineDecoder
     decoder = codecs.getincrementaldecoder("utf-8")("replace" if target.isatty() else "surrogateescape")
     if sys.platform == "win32":
@@ -375,6 +405,8 @@ def _pump(source: int | IO[bytes], target: OutputStream) -> None:
             text = decoder.decode(data, final=not data)
             if text:
                 target.write(text)
+                if seen is not None:
+                    seen(text)
             if not data:
                 return
             target.wait_for_room()

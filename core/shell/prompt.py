@@ -43,14 +43,14 @@ async def prompt(shell: Shell, streams: Streams) -> str:
 
 
 def _meaning(escape: str, shell: Shell) -> str:
-    from day6_tui.core.shell.desk import HOST, USER
+    from day6_tui.core.shell.desk import HOST
 
     if escape[0] in "01234567":
         return chr(int(escape, 8) & 0xFF)
     if escape.startswith("D{"):
         return time.strftime(escape[2:-1] or "%X")
     meanings: dict[str, Callable[[], str]] = {
-        "u": lambda: USER,
+        "u": lambda: shell.desk.user,
         "h": lambda: HOST,
         "H": lambda: HOST,
         "w": lambda: shell.short_cwd,

@@ -5,7 +5,7 @@ A wide character takes two cells; the second holds an empty string, as in pyte.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby, repeat
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple, overload
@@ -34,6 +34,21 @@ class Style(NamedTuple):
 Run = tuple[str, Style]
 Row = str | tuple[Run, ...]
 """A line: plain text in the default style, or runs. Without the blanks at its end."""
+
+
+class Folded:
+    """A row whose text goes on in the next one, because it came to the right edge. It has the blanks at its end."""
+
+    __slots__ = ()
+
+
+class FoldedText(Folded, str):
+    __slots__ = ()
+
+
+class FoldedRuns(Folded, tuple[Run, ...]):
+    __slots__ = ()
+
 
 PLAIN_STYLE = Style()
 
@@ -98,15 +113,24 @@ def folded(text: str, columns: int) -> list[str]:
     if text.isascii():
         if len(text) <= columns:
             return [text]
-        return [text[start : start + columns] for start in range(0, len(text), columns)]
+        last = (len(text) - 1) // columns * columns
+        return [*[FoldedText(text[at : at + columns]) for at in range(0, last, columns)], text[last:]]
     digits = widths(text)
     rows: list[str] = []
     start, end = 0, len(text)
-    while start < end:
-        count = max(fitting(digits, start, columns), 1)
-        rows.append(text[start : start + count])
-        start += count
-    return rows
+    while True:
+        stop = start + max(fitting(digits, start, columns), 1)
+        if stop >= end:
+            return [*rows, text[start:]]
+        rows.append(FoldedText(text[start:stop]))
+        start = stop
+
+
+def in_style(rows: Sequence[str], style: Style) -> Sequence[Row]:
+    """Rows of text in that style."""
+    if style == PLAIN_STYLE:
+        return rows
+    return ["" if not row else ((row, style),) if type(row) is str else FoldedRuns(((row[:], style),)) for row in rows]
 
 
 def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
@@ -115,14 +139,16 @@ def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
     row: list[Run] = []
     used = 0
     for text, style in runs:
-        digits = widths(text)
+        digits = "" if text.isascii() else widths(text)
         start, end = 0, len(text)
         while start < end:
-            count = fitting(digits, start, columns - used)
+            room = max(columns - used, 0)
+            count = fitting(digits, start, room) if digits else min(room, end - start)
             if not count:
-                rows.append(tuple(row))
+                if row:
+                    rows.append(FoldedRuns(row))
                 row, used = [], 0
-                count = max(fitting(digits, start, columns), 1)
+                count = max(fitting(digits, start, columns), 1) if digits else min(columns, end - start)
             row.append((text[start : start + count], style))
             used += count + digits.count("2", start, start + count)
             start += count
@@ -131,15 +157,32 @@ def folded_runs(runs: Sequence[Run], columns: int) -> list[Row]:
 
 def without_end(row: Row) -> Row:
     """A row as the scrollback keeps it: without trailing blanks, runs of equal style joined."""
-    if isinstance(row, str):
+    if type(row) is str:
         return row.rstrip(" ")
+    if isinstance(row, str):
+        return row
+    return _row_of(joined_runs(row), folded=type(row) is FoldedRuns)
+
+
+def joined_runs(row: Iterable[Run]) -> list[Run]:
+    """Runs of which no two neighbours have the same style."""
     runs: list[Run] = []
     for text, style in row:
         if runs and runs[-1][1] == style:
             runs[-1] = (runs[-1][0] + text, style)
         elif text:
             runs.append((text, style))
-    return _row_of(runs)
+    return runs
+
+
+def going_on(row: Row) -> Row:
+    """The same row, whose text goes on in the next one."""
+    return _row_of(joined_runs(runs_of(row)), folded=True)
+
+
+def ended(row: Row) -> Row:
+    """The same row, whose text does not go on."""
+    return without_end(row[:]) if isinstance(row, Folded) else row
 
 
 def combined(cell: Char, char: str) -> Char:
@@ -157,7 +200,7 @@ def with_mark(data: str, char: str) -> str:
 
 def cells_of(row: Row) -> list[Char]:
     cells: list[Char] = []
-    for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
+    for text, style in runs_of(row):
         for char in text:
             width = char_width(char)
             if width == 0:
@@ -175,17 +218,19 @@ _DATA = itemgetter(0)
 _STYLE = itemgetter(*range(1, len(BLANK)))
 
 
-def as_row(line: Mapping[int, Char]) -> Row:
-    """A line of pyte's buffer as runs of equal style, without the blanks at the end."""
+def as_row(line: Mapping[int, Char], *, folded: bool = False) -> Row:
+    """Cells by their column as runs of equal style; without the blanks at the end, if the text doesn't go on."""
     if not line:
         return ""
     last = max(line)
     cells = list(map(line.get, range(last + 1), repeat(BLANK)))
     runs = [("".join(map(_DATA, group)), Style(*style)) for style, group in groupby(cells, _STYLE)]
-    return _row_of(runs)
+    return _row_of(runs, folded=folded)
 
 
-def _row_of(runs: list[Run]) -> Row:
+def _row_of(runs: list[Run], *, folded: bool = False) -> Row:
+    if folded:
+        return FoldedText(runs[0][0]) if len(runs) == 1 and runs[0][1] == PLAIN_STYLE else FoldedRuns(runs)
     while runs and runs[-1][1] == PLAIN_STYLE:
         stripped = runs[-1][0].rstrip(" ")
         if stripped:
@@ -197,6 +242,11 @@ def _row_of(runs: list[Run]) -> Row:
     if len(runs) == 1 and runs[0][1] == PLAIN_STYLE:
         return runs[0][0]
     return tuple(runs)
+
+
+def runs_of(row: Row) -> tuple[Run, ...]:
+    """A row as runs of styled text."""
+    return ((row[:], PLAIN_STYLE),) if isinstance(row, str) else row
 
 
 def row_text(row: Row) -> str:

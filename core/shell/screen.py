@@ -3,46 +3,50 @@
 Only the thread that draws touches a screen; `Terminal.update` feeds it.
 
 Scrolling text costs little, because a line that leaves the screen is never drawn cell by cell: while the cursor is in
-the last line, whole lines of text become rows at once (`rush`), long ones are folded into rows (`_flow`), and the rows only
-queue up below the screen (`_arriving`). Reading `buffer` or `scrollback` first moves them in (`_settle`).
+the last line, whole lines of text become rows at once (`WholeLines`), long ones are folded into rows (`_flow`), and the rows
+only queue up below the screen (`_arriving`). Reading `buffer` or `scrollback` first moves them in (`_settle`).
+
+A row that goes on in the next one is marked (`Folded`, `Line.folded`), so that another width folds the text anew (`reflow`).
 """
 
 from __future__ import annotations
 
 import copy
 import re
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Sequence
-from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import NamedTuple
+from weakref import WeakSet
 
 from day6_tui.core.session.harmless import for_emulation
-from day6_tui.core.shell.light_pyte import Char, Cursor, charsets, modes
+from day6_tui.core.shell.light_pyte import Char, Cursor, Line, charsets, modes
 from day6_tui.core.shell.light_pyte import Screen as PyteScreen
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
+from day6_tui.core.shell.reflow import Marker, rewrap
 from day6_tui.core.shell.rows import (
     PLAIN_STYLE,
+    Folded,
+    FoldedText,
     Row,
-    Run,
     Style,
     as_row,
     cells_of,
     combined,
+    ended,
     fit,
     folded,
-    folded_runs,
+    in_style,
     row_text,
+    runs_of,
     with_mark,
     without_end,
 )
 from day6_tui.core.shell.sequences import NEVER, Parser, colour_numbers
-from day6_tui.core.width import char_width, fitting, text_width, widths
-
-if TYPE_CHECKING:
-    from day6_tui.core.shell.light_pyte import Line
+from day6_tui.core.shell.whole_lines import NOT_NARROW, WholeLines
+from day6_tui.core.width import char_width, fitting, widths
 
 SCROLLBACK = 5000
-"""Lines kept above the screen."""
+"""Lines kept above the screen, while it is as wide as it ever was; a narrower one needs more for the same text."""
 
 MOST_ANSWERS = 100
 """Most replies to queries that wait to be delivered: a file full of queries needs no more."""
@@ -54,22 +58,6 @@ ALTERNATE_MODES = frozenset({47, 1047, 1049})
 BRACKETED_PASTE = 2004 << 5
 APPLICATION_CURSOR_KEYS = 1 << 5
 
-_ODD = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]")
-"""Characters because of which a line cannot be taken as a whole."""
-_ODD_SEQUENCE = re.compile(r"\x1b(?!\[(?:[0-9;]*m|K))")
-_COLOUR = re.compile(r"\x1b\[([0-9;]*m|K)")
-"""Colours, and the emptying of the rest of the line, with which grep and GCC surround every colour."""
-_PIECE = re.compile(r"([^\x1b\t\r\n]+)|([\t\r\n])|\x1b\[([0-9;]*m|K)")
-_NARROW = (
-    " -~\xa0-\xac\xae-\u02ff\u0370-\u0377\u037a-\u037f\u0384-\u038a\u038c\u038e-\u03a1\u03a3-\u0482"
-    "\u048a-\u052f\u0531-\u0556\u0559-\u058a\u05d0-\u05ea\u0620-\u064a\ufffd"
-)
-"""Latin, Greek, Cyrillic, Armenian, Hebrew and Arabic letters: one cell each."""
-_WIDE = "\u3000-\u3029\u3041-\u3096\u30a1-\u30fa\u3400-\u4dbf\u4e00-\u9fff\uac00-\ud7a3\uff01-\uff60"
-_NOT_NARROW = re.compile(f"[^{_NARROW}]")
-"""Characters that may take no cell, or two."""
-_NOT_COMMON = re.compile(f"[^\r\n{_NARROW}{_WIDE}]")
-"""Characters that may take no cell."""
 _CONTROLS = {
     "\b": "backspace",
     "\t": "tab",
@@ -113,12 +101,29 @@ class _Cells(dict[str, Char]):
         return cell
 
 
+class _MainScreen(NamedTuple):
+    """What a full-screen program leaves alone: the lines of the screen, their size, the cursor."""
+
+    buffer: dict[int, Line]
+    size: tuple[int, int]
+    cursor: Cursor
+
+
 class Screen(PyteScreen):
     """A VT100 screen of `columns` x `lines` cells with `scrollback` above it."""
 
     def __init__(self, columns: int, lines: int) -> None:
         self._scrollback: deque[Row] = deque(maxlen=SCROLLBACK)
         self._scrolled = 0
+        self._cleared = 0
+        """`scrolled` when the screen was last cleared: growing brings back no line from before."""
+        self._widest = columns
+        self._below: list[Row] = []
+        """The last line, and those under it that a lower window has no room for because its cursor stands so high."""
+        self._below_since = 0
+        """`scrolled` when they were there: any line that scrolls forgets them."""
+        self.markers: WeakSet[Marker] = WeakSet()
+        """Places that follow their text when it is wrapped anew."""
         self._arriving: list[Row | Line | None] = []
         """Rows above the one with the cursor that have not moved into the screen yet: rows, or lines of pyte's buffer."""
         self._pen: list[str] = []
@@ -127,23 +132,21 @@ class Screen(PyteScreen):
         """What REP repeats."""
         self._passed = 0
         """Rows that went by and are not even kept in the scrollback."""
-        self._odd_before = 0
-        """In the text that is being fed: up to here it has to be read character by character."""
-        self._odd_at = -1
-        """The position of the next control character in it that does not belong in a line of text."""
+        self._whole_lines = WholeLines(self)
         self._style_of: Char | None = None
         self._style_now = PLAIN_STYLE
         self.answers: list[str] = []
         """The terminal's replies to the program's queries, for `Terminal` to deliver."""
         self._cells: dict[tuple[object, ...], _Cells] = {}
         self._colours: dict[tuple[Char, str], Char] = {}
-        self._main: tuple[dict[int, Line], Cursor] | None = None
+        self._main: _MainScreen | None = None
         super().__init__(columns, lines)
+        self._buffer: dict[int, Line] = defaultdict(lambda: Line(self.default_char))
         self._parser = Parser(self)
 
     # -- what the view reads -------------------------------------------------------------------------------------------
 
-    @property
+    @property  # type: ignore[override]  # Line is pyte's own, and a mark
     def buffer(self) -> dict[int, Line]:
         """pyte's lines of cells, by their number."""
         if self._arriving or self._pen:
@@ -170,7 +173,7 @@ class Screen(PyteScreen):
 
     def row(self, y: int) -> Row:
         """Line `y` of the screen, 0 at the top."""
-        return as_row(self.buffer.get(y, {}))
+        return _row_of(self.buffer.get(y))
 
     def history_row(self, index: int) -> Row:
         """Line `index` of the scrollback, 0 the oldest."""
@@ -200,7 +203,7 @@ class Screen(PyteScreen):
     def feed(self, text: str, until: float = NEVER) -> int:
         """Show what a program wrote, or as much as fits before `until` (perf_counter); return how much."""
         text = for_emulation(text)
-        self._odd_before, self._odd_at = 0, -1
+        self._whole_lines.begin()
         read = self._parser.feed(text, until)
         if self._arriving:
             self.dirty.update(range(self.lines))
@@ -250,150 +253,28 @@ class Screen(PyteScreen):
             self._colours[before, parameters] = after
         self.cursor.attrs = after
 
-    # -- whole lines ---------------------------------------------------------------------------------------------------
+    def rush(self, text: str, start: int) -> int:
+        return self._whole_lines.take(text, start)
 
-    def _is_simple(self) -> bool:
+    # -- what scrolls in ---------------------------------------------------------------------------------------------------
+
+    def is_simple(self) -> bool:
         """Whether text goes from cell to cell and on to the next line, as it nearly always does."""
         mode = self.mode
         return (
             modes.IRM not in mode and modes.DECAWM in mode and not self.margins and self.g0_charset is charsets.LAT1_MAP
         )
 
-    def rush(self, text: str, start: int) -> int:
-        if self.cursor.x or start < self._odd_before or not self._is_at_the_empty_end():
-            return start
-        if not self._is_simple() or modes.DECSCNM in self.mode or self.columns < 2:
-            return start
-        if start > self._odd_at:
-            odd = _ODD.search(text, start)
-            self._odd_at = len(text) if odd is None else odd.start()
-        end = self._odd_at
-        coloured = text.find("\x1b", start, end) >= 0
-        if coloured and (sequence := _ODD_SEQUENCE.search(text, start, end)) is not None:
-            end = sequence.start()
-        self._odd_before = end
-        cut = text.rfind("\r\n", start, end)
-        if cut < 0:
-            return start
-        return self._take_lines(text[start:cut], start, coloured)
-
-    def _take_lines(self, chunk: str, start: int, coloured: bool) -> int:
-        """Lines without odd characters, before the last of which a newline is missing; returns the place after what was taken."""
-        lines = chunk.split("\r\n")
-        regular = chunk.count("\r") == chunk.count("\n") == len(lines) - 1
-        if (
-            regular
-            and not coloured
-            and "\t" not in chunk
-            and chunk.isascii()
-            and len(max(lines, key=len)) <= self.columns
-        ):
-            style = self._style()
-            if style == PLAIN_STYLE:
-                self._arrive(lines)
-            else:
-                self._arrive([((line, style),) if line else "" for line in lines])
-            return start + len(chunk) + 2
-        rows: list[Row] = []
-        if regular and not coloured and not _NOT_COMMON.search(chunk) and self._style() == PLAIN_STYLE:
-            for line in lines:
-                if 2 * len(line) <= self.columns:
-                    rows.append(line)
-                else:
-                    rows += folded(line, self.columns)
-            self._arrive(rows)
-            return start + len(chunk) + 2
-        for line in lines:
-            made = self._rows_of(line)
-            if made is None:
-                self._arrive(rows)
-                rows = []
-                self._draw_line(line)
-            else:
-                rows += made
-        self._arrive(rows)
-        return start + len(chunk) + 2
-
-    def _draw_line(self, line: str) -> None:
-        """Draw a line of text, colours, tabs, carriage returns and bare newlines; then begin the next."""
-        for found in _PIECE.finditer(line):
-            if found[1]:
-                self.draw(found[1])
-            elif found[2]:
-                self.control(found[2])
-            elif found[3] == "K":
-                self.erase_in_line()
-            else:
-                self.colour(found[3][:-1])
-        self.new_line()
-
-    def _rows_of(self, line: str) -> list[Row] | None:
-        """The rows a line takes that begins at the left edge; None if it has to be drawn. Sets the colour it ends with."""
-        line = line.rstrip("\r")
-        if "\n" in line or "\r" in line:
-            return None
-        if not line.isascii() and "0" in widths(_COLOUR.sub("", line).replace("\t", "")):
-            return None  # characters that go onto the one before
-        if "\x1b" in line:
-            return self._coloured_rows_of(line)
-        style = self._style()
-        if "\t" in line:
-            if style != PLAIN_STYLE or not self._tabs_are_regular():
-                return None
-            line = _expanded(line.rstrip("\t"))
-            if text_width(line) > self.columns:
-                return None
-            return [line]
-        rows = folded(line, self.columns)
-        return list(rows) if style == PLAIN_STYLE else [((row, style),) if row else "" for row in rows]
-
-    def _coloured_rows_of(self, line: str) -> list[Row] | None:
-        before = self.cursor.attrs
-        runs: list[Run] = []
-        used = 0
-        width = len if line.isascii() else text_width
-        beyond: Style | None = None
-        for index, piece in enumerate(_COLOUR.split(line)):
-            if index % 2:
-                if piece == "K":
-                    background = self.cursor.attrs.bg  # as `_blank`, whose cell costs a quarter of such a line
-                    beyond = PLAIN_STYLE if background == "default" else PLAIN_STYLE._replace(bg=background)
-                else:
-                    self.colour(piece[:-1])
-            elif "\t" in piece:
-                style = self._style()
-                for number, part in enumerate(piece.split("\t")):
-                    if number:
-                        blanks = 8 - used % 8
-                        runs.append((" " * blanks, PLAIN_STYLE if beyond is None else beyond))
-                        used += blanks
-                    if part:
-                        runs.append((part, style))
-                        used += width(part)
-            elif piece:
-                runs.append((piece, self._style()))
-                used += width(piece)
-        special = beyond is not None or "\t" in line
-        if special and (used > self.columns or not self._tabs_are_regular()):
-            self.cursor.attrs = before
-            return None
-        if beyond is not None and beyond != PLAIN_STYLE and used < self.columns:
-            runs.append((" " * (self.columns - used), beyond))
-        return folded_runs(runs, self.columns) if used > self.columns else [tuple(runs)]
-
-    def _tabs_are_regular(self) -> bool:
-        return self.tabstops == _regular_tabs(self.columns)
-
-    def _style(self) -> Style:
+    def style(self) -> Style:
         attrs = self.cursor.attrs
         if attrs is not self._style_of:
             self._style_of = attrs
             self._style_now = Style(*attrs[1:])
         return self._style_now
 
-    def _arrive(self, rows: Sequence[Row]) -> None:
+    def arrive(self, rows: Sequence[Row]) -> None:
         """Rows that scroll in from below, above the line with the cursor."""
-        surplus = len(rows) - SCROLLBACK - self.lines
+        surplus = len(rows) - (self._scrollback.maxlen or 0) - self.lines
         if surplus > 0:
             self._settle()
             self._passed += surplus
@@ -428,8 +309,9 @@ class Screen(PyteScreen):
 
     def _fill(self, line: Line, row: Row) -> None:
         """Make the cells of a row."""
+        line.folded = isinstance(row, Folded)
         x = 0
-        for text, style in ((row, PLAIN_STYLE),) if isinstance(row, str) else row:
+        for text, style in runs_of(row):
             digits = "" if text.isascii() else widths(text)
             if "0" in digits:
                 line.update(enumerate(cells_of(row)))
@@ -441,7 +323,8 @@ class Screen(PyteScreen):
             return
         self._scrolled += len(rows)
         self._scrollback.extend(
-            "" if not row else as_row(row) if isinstance(row, dict) else without_end(row) for row in rows[-SCROLLBACK:]
+            "" if not row else _row_of(row) if isinstance(row, dict) else without_end(row)
+            for row in rows[-(self._scrollback.maxlen or 0) :]
         )
 
     # -- drawing -------------------------------------------------------------------------------------------------------
@@ -453,7 +336,7 @@ class Screen(PyteScreen):
         if modes.IRM in self.mode or modes.DECAWM not in self.mode or self.columns < 2:
             self._draw_slowly(data)
             return
-        digits = "" if data.isascii() or not _NOT_NARROW.search(data) else widths(data)
+        digits = "" if data.isascii() or not NOT_NARROW.search(data) else widths(data)
         if "0" in digits:
             self._draw_with_marks(data, digits)
         else:
@@ -482,19 +365,49 @@ class Screen(PyteScreen):
         if start:
             self._put(data[:start], digits[:start])
         while start < end:
-            self.dirty.add(cursor.y)
-            self.carriage_return()
-            self.linefeed()
-            if end - start > columns and self._is_at_the_empty_end():
+            self._wrap()
+            if end - start > columns and self.is_at_the_empty_end():
                 rows = folded(data[start:], columns)
-                style = self._style()
                 start = end - len(rows.pop())
-                self._arrive(list(rows) if style == PLAIN_STYLE else [((row, style),) for row in rows])
+                self.arrive(in_style(rows, self.style()))
             count = fitting(digits, start, columns) if digits else min(columns, end - start)
             self._put(data[start : start + count], digits[start : start + count])
             start += count
 
-    def _is_at_the_empty_end(self) -> bool:
+    def _wrap(self) -> None:
+        """Go on in the next line with the text that has come to the right edge."""
+        cursor, x = self.cursor, self.cursor.x
+        self.dirty.add(cursor.y)
+        cursor.x = 0
+        if self._pen and cursor.y == self.lines - 1 and self.margins is None:
+            if self._pen[x:] == [" "]:  # no room for a wide character: nothing stands there
+                del self._pen[x:]
+            self._pen, text = [], "".join(self._pen)
+            self._arriving.append(FoldedText(text))
+            return
+        line = self._line()
+        if line.get(x) == self.default_char:
+            del line[x]
+        line.folded = True
+        self.linefeed()
+        line.folded = self._buffer.get(cursor.y) is not line  # below the margins there is no next line
+
+    def _cut(self, y: int) -> None:
+        """Line `y` is no longer what the line above it goes on with."""
+        if y == self.lines - 1 and self._arriving:
+            last = self._arriving[-1]
+            if isinstance(last, Line):
+                last.folded = False
+            elif last is not None:
+                self._arriving[-1] = ended(last)
+        elif y:
+            above = self.buffer.get(y - 1)
+            if above is not None:
+                above.folded = False
+        elif not self.alternate and self.scrollback:
+            self._scrollback[-1] = ended(self._scrollback[-1])
+
+    def is_at_the_empty_end(self) -> bool:
         """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
         bottom = self.lines - 1
         return self.cursor.y == bottom and not self._pen and not self._buffer.get(bottom) and not self.margins
@@ -516,7 +429,7 @@ class Screen(PyteScreen):
 
     def _pen_is_at_hand(self) -> bool:
         """Whether the last line is plain text, and what comes is too."""
-        if self.cursor.y != self.lines - 1 or modes.DECSCNM in self.mode or self._style() != PLAIN_STYLE:
+        if self.cursor.y != self.lines - 1 or modes.DECSCNM in self.mode or self.style() != PLAIN_STYLE:
             return False
         return bool(self._pen) or not self._buffer.get(self.lines - 1)
 
@@ -562,9 +475,7 @@ class Screen(PyteScreen):
                 continue
             if cursor.x + width > self.columns:
                 if modes.DECAWM in self.mode:
-                    self.dirty.add(cursor.y)
-                    self.carriage_return()
-                    self.linefeed()
+                    self._wrap()
                 else:
                     cursor.x = max(self.columns - width, 0)
             if modes.IRM in self.mode:
@@ -627,6 +538,7 @@ class Screen(PyteScreen):
     def delete_characters(self, count: int | None = None) -> None:
         super().delete_characters(count)
         fit(self.buffer[self.cursor.y], self.columns)
+        self._line().folded = False
 
     def erase_characters(self, count: int | None = None) -> None:
         self._erase(self.cursor.x, min(self.cursor.x + (count or 1), self.columns))
@@ -641,6 +553,10 @@ class Screen(PyteScreen):
         self._clear_halves(line, first, end - first)
         line.update(dict.fromkeys(range(first, end), self._blank()))
         self.dirty.add(self.cursor.y)
+        if end == self.columns:
+            line.folded = False
+            if not first:
+                self._cut(self.cursor.y)
 
     def _blank(self) -> Char:
         """An erased cell: of the pen's attributes it takes the background alone (terminfo's bce)."""
@@ -659,17 +575,40 @@ class Screen(PyteScreen):
             else:
                 self._arriving.append(self._buffer.pop(self.lines - 1, ""))
             return
-        super().index()
+        top, bottom = self.margins or (0, self.lines - 1)
+        if self.cursor.y == bottom:
+            self._cut(bottom + 1)
+            super().index()
+            self._cut(top)
+        else:
+            super().index()
 
-    def _remember(self, row: Row) -> None:
-        self._scrollback.append(row)
-        self._scrolled += 1
+    def reverse_index(self) -> None:
+        top, bottom = self.margins or (0, self.lines - 1)
+        moves = self.cursor.y == top
+        super().reverse_index()
+        if moves:
+            self._cut(top)
+            self._cut(bottom + 1)
+
+    def insert_lines(self, count: int | None = None) -> None:
+        super().insert_lines(count)
+        self._cut(self.cursor.y)
+        self._cut((self.margins.bottom if self.margins else self.lines - 1) + 1)
+
+    def delete_lines(self, count: int | None = None) -> None:
+        bottom = self.margins.bottom if self.margins else self.lines - 1
+        self._cut(bottom + 1)
+        super().delete_lines(count)
+        self._cut(self.cursor.y)
 
     def erase_in_display(self, how: int = 0, *args: int, **kwargs: bool) -> None:
         if how == 3:
             self.scrollback.clear()
             self.dirty.update(range(self.lines))
             return
+        if not self.alternate and how != 1:
+            self._below = []
         y, blank = self.cursor.y, self._blank()
         erased = {0: range(y + 1, self.lines), 1: range(y), 2: range(self.lines)}[how]
         lines = self.buffer
@@ -678,8 +617,12 @@ class Screen(PyteScreen):
             if blank != self.default_char:  # pyte leaves cells alone that nothing was drawn in
                 lines[each].update(dict.fromkeys(range(self.columns), blank))
         self.dirty.update(erased)
+        if 0 in erased:
+            self._cut(0)
         if how != 2:
             self.erase_in_line(how)
+        elif not self.alternate:
+            self._cleared = self._scrolled
 
     def scroll_up(self, count: int = 0) -> None:
         """SU: the lines between the margins move up, and the cursor stays where it is."""
@@ -725,7 +668,8 @@ class Screen(PyteScreen):
     def set_mode(self, *numbers: int, **keywords: bool) -> None:
         if keywords.get("private"):
             if ALTERNATE_MODES.intersection(numbers) and self._main is None:
-                self._main = (dict(self.buffer), Cursor(self.cursor.x, self.cursor.y, self.cursor.attrs))
+                cursor = Cursor(self.cursor.x, self.cursor.y, self.cursor.attrs)
+                self._main = _MainScreen(dict(self.buffer), (self.lines, self.columns), cursor)
                 self.buffer.clear()
                 self.dirty.update(range(self.lines))
             # 3 would make the screen 132 columns wide; the window decides that here.
@@ -735,23 +679,22 @@ class Screen(PyteScreen):
     def reset_mode(self, *numbers: int, **keywords: bool) -> None:
         if keywords.get("private"):
             if ALTERNATE_MODES.intersection(numbers) and self._main is not None:
-                self.buffer.clear()
-                lines, cursor = self._main
-                self._main = None
-                # The window may have become smaller meanwhile: the line with the cursor stays in sight.
-                shift = max(cursor.y - self.lines + 1, 0)
-                for y, line in sorted(lines.items()):
-                    if y < shift:
-                        self._remember(as_row(line))
-                    elif y - shift < self.lines:
-                        self.buffer[y - shift] = line
-                        fit(line, self.columns)
-                self.cursor.x, self.cursor.y = min(cursor.x, self.columns), cursor.y - shift
-                self.cursor.attrs = self.default_char
-                self.margins = None
-                self.dirty.update(range(self.lines))
+                self._leave_alternate(self._main)
             numbers = tuple(number for number in numbers if number not in ALTERNATE_MODES and number != 3)
         super().reset_mode(*numbers, **keywords)
+
+    def _leave_alternate(self, main: _MainScreen) -> None:
+        """Show the main screen again, in the size that the window has now."""
+        size = self.lines, self.columns
+        self.buffer.clear()
+        self._main = None
+        self.buffer.update(main.buffer)
+        self.lines, self.columns = main.size
+        self.cursor.x, self.cursor.y = main.cursor.x, main.cursor.y
+        self.cursor.attrs = self.default_char
+        self.margins = None
+        self.resize(*size)
+        self.dirty.update(range(self.lines))
 
     def save_cursor(self) -> None:
         """Save one cursor position, as xterm does; pyte would keep them all."""
@@ -767,6 +710,9 @@ class Screen(PyteScreen):
         if self._arriving or self._pen:
             self._settle()
         self._main = None
+        self._below = []
+        self._cut(0)
+        self._cleared = self._scrolled
         super().reset()
 
     def write_process_input(self, data: str) -> None:
@@ -776,7 +722,7 @@ class Screen(PyteScreen):
     # -- size ----------------------------------------------------------------------------------------------------------
 
     def resize(self, lines: int | None = None, columns: int | None = None) -> None:
-        """Change the size. Shrinking moves lines from the top into the scrollback, growing brings them back."""
+        """Change the size. The text is folded anew; shrinking moves lines into the scrollback, growing brings them back."""
         lines = lines or self.lines
         columns = columns or self.columns
         if (lines, columns) == (self.lines, self.columns):
@@ -790,62 +736,61 @@ class Screen(PyteScreen):
                 fit(line, columns)
             self.cursor.x, self.cursor.y = min(self.cursor.x, columns), min(self.cursor.y, lines - 1)
             self.dirty.intersection_update(range(lines))
-            return
-        used = max([self.cursor.y, *(y for y in self.buffer if self.buffer[y])], default=0) + 1
-        shift = max(used - lines, 0)
-        if shift:
-            rows = [self.buffer.pop(y, None) for y in range(self.lines)]
-            for row in rows[:shift]:
-                self._remember(as_row(row) if row is not None else "")
-            for y, row in enumerate(rows[shift:used]):
-                if row is not None:
-                    self.buffer[y] = row
-            self.cursor.y -= shift
-        elif lines > self.lines:
-            shift = -min(lines - self.lines, len(self._scrollback))
-            if shift and used == self.lines:
-                self._bring_back(-shift)
-        for y in [y for y in self.buffer if y >= lines]:
-            del self.buffer[y]
-        if columns < self.columns:
-            for line in self.buffer.values():
-                fit(line, columns)
+        else:
+            self._rearrange(lines, columns)
+
+    def _rearrange(self, lines: int, columns: int) -> None:
+        """Spread scrollback and screen over a window of another size."""
+        cursor = self.cursor
+        history = len(self._scrollback)
+        oldest = self._scrolled - history
+        screen = [self.row(y) for y in range(self.lines)]
+        below = self._below if self._below_since == self._scrolled else []
+        if below and ended(below[0]) == screen[-1]:
+            screen[-1] = below[0]
+        used = self.lines if below else max([cursor.y, *(y for y, row in enumerate(screen) if row)]) + 1
+        rows = [*self._scrollback, *screen[:used], *below[1:]]
+        saved = [(point.cursor, Marker(self._scrolled + point.cursor.y, point.cursor.x)) for point in self.savepoints]
+        top, first = history, max(self._cleared - oldest, 0)
+        place = history + cursor.y, cursor.x
+        if columns != self.columns:
+            markers = [marker for marker in self.markers if marker.line >= oldest] + [marker for _, marker in saved]
+            places = [(top, 0), (first, 0), *((marker.line - oldest, marker.column) for marker in markers)]
+            wraps_next = cursor.x >= self.columns
+            rows, place, ((top, _), (first, _), *moved) = rewrap(rows, columns, place, places, wraps_next=wraps_next)
+            for marker, (index, x) in zip(markers, moved, strict=True):
+                marker.line, marker.column = oldest + index, x
+        end = len(rows) - lines
+        top = min(max(end, first if used == self.lines else top), place[0])
+        self._scrollback = deque(rows[:top], maxlen=self._most_above(lines, columns))
+        self._scrolled = oldest + top
+        self._cleared = oldest + first
+        self._below = rows[top + lines - 1 :] if end > top else []
+        self._below_since = self._scrolled
+        self.buffer.clear()
+        for y, row in enumerate(rows[top : top + lines]):
+            if row:
+                self._fill(self._buffer[y], row)
         self.lines, self.columns = lines, columns
         self.margins = None
-        self.cursor.y = min(max(self.cursor.y, 0), lines - 1)
-        self.cursor.x = min(self.cursor.x, columns)
+        cursor.y, cursor.x = place[0] - top, min(place[1], columns)
+        for point, marker in saved:
+            point.y, point.x = max(marker.line - self._scrolled, 0), marker.column
+        if self._below:
+            self._cut(lines)
         self.dirty.clear()
         self.dirty.update(range(lines))
 
-    def _bring_back(self, count: int) -> None:
-        rows = [self._scrollback.pop() for _ in range(count)][::-1]
-        self._scrolled -= count
-        for y in sorted((y for y in self.buffer), reverse=True):
-            self.buffer[y + count] = self.buffer.pop(y)
-        for y, row in enumerate(rows):
-            self.buffer[y].update(enumerate(cells_of(row)))
-        self.cursor.y += count
+    def _most_above(self, lines: int, columns: int) -> int:
+        """The rows of scrollback in which the text of the widest window has room."""
+        self._widest = max(self._widest, columns)
+        if columns == self._widest:
+            return SCROLLBACK
+        return (SCROLLBACK + max(lines, self.lines)) * -(-self._widest // max(columns - 1, 1))
 
 
-@lru_cache(maxsize=8)
-def _regular_tabs(columns: int) -> set[int]:
-    return set(range(8, columns, 8))
-
-
-def _expanded(line: str) -> str:
-    """A line with blanks for its tabs."""
-    if line.isascii():
-        return line.expandtabs(8)
-    parts: list[str] = []
-    used = 0
-    for number, part in enumerate(line.split("\t")):
-        if number:
-            blanks = 8 - used % 8
-            parts.append(" " * blanks)
-            used += blanks
-        parts.append(part)
-        used += text_width(part)
-    return "".join(parts)
+def _row_of(line: Line | None) -> Row:
+    return as_row(line, folded=line.folded) if line else ""
 
 
 def _with_second_halves(text: str, digits: str) -> Sequence[str]:

@@ -65,6 +65,7 @@ class Terminal:
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
         command: str = "",
+        text: str = "",
     ) -> None:
         from day6_tui.core.shell.login import login, run_command
 
@@ -96,6 +97,10 @@ class Terminal:
         self._drained = Signal()
         """The same for programs on the scheduler's thread."""
         self._drained.set()
+        if text:
+            from day6_tui.core.shell.transcript import shown_again
+
+            self.write(shown_again(text))
         self.shell = desk.shell(interactive=True, cwd=cwd, env=env)
         self.discipline = Discipline(self)
         stdin = self.discipline.root
@@ -115,12 +120,14 @@ class Terminal:
 
     @property
     def screen(self) -> Screen:
-        """The picture as of the last `update`."""
+        """The picture as of the last `update`, in the size that the window has now: nobody waits for one that is hidden."""
         if self._screen is None:
             # pyte costs tens of milliseconds to import; a terminal exists before its first frame is drawn.
             from day6_tui.core.shell.screen import Screen
 
             self._screen = Screen(self.columns, self.rows)
+        elif (self._screen.columns, self._screen.lines) != (self.columns, self.rows):
+            self._screen.resize(self.rows, self.columns)
         return self._screen
 
     def update(self) -> set[int]:
@@ -191,6 +198,13 @@ class Terminal:
     def busy(self) -> bool:
         """Whether a command runs in the foreground."""
         return self.shell.front is not None
+
+    @property
+    def running(self) -> list[str]:
+        """The commands that have not ended: the one in the foreground, then those in the background and the stopped ones."""
+        front = self.shell.front
+        jobs = [job for job in list(self.shell.jobs.jobs) if job is not front and not job.finished]
+        return [job.source for job in ([front] if front is not None else []) + jobs]
 
     @property
     def idle(self) -> bool:
@@ -273,13 +287,13 @@ class Terminal:
         self.send(line + "\r")
 
     def resize(self, columns: int, rows: int) -> None:
-        """Handle a new size of the window: rearrange the picture, notify the process and the line editor."""
+        """Handle a new size of the window: notify the process and the line editor. The picture follows when it is looked at."""
         columns, rows = max(columns, 2), max(rows, 1)
         if (columns, rows) == (self.columns, self.rows):
             return
+        if self._ring and not self.busy:
+            self.update()  # what the line editor drew for the size before
         self.columns, self.rows = columns, rows
-        if self._screen is not None:
-            self._screen.resize(rows, columns)
         self.desk.scheduler.call_soon_threadsafe(self.discipline.resized)
 
     # -- for programs --------------------------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from day6_tui.core.workspace import reports
+from day6_tui.core.workspace.advisor import Advisor
 from day6_tui.core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Events
 from day6_tui.core.workspace.files import Output
@@ -51,6 +52,7 @@ class Colcon:
         self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name, self._warn_of_logs)
         self.selected: list[str] = []
         """The packages of a build."""
+        self._advisor = Advisor(console, environment, cwd)
         self._executor: Executor | None = None
         self._interrupted = False
         self._lock = threading.Lock()
@@ -191,7 +193,7 @@ class Colcon:
             output=Output(bases),
             environment=self.environment,
             warn=self.warn,
-            print_error=self.console.err,
+            print_error=self._advisor.print_error,
             merge_install=args.merge_install,
             symlink_install=getattr(args, "symlink_install", False),
             test_result_base=results,
@@ -222,7 +224,7 @@ class Colcon:
 
     def _execute(self, jobs: list[Job], on_error: OnError) -> int:
         handlers = chosen_handlers(self.args.event_handlers or [], self.console, self.args.verb_name, self.log)
-        events = Events(handlers)
+        events = Events([*handlers, self._advisor])
         executor_name = self.args.executor or self.environment.get("COLCON_DEFAULT_EXECUTOR")
         workers = 1 if executor_name == "sequential" else self.args.parallel_workers
         with self._lock:
@@ -233,6 +235,8 @@ class Colcon:
         events.emit(Event("end"))
         if isinstance(outcome, Exception):
             self.console.err(f"{outcome}\n")
+        self._advisor.advise(building=self.args.verb_name == "build")
+        if isinstance(outcome, Exception):
             return 1
         return _INTERRUPT_STATUS if outcome == INTERRUPTED else int(outcome)
 

@@ -34,7 +34,8 @@ async def main(session: Session) -> int:
     if not session.cwd.is_dir():  # creating `build` would create it again
         session.print_error(f"colcon: {LOST}")
         return 1
-    colcon = Colcon(args, Console(session.stdout, session.stderr), session.cwd, environment.as_program(session.env))
+    console = Console(session.stdout, session.stderr, environment=session.env)
+    colcon = Colcon(args, console, session.cwd, environment.as_program(session.env))
     status = await _in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:
         forget(name)  # a rebuilt message has a new class now

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
 from day6_tui.core.session.streams import OutputStream
+from day6_tui.core.workspace.style import Styler
 
 INTERRUPTED = "SIGINT"
 """The result of a job ended by Ctrl-C; other results are numbers."""
@@ -44,7 +45,12 @@ class Console:
     begun: float = field(default_factory=time.monotonic)
     status: str = ""
     """The status line on the screen now, to be wiped before anything else is printed."""
+    environment: Mapping[str, str] = field(default_factory=dict)
     _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def __post_init__(self) -> None:
+        self.out_style = Styler(self.stdout, self.environment)
+        self.err_style = Styler(self.stderr, self.environment)
 
     def out(self, text: str) -> None:
         """Print to standard output."""

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.workspace.events import INTERRUPTED, Console, Event, Handler, Result, duration
 from day6_tui.core.workspace.logs import EventLog, JobLogs, LogFolder
+from day6_tui.core.workspace.style import Style
 
 
 class ConsoleDirect:
@@ -57,7 +58,9 @@ class ConsoleStderr:
         elif event.kind == "ended":
             lines = self._lines.pop(event.job, [])
             if lines and event.result != INTERRUPTED:
-                self._console.err(f"--- stderr: {event.job}\n{''.join(lines)}---\n")
+                style = Style.ERROR if event.result else Style.WARNING
+                head, end = (self._console.err_style(style, text) for text in (f"--- stderr: {event.job}", "---"))
+                self._console.err(f"{head}\n{''.join(lines)}{end}\n")
 
 
 class ConsoleStartEnd:
@@ -77,13 +80,16 @@ class ConsoleStartEnd:
             self._test_failures.add(event.job)
         elif event.kind == "ended":
             took = duration(time.monotonic() - self._began[event.job])
+            out_style, err_style = self._console.out_style, self._console.err_style
             if event.result == INTERRUPTED:
-                self._console.out(f"Aborted  <<< {event.job} [{took}]\n")
+                self._console.out(f"{out_style(Style.WARNING, 'Aborted')}  <<< {event.job} [{took}]\n")
             elif event.result:
-                self._console.err(f"Failed   <<< {event.job} [{took}, exited with code {event.result}]\n")
+                code = err_style(Style.ERROR, f"exited with code {event.result}")
+                self._console.err(f"{err_style(Style.CRITICAL, 'Failed')}   <<< {event.job} [{took}, {code}]\n")
             else:
-                hint = "\t[ with test failures ]" if event.job in self._test_failures else ""
-                self._console.out(f"Finished <<< {event.job} [{took}]{hint}\n")
+                failures = out_style(Style.WARNING, "\t[ with test failures ]")
+                note = failures if event.job in self._test_failures else ""
+                self._console.out(f"Finished <<< {event.job} [{took}]{note}\n")
 
 
 class ConsolePackageList:
@@ -131,16 +137,17 @@ class Summary:
         interrupted = {job for job, result in ended if result == INTERRUPTED}
         failed = {job for job, result in ended if result and result != INTERRUPTED}
         finished = self._results.keys() - interrupted - failed
+        style = self._console.out_style
         took = duration(time.monotonic() - self._began)
         lines = [f"\nSummary: {_count(len(finished))} finished [{took}]"]
-        for jobs, what in (
-            (failed, "failed"),
-            (interrupted, "aborted"),
-            (self._with_stderr, "had stderr output"),
-            (self._with_test_failures, "had test failures"),
+        for jobs, what, kind in (
+            (failed, "failed", Style.ERROR),
+            (interrupted, "aborted", Style.WARNING),
+            (self._with_stderr, "had stderr output", Style.WARNING),
+            (self._with_test_failures, "had test failures", Style.ERROR),
         ):
             if jobs:
-                lines.append(f"  {_count(len(jobs))} {what}: {' '.join(sorted(jobs))}")
+                lines.append(style(kind, f"  {_count(len(jobs))} {what}: ") + " ".join(sorted(jobs)))
         blocked = self._queued - self._results.keys()
         if blocked:
             lines.append(f"  {_count(len(blocked))} not processed")

@@ -17,7 +17,7 @@ EXCEPTIONS: dict[str, str] = {}
 
 @pytest.fixture
 def workshop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Workshop]:
-    monkeypatch.setattr("day6_tui.core.shell.desk.USER", "root")  # who made the recording
+    monkeypatch.setattr("day6_tui.core.shell.desk.login_name", lambda: "root")  # who made the recording
     place = Workshop(tmp_path / "home")
     yield place
     place.close()

@@ -37,9 +37,14 @@ KEYS = {
     "F6": "\x1b[17~",
     "F8": "\x1b[19~",
     "F9": "\x1b[20~",
+    "Alt-1": "\x1b1",
+    "Alt-2": "\x1b2",
+    "Alt-3": "\x1b3",
+    "Alt-4": "\x1b4",
+    "Alt-5": "\x1b5",
     "Ctrl-C": "\x03",
     "Ctrl-D": "\x04",
-    "Ctrl-P": "\x10",
+    "F7": "\x1b[18~",
     "Ctrl-Q": "\x11",
     "Ctrl-U": "\x15",
 }
@@ -72,6 +77,10 @@ class Terminal(Screen):
         """Press keys, by their names in KEYS or as themselves."""
         for key in keys:
             self.send(KEYS.get(key, key))
+
+    def quit(self) -> None:
+        """Ctrl-Q, and once more for the question whether to end what runs."""
+        self.send("\x11\x11")
 
     def send_bytes(self, data: bytes) -> None:
         """Send what no well-behaved terminal would."""

@@ -39,7 +39,7 @@ from day6_tui.tui.terminal_driver import TerminalDriver
 original = TerminalDriver._read
 def _read(self):
     data = original(self)
-    if data == b"\\x10":
+    if data == b"\\x1b[18~":
         breaks()
     return data
 TerminalDriver._read = _read
@@ -61,7 +61,7 @@ def given_back(desk: Terminal) -> None:
     assert b"Traceback" not in desk.output
 
 
-@pytest.mark.parametrize("data", [b"\x10", b"\x1b[<64;10;18M"], ids=["a key", "the wheel"])
+@pytest.mark.parametrize("data", [b"\x1b[18~", b"\x1b[<64;10;18M"], ids=["a key", "the wheel"])
 def test_a_key_or_a_click_that_fails_is_told_and_everything_goes_on(place: Place, data: bytes) -> None:
     with desktop(place, A_KEY) as desk:
         desk.wait("$")
@@ -102,7 +102,7 @@ def test_what_cannot_go_on_ends_with_one_line_and_status_1_and_the_text_is_kept(
         desk.wait("print(1)")
         desk.send("# unsaved ")
         desk.wait("# unsaved print(1)")
-        desk.press("Ctrl-P")
+        desk.press("F7")
         assert desk.wait_end() == 1
         given_back(desk)
         after = bytes(desk.output).rpartition(b"\x1b[?1049l")[2].decode()
@@ -125,6 +125,6 @@ def test_with_as_many_programs_as_there_may_be_no_terminal_opens_and_the_desktop
         desk.wait("bash: fork: Resource temporarily unavailable")
         desk.press("F2")
         desk.wait("too many programs are running")
-        desk.press("Ctrl-Q")
+        desk.quit()
         assert desk.wait_end() == 0
         given_back(desk)

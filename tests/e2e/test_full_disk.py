@@ -42,13 +42,13 @@ def test_nano_and_the_desktop_lose_no_text_without_a_question(place: Place) -> N
         screen.wait("all my work", "no copy of the unsaved text")
         screen.send("\x13")
         screen.wait("not saved: File too large")
-        screen.press("Ctrl-Q")
-        screen.wait("A text would be lost", "hello.txt")
+        screen.press("F2", "Ctrl-Q")
+        screen.wait("Something would be lost", "hello.txt")
         screen.press("Esc")
-        screen.wait_gone("A text would be lost")
+        screen.wait_gone("Something would be lost")
         assert "all my work" in screen.look() and screen.status is None
         screen.press("Ctrl-Q")
-        screen.wait("A text would be lost")
+        screen.wait("Something would be lost")
         screen.send("y")
         assert screen.wait_end() == 0
     assert not list(place.work.rglob(".day6-*")) and not list(place.home.rglob(".day6-*"))

@@ -258,14 +258,14 @@ IN_XML_SHOWN = "\\x9b2J\\x9d0;T"
 WINDOWS = [
     # what is typed, a word of the window, keys in the window, what is then to be seen
     ("rqt_console", "Console", ["Up"], MARK),
-    ("rqt_topic", "Topic Monitor", ["Enter"], '"\\e]0;T\\a'),  # YAML has names for them
+    ("rqt_topic", "Topic Monitor", ["Enter", "Right"], "data: ^[]0;T^G"),
     ("rqt_plot /chatter/data", "MatPlot", [], "no number"),
     ("rqt_graph", "rqt_graph", ["t"], "/evil"),
     ("rviz2 -f $'\\e]0;T\\a'", "RViz", ["Down", "Down"], MARK),
     ("ros2 run joint_state_publisher_gui joint_state_publisher_gui soft.urdf", "Joint State", ["Right"], IN_XML_SHOWN),
     ("ros2 run day6_bot car_view", "car_view", ["Down"], IN_XML_SHOWN),
     ("ros2 run turtlesim turtlesim_node", "TurtleSim", [], "turtle1"),
-    ("ros2 launch day6_world world.launch.py", "world", [], "evil publishes"),
+    ("ros2 launch day6_world world.launch.py", "world: empty", [], "evil publishes"),
 ]
 
 
@@ -281,21 +281,21 @@ def test_every_window_title_tab_and_list_of_the_desktop_shows_hostile_texts_as_t
         screen.wait("'bytes'$'\\377")
         for command, title, keys, wanted in WINDOWS:
             screen.line("clear; " + command)
-            screen.wait(f"╭ {title}")
+            screen.wait(f"╭ 2 {title} ")
             screen.press("F3")
-            screen.wait(f"┏ {title}")
+            screen.wait(f"┏ 2 {title} ")
             screen.press(*keys)
             screen.wait(wanted)
             screen.press("F3")
-            screen.wait(f"╭ {title}")
+            screen.wait(f"╭ 2 {title} ")
             screen.press("Ctrl-C")
-            screen.wait_gone(f"╭ {title}")
+            screen.wait_gone(f"╭ 2 {title}")
         screen.press("F6")  # the inspector
         screen.wait("Inspector")
         screen.press("F6")
         screen.line("cd ./*'[@click=app.quit]'; clear")
         screen.wait("1 ~/^[]0;T^G\\x9b2J")  # the tab
-        for key, title in (("F4", "┏ Windows"), ("Ctrl-P", "┏ Commands"), ("F1", "┏ Help")):
+        for key, title in (("F4", "━ Windows"), ("F7", "━ Commands"), ("F1", "━ Help")):
             screen.press(key)
             screen.wait(title)
             screen.press("Esc")

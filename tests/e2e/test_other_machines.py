@@ -61,6 +61,8 @@ def test_a_taken_port_is_told_and_programs_still_meet(place: Place, lang: str) -
             screen.wait("TurtleSim")
             assert "/turtlesim" in place.run("ros2", "node", "list").stdout
             screen.press(F6)
+            screen.wait(" 3 ")
+            screen.press("Alt-3", "F8")
             screen.wait(finding)
 
 

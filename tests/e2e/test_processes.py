@@ -152,7 +152,7 @@ def test_closing_the_terminal_ends_the_family_within_four_seconds(place: Place) 
         screen.line("python3 family.py")
         screen.wait_lines("the family is there")
         before = time.monotonic()
-        screen.press("Ctrl-Q")
+        screen.quit()
         assert screen.wait_end() == 0
         until(lambda: not place.processes(), 5)
         assert time.monotonic() - before < 8

@@ -57,7 +57,7 @@ def car_desktop(place: Place, *commands: str) -> Terminal:
     screen = place.desktop("--scene", "empty", columns=120, rows=40)
     screen.wait("student@day6:~$")
     screen.line(CAR)
-    screen.wait("╭ car_view", "nobody publishes /joint_states: the wheels do not turn")
+    screen.wait("╭ 2 car_view", "nobody publishes /joint_states: the wheels do not turn")
     return screen
 
 
@@ -142,7 +142,7 @@ def test_the_wheels_turn_as_the_students_program_says(place: Place) -> None:
         still = SPINS.search(seen)
 
         screen.line("clear; python3 wrong_names.py")
-        seen = screen.wait("joint wheel_left_joint is not in the URDF;", "mean left_wheel_joint?")
+        seen = screen.wait("joint wheel_left_joint is not in the URDF;", "left_wheel_joint?")
         assert SPINS.search(seen)[1] == still[1]  # type: ignore[index]
 
         def stands_still(_: str) -> bool:
@@ -195,7 +195,8 @@ def test_quitting_ends_a_program_that_ignores_ctrl_c(place: Place) -> None:
         screen.wait("student@day6:~$")
         screen.line("python3 stubborn.py")
         screen.wait_lines("you cannot stop me")
-        screen.press("Ctrl-C", "Ctrl-Q")
+        screen.press("Ctrl-C")
+        screen.quit()
         assert screen.wait_end() == 0
         until(lambda: place.processes() == {})  # the guard looks once more when the desktop is gone
 

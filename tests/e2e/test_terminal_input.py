@@ -40,7 +40,7 @@ def survives(desk: Terminal) -> None:
 
 def leave(desk: Terminal) -> None:
     """It ends well, and the terminal is as it was."""
-    desk.press("Ctrl-Q")
+    desk.quit()
     assert desk.wait_end() == 0
     assert b"Traceback" not in desk.output
     for mode in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?2004l", b"\x1b[?1003l"):
@@ -130,7 +130,7 @@ def test_ctrl_z_on_the_way_out_does_not_keep_a_desktop_that_no_shell_would_conti
         desk.wait("$")
         desk.line("python3 stay.py")
         desk.wait_lines("here")
-        desk.press("Ctrl-Q")
+        desk.quit()
         until(lambda: desk.look(0.05) and b"\x1b[?1049l" in desk.output)
         desk.send("\x1a\x1a")
         assert desk.wait_end() == 0

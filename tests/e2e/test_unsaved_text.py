@@ -63,7 +63,8 @@ def test_it_comes_back_whatever_ended_the_desktop(place: Place, way: str) -> Non
         if way == "hang-up":
             screen.hang_up()
         elif way == "Ctrl-Q":
-            screen.press("Ctrl-Q")
+            screen.press("F2")  # in the editor it would close the file
+            screen.quit()
         else:
             screen.kill(getattr(signal, way))
         until(lambda: screen._reap() or screen.status is not None)
@@ -77,7 +78,8 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
     with desktop(place) as screen:  # makes its folders
         type_in_nano(screen)
         until(lambda: copies(place) != [])
-        screen.press("Ctrl-Q")
+        screen.press("F2")
+        screen.quit()
         screen.wait_end()
     folder = copies(place)[0].parent
     copies(place)[0].unlink()
@@ -89,10 +91,10 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
             screen.wait("no copy of the unsaved text: Permission denied")
             screen.send("\x13")
             screen.wait("not saved: Permission denied")
-            screen.press("Ctrl-Q")
-            screen.wait("A text would be lost", "work.txt")
+            screen.press("F2", "Ctrl-Q")
+            screen.wait("Something would be lost", "work.txt")
             screen.press("Esc")
-            screen.wait_gone("A text would be lost")
+            screen.wait_gone("Something would be lost")
             screen.kill(signal.SIGTERM)
             assert screen.wait_end() != 0
             assert b"work.txt (Permission denied)" in screen.output

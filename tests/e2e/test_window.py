@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 import signal
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from place import DAY6
@@ -137,3 +138,22 @@ def test_rqt_graph_shows_a_students_node_in_its_window(place: Place) -> None:
         screen.press("q")
         screen.wait_end()
     until(lambda: not place.nodes())
+
+
+def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
+    with place.terminal("rviz2", "-f", "base_link", DAY6_LANG="en") as screen:
+        screen.wait("RViz ", "Add", "Fixed Frame base_link")
+        screen.send("a")
+        screen.wait("RobotModel")
+        screen.send("axes\r")
+        screen.wait("[x] Axes", "RViz *")
+        screen.press("q")
+        screen.wait("There are unsaved changes")
+        screen.send("cancel\r")
+        screen.wait_gone("There are unsaved changes")
+        screen.press("q")
+        screen.wait("There are unsaved changes")
+        screen.send("save\r")
+        assert screen.wait_end() == 0
+    saved = Path(os.environ["HOME"]) / ".rviz2" / "default.rviz"  # a terminal of the test's own user
+    assert "rviz_default_plugins/Axes" in saved.read_text(encoding="utf-8")

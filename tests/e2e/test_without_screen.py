@@ -22,7 +22,7 @@ def test_in_the_foreground_of_exec_they_print_once_and_end(place: Place) -> None
     graph, rest = done.stdout.split("one 0\n")
     topics, rest = rest.split("two 0\n")
     panel, rest = rest.split("three 0\n")
-    assert "( /wheel_spinner )" in graph and " hidden: " in graph
+    assert "/wheel_spinner" in graph and " hidden: " in graph
     assert "/rosout [rcl_interfaces/msg/Log]\n" in topics and rest == ""
     assert panel.startswith("Fixed Frame: base_link\nGlobal Status: ")
 

@@ -17,6 +17,8 @@ from screens import opened, screen_text, step
 
 from day6_tui.core.shell.editing.model import Editor
 
+KEYS = {"\n": "enter", " ": "space", ")": "right_parenthesis", "]": "right_square_bracket", "}": "right_curly_bracket"}
+
 
 class Bench:
     """An editor on a file of `tmp_path`; `act` gets it with the desktop around it."""
@@ -62,6 +64,15 @@ class Bench:
         await self.pilot.press(*keys)
         await self.step()
         return screen_text(self.app)
+
+    async def type(self, text: str) -> None:
+        """Type a text as a person does, each key a second after the last."""
+        at = max(0.0, self.pane.area._last_key)
+        for char in text:
+            key = events.Key(KEYS.get(char, char), "\r" if char == "\n" else char)
+            at = key.time = at + 1.0
+            self.app.screen.focused.post_message(key)
+        await self.step()
 
     async def burst(self, text: str) -> None:
         """Keys as fast as a terminal without bracketed paste sends a pasted text."""

@@ -76,9 +76,9 @@ def test_ctrl_o_with_another_name_saves_there_and_goes_on_with_it(tmp_path: Path
 def test_a_closed_gedit_asks_once_and_keeps_the_unsaved_text(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         await bench.press("a")
-        assert "not saved" in await bench.press("ctrl+w")
-        assert bench.open
-        await bench.press("ctrl+w")
+        assert "talker.py has unsaved changes" in await bench.press("ctrl+w")
+        assert "has unsaved changes" not in await bench.press("escape") and bench.open
+        await bench.press("ctrl+w", "n")
         assert not bench.open and not bench.path.exists()
 
     async def again(bench: Bench) -> None:
@@ -253,6 +253,18 @@ def test_a_file_outside_the_home_folder_is_saved_only_when_told_twice(
     Bench(tmp_path).run(act)
 
 
+def test_ctrl_q_in_the_editor_closes_its_file_and_asks_whether_to_save(tmp_path: Path) -> None:
+    async def act(bench: Bench) -> None:
+        left: list[object] = []
+        bench.app.exit = lambda *result, **more: left.append(more)
+        await bench.press("a")
+        assert "talker.py has unsaved changes" in await bench.press("ctrl+q")
+        await bench.press("enter")
+        assert bench.path.read_text(encoding="utf-8") == "a" and not bench.open and left == []
+
+    Bench(tmp_path, "gedit").run(act)
+
+
 def test_asking_to_save_twice_is_not_asking_to_close(tmp_path: Path) -> None:
     (tmp_path / "talker.py").write_text("mine\n", encoding="utf-8")
 
@@ -261,7 +273,7 @@ def test_asking_to_save_twice_is_not_asking_to_close(tmp_path: Path) -> None:
         bench.path.write_text("theirs, longer\n", encoding="utf-8")
         bench.pane._looked = 0.0
         assert "changed elsewhere" in await bench.press("ctrl+s")
-        assert "not saved" in await bench.press("ctrl+w")
+        assert "has unsaved changes" in await bench.press("ctrl+w")
         assert bench.open and bench.path.read_text(encoding="utf-8").startswith("theirs")
 
     Bench(tmp_path, name="gedit").run(act)
@@ -292,7 +304,8 @@ def test_every_size_shows_the_text_and_the_question(tmp_path: Path, size: tuple[
     async def act(bench: Bench) -> None:
         assert "hello" in await bench.press(*"hello")
         question = await bench.press("ctrl+x")
-        assert "Y  " in question and bench.open
+        answers = [bench.app.look.texts(f"editor.modified.{answer}") for answer in ("save", "discard")]
+        assert all(answer in question for answer in answers) and bench.open
 
     Bench(tmp_path).run(act, *size, lang=language)
 
@@ -332,7 +345,7 @@ def test_a_change_on_the_disk_shows_up_unless_there_is_unsaved_text(tmp_path: Pa
 def test_the_text_takes_the_theme_of_the_desktop(tmp_path: Path) -> None:
     async def act(bench: Bench) -> None:
         before = bench.pane.area.theme
-        bench.app.actions["theme"]()
+        bench.app.looks.wear("light")
         await bench.step()
         assert bench.pane.area.theme != before
 

@@ -20,7 +20,7 @@ from screens import opened, screen_text, step
 from stepped_machine import Running, SteppedMachine
 
 from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.ros.programs.day6_inspector.model import Inspector
+from day6_tui.core.ros.programs.day6_inspector.model import LOOKS, Inspector
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.urdf import shipped_model
@@ -34,7 +34,7 @@ class Lab(SteppedMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.inspector = Inspector(self.make("_day6_inspector_1"))
+        self.inspector = Inspector(self.make("_day6_inspector_1"), self.clock)
         self.node.destroy_node()
 
     def make(self, name: str) -> Any:
@@ -99,6 +99,19 @@ def test_talker_and_listener_are_well(lab: Lab) -> None:
     lab.says(String, "chatter", "talker")
     lab.hears(String, "chatter", "listener")
     assert lab.findings() == {}
+
+
+def test_a_world_that_lost_time_lately_is_told_until_it_keeps_up_again(lab: Lab) -> None:
+    lab.inspector.refresh()
+    lab.clock.lost_ns += 300_000_000
+    assert lab.findings() == {}, "a program that starts may take a moment"
+    lab.advance(1.8)
+    lab.clock.lost_ns += 1_700_000_000
+    said = "this computer is too slow for all that runs here: time passes at 0.52x instead of 1x"
+    assert lab.findings()["late"].startswith(said)
+    for _ in range(LOOKS // 2):
+        found = lab.findings()
+    assert found == {}
 
 
 def test_a_topic_name_with_a_slip_is_named_with_the_other(lab: Lab) -> None:

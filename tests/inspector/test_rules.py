@@ -77,6 +77,17 @@ def test_movement_of_one_hertz_is_slow() -> None:
     assert texts(facts) == ["info: /joint_states arrives 1 times a second; the eye needs about 20"]
 
 
+@pytest.mark.parametrize(
+    ("pace", "speed", "told"),
+    [(0.62, 1.0, "0.62x instead of 1x"), (1.7, 2.0, "1.7x instead of 2x"), (0.95, 1.0, ""), (0.1, 0.1, "")],
+)
+def test_a_computer_that_does_not_keep_up_is_told_with_how_fast_time_passes(
+    pace: float, speed: float, told: str
+) -> None:
+    said = texts(Facts(pace=pace, speed=speed))
+    assert [told in line for line in said] == ([True] if told else [])
+
+
 def test_two_nodes_of_one_name_are_told() -> None:
     assert texts(Facts(nodes=("/talker", "/talker", "/listener"))) == [
         "warning: 2 nodes are called /talker: lists and parameters cannot tell them apart"

@@ -13,6 +13,7 @@ from day6_tui.core.session.display import Display
 from day6_tui.tui.app import make_look
 from day6_tui.tui.cells import cell_len
 from day6_tui.tui.options import Options
+from day6_tui.tui.windows.joint_names import shortened
 from day6_tui.tui.windows.joint_state_publisher import SlidersPane
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
@@ -155,3 +156,61 @@ def test_hundreds_of_sizes_break_nothing() -> None:
     for width in range(36, 130, 7):
         for height in (3, 4, 6, 11, 30):
             text_of(pane_of(model, width, height))
+
+
+# -- in few rows -------------------------------------------------------------------------------------------------------
+
+CORNERS = [f"{end}_{side}_wheel_joint" for end in ("front", "rear") for side in ("left", "right")]
+
+
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize(("size", "shown"), [((40, 8), 4), ((60, 12), 4), ((30, 6), 1)])
+def test_in_few_rows_every_shown_joint_has_its_value_and_a_name_of_its_own(
+    size: tuple[int, int], shown: int, glyphs: str, lang: str
+) -> None:
+    model = FakeModel(*(wheel(name, number / 2) for number, name in enumerate(CORNERS)))
+    text = text_of(pane_of(model, *size, glyphs=glyphs, lang=lang))
+    lines = [line for line in text.splitlines() if " rad" in line]
+    assert len(lines) >= shown and len({line[2:].split()[0] for line in lines}) == len(lines)
+    for number, line in enumerate(lines):
+        assert f"{number / 2:.3f} rad" in line
+    tracks = [line for line in text.splitlines() if ("O" if glyphs == "ascii" else "●") in line]
+    assert len(tracks) >= shown
+
+
+def test_in_few_rows_the_list_scrolls_and_the_mouse_finds_what_is_shown() -> None:
+    model = FakeModel(*(wheel(f"joint_{number}") for number in range(12)))
+    pane = pane_of(model, 40, 8)
+    assert [line.split()[0] for line in text_of(pane).splitlines()[1:] if line][1:] == [
+        f"joint_{n}" for n in range(1, 5)
+    ]
+    pane._choose(11)
+    assert "joint_11" in text_of(pane) and "joint_7 " in text_of(pane) and "joint_6 " not in text_of(pane)
+    slider = pane._at(pane.inner_offset + 1)
+    assert slider is not None and slider.name == "joint_7"
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_second_publisher_leaves_room_for_the_sliders(lang: str) -> None:
+    model = FakeModel(wheel("left_wheel_joint"), wheel("right_wheel_joint"))
+    model.others = ("/wheel_spinner",)
+    text = text_of(pane_of(model, 40, 8, lang=lang))
+    assert "/wheel_spinner" in text and "left_wheel_joint" in text and "right_wheel_joint" in text
+    assert len([line for line in text.splitlines() if "▲" in line]) == 1
+
+
+@pytest.mark.parametrize("width", range(10, 30))
+def test_shortened_names_keep_their_ends_and_stay_different(width: int) -> None:
+    for names in (CORNERS, ["left_wheel_joint", "right_wheel_joint"], [f"left_arm_{n}_joint" for n in range(6)]):
+        short = shortened(names, width, "…")
+        assert all(cell_len(each) <= width for each in short)
+        assert len(set(short)) == len(names), short
+        for name, each in zip(names, short, strict=True):
+            head, _, tail = each.partition("…")
+            assert name.startswith(head) and name.endswith(tail) and (each == name or (head and tail))
+
+
+def test_names_that_cannot_be_shortened_in_their_middle_are_cut() -> None:
+    assert shortened(["左轮关节" * 4], 9, "…") == ["左轮关节…"]
+    assert shortened(["abcdef"], 2, "…") == ["a…"]

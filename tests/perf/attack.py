@@ -437,7 +437,7 @@ def resize(attack: Attack) -> None:
 def palette(attack: Attack) -> None:
     word = attack.random.choice(PALETTE)
     attack.note(f"palette {word}")
-    attack.send("\x10")
+    attack.send("\x1b[18~")
     attack.look(0.2)
     attack.send(word)
     attack.look(0.1)

@@ -25,6 +25,7 @@ from pathlib import Path
 from screen import Screen
 
 from day6_tui.core.ros.environment import program_environment
+from day6_tui.core.shell.screen import Screen as Picture
 from day6_tui.urdf.shipped import shipped_model
 
 HERE = Path(__file__).resolve().parent
@@ -79,6 +80,39 @@ Row = tuple[str, str, str]
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 
+PIXEL_ANSWERS = {
+    "kitty": {b"\x1b[>0q": b"\x1bP>|kitty\x1b\\", b"a=q": b"\x1b_Gi=31;OK\x1b\\"},
+    "sixel": {b"\x1b[>0q": b"\x1bP>|XTerm\x1b\\"},
+}
+"""What the two kinds of terminals answer to what is asked of them, and what both do."""
+BOTH_ANSWER = {b"\x1b[16t": b"\x1b[6;20;10t", b"\x1b[c": b"\x1b[?62;4c", b"\x1b[5n": b"\x1b[0n"}
+
+
+class PixelScreen(Screen):
+    """A terminal that shows real pixels: it answers, and is ready as soon as it has read a picture."""
+
+    answers: dict[bytes, bytes] = {}
+
+    def read(self, seconds: float) -> int:
+        deadline, before = time.perf_counter() + seconds, len(self.output)
+        while (left := deadline - time.perf_counter()) > 0:
+            seen = len(self.output)
+            if super().read(min(left, 0.01)):
+                new = self.output[max(0, seen - 8) :]
+                due = [
+                    (place, reply)
+                    for question, reply in self.answers.items()
+                    if (place := new.rfind(question)) >= 0 and place + len(question) > min(8, seen)
+                ]
+                os.write(self._fd, b"".join(reply for _, reply in sorted(due)))
+        return len(self.output) - before
+
+    @property
+    def pictures(self) -> int:
+        """Pictures written so far."""
+        return self.output.count(b"\x1b[5n")
+
+
 class Bench:
     """One run: `quick` measures shorter and fewer times."""
 
@@ -130,6 +164,23 @@ class Bench:
                 "  bytes a second / at 30 fps a frame",
                 f"{usage.bytes_written / usage.seconds:.0f} / {usage.bytes_written / usage.seconds / 30:.0f}",
                 "<= 700 a frame",
+            )
+        with self.desktop(120, 40, "--scene", "turtle") as screen:
+            screen.first_frame()
+            screen.read(10)
+            yield (
+                "four panes (turtle, its node, teleop, echo), standing",
+                f"{screen.use(self.seconds).cpu_percent:.1f} %",
+                "<= 4 %",
+            )
+            screen.send("\x1bOQ")  # F2
+            screen.read(1)
+            screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
+            screen.read(4)
+            yield (
+                "  driving, echo prints ten messages a second",
+                f"{screen.use(self.seconds).cpu_percent:.1f} %",
+                "<= 12 %",
             )
         with self.desktop(120, 40, "--scene", "car") as screen:
             screen.first_frame()
@@ -184,6 +235,26 @@ class Bench:
             yield "  with the lidar drawn", f"{screen.use(self.seconds).cpu_percent:.1f} %", "<= 18 %"
             yield "  memory", f"{screen.rss_mb():.1f} MB", "<= 85 MB"
 
+    def pixels(self) -> Iterator[Row]:
+        """A turtle in circles over a dense drawing, in a window of 480 x 480 real pixels, which is as many as 600 x 400."""
+        for kind, answers in PIXEL_ANSWERS.items():
+            command = [*DAY6, "--home", str(self.home), "--lang", "en", "--scene", "empty"]
+            with PixelScreen(command, 104, 28, **self.env) as screen:
+                screen.answers = {**answers, **BOTH_ANSWER}
+                screen.read(4)
+                screen.send(TURTLE)
+                screen.read(3)
+                screen.send(DENSE + "\n")
+                screen.read(8)
+                screen.send(f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n")
+                screen.read(4)
+                before = screen.pictures
+                usage = screen.use(self.seconds)
+                pictures = screen.pictures - before
+                rate = pictures / usage.seconds
+                yield f"pixels, {kind}: turtle moving, {rate:.0f} fps", f"{usage.cpu_percent:.1f} %", "<= 35 %"
+                yield "  bytes a frame", f"{usage.bytes_written / max(1, pictures):.0f}", "<= 40,000"
+
     def floods(self) -> Iterator[Row]:
         """A program that prints a lot, from Enter to what follows it, beside a bare reader of the same program's pty.
 
@@ -217,6 +288,27 @@ class Bench:
                     measured,
                     f">= {budget} MB/s, <= {1 / budget:.2f} CPU s/MB",
                 )
+
+    def reflow(self) -> Iterator[Row]:
+        """A full scrollback, every row of which becomes two of another width."""
+        coloured = "\x1b[33m[WARN]\x1b[0m Publishing " + "Hello"
+        lines = {
+            "plain": "word " * 15 + "words",
+            "Chinese": "机器人操作" * 8,
+            "coloured": coloured + " Hello" * 9 + "!",
+            "coloured Chinese": coloured + "机器人操作系统" * 4,
+        }
+        for name, line in lines.items():
+            picture = Picture(80, 24)
+            picture.feed(f"{line}\r\n" * 5_100)
+            rows, seconds = 0, []
+            for columns in (40, 80, 41, 79):
+                began = time.perf_counter()
+                picture.resize(24, columns)
+                seconds.append(time.perf_counter() - began)
+                rows = max(rows, len(picture.scrollback))
+            worst = 1e3 * max(seconds)
+            yield f"{name} lines wrapped anew, {rows} rows", f"{worst:.0f} ms", "<= 100 ms"
 
     def keys(self) -> Iterator[Row]:
         """Key to echo, alone and with three runaway student programs, all on one core."""
@@ -446,7 +538,17 @@ def main() -> int:
     options = parser.parse_args()
     bench = Bench(options.quick)
     print("| what | measured | budget |\n| --- | --- | --- |")
-    screens = [bench.start(), bench.screens(), bench.rviz(), bench.world(), bench.floods(), bench.keys(), bench.paste()]
+    screens = [
+        bench.start(),
+        bench.screens(),
+        bench.rviz(),
+        bench.world(),
+        bench.pixels(),
+        bench.floods(),
+        bench.reflow(),
+        bench.keys(),
+    ]
+    screens.append(bench.paste())
     sections = [] if options.rclpy else screens
     sections.append(processes(options.real, bench.rounds))
     sections.append(side_by_side(options.real, 0.5 if options.quick else 2.0))

@@ -220,10 +220,10 @@ Ended = tuple[set[int], float]
 
 
 def quit_key(run: Run) -> Ended:
-    run.type("\x11")
+    run.type("\x11\x11")
     # A dialog or a full-screen program may have wanted the key: a person presses it again.
     if run.wait(2.0) is None:
-        run.type("\x1b\x11")
+        run.type("\x1b\x11\x11")
         if run.wait(4.0) is None:
             run.signal(signal.SIGTERM)
             return {0, 143}, DESK_LIMIT
@@ -260,7 +260,7 @@ def terminate_twice(run: Run) -> Ended:
 
 def impatient(run: Run) -> Ended:
     """^Q, then Ctrl-C while it quits: a key first, a signal as soon as the terminal is given back."""
-    run.type("\x11")
+    run.type("\x11\x11")
     for _ in range(run.random.randint(1, 30)):
         run.wait(run.random.uniform(0, 0.1))
         with contextlib.suppress(OSError):

@@ -227,7 +227,7 @@ class Soak:
             print(f"threads of the desktop settled after {time.monotonic() - waited:.0f} s")
             after = _threads(screen.pid), _files(screen.pid), screen.rss_mb()
             names = " ".join(sorted(_thread_names(screen.pid)))
-            screen.send("\x11")
+            screen.send("\x11\x11")
             began = time.monotonic()
             # It is looked at, not taken: `Screen` does that.
             while not (ended := _has_ended(screen.pid)) and time.monotonic() - began < 10:

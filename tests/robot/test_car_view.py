@@ -136,7 +136,7 @@ def test_it_says_step_by_step_what_is_missing(machine: Machine) -> None:
 
 
 def test_while_the_description_is_read_it_says_so(machine: Machine) -> None:
-    model = CarModel(machine.node)
+    model = CarModel(machine.node, machine.clock.steady_ns)
     machine.publish_robot()
     assert texts(model) == ["reading the robot description"]
     assert model.waiting_description is not None

@@ -8,7 +8,7 @@ import pytest
 from geometry_msgs.msg import TransformStamped
 
 from day6_tui.core.ros.programs.day6_bot._frames import Frames
-from day6_tui.core.ros.programs.day6_bot._joints import JointReadings
+from day6_tui.core.ros.programs.day6_bot._joints import JointReadings, Moment
 from day6_tui.core.ros.programs.day6_bot._status import nearest_name
 from day6_tui.urdf.kinematics import IDENTITY
 
@@ -56,7 +56,8 @@ def test_the_same_transform_again_is_no_news() -> None:
 
 def hear(readings: JointReadings, *moments: tuple[float, float], turning: bool = True) -> float:
     for seconds, position in moments:
-        readings.hear(["j"], [position], int(seconds * 1e9), frozenset(["j"] if turning else []))
+        now_ns = int(seconds * 1e9)
+        readings.hear(["j"], [position], Moment(now_ns, now_ns), frozenset(["j"] if turning else []))
     return readings.readings(frozenset(["j"]))[0].speed
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -10,7 +11,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from screens import look_at
+from fakes import FakeDesk
+from screens import look_at, opened, screen_lines, screen_text, step
 
 from day6_tui.core.ros.programs.rqt_console.model import Console
 
@@ -65,6 +67,41 @@ def test_text_is_typed_into_a_prompt(console):
 def test_pause_and_clear(console):
     assert "paused" in look(console, ["p"])
     assert "No log message yet" in look(console, ["c"])
+
+
+@pytest.mark.parametrize(("size", "seen"), [((40, 10), 20), ((60, 12), 28), ((120, 40), 35)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_at_every_size_the_message_has_room_and_every_severity_its_box(console, size, seen, lang):
+    lines = look(console, ["f8"], width=size[0], height=size[1], lang=lang).splitlines()
+    assert any(f" {WALL[:seen]}" in line for line in lines)
+    boxes = next(line for line in lines if "[ ]" in line)
+    assert [word[0] for word in boxes.replace("[ ] ", "[ ]").split("[ ]")[1:]] == list("DIWEF")
+
+
+@pytest.mark.parametrize("size", [(40, 10), (80, 24)])
+def test_a_click_on_a_severitys_box_leaves_it_out_and_one_on_a_message_chooses_it(console, size):
+    async def click() -> None:
+        desk = FakeDesk()
+        desk.display.open("rqt_console", "Console", console)
+        async with opened(desk, *size, scene="empty", lang="en") as (app, pilot):
+            await step(app, pilot)
+            pane = next(iter(app.query("RqtConsolePane")))
+            pane.focus()
+            await pilot.press("f8")
+            await step(app, pilot)
+            lines = screen_lines(app)
+            row = next(y for y, line in enumerate(lines) if "Exclude" in line)
+            await pilot.click(offset=(lines[row].index("W"), row))
+            await step(app, pilot)
+            assert console.choice.levels == {30} and WALL not in screen_text(app)
+            await pilot.click(offset=(3, row - 1))
+            await step(app, pilot)
+            assert pane._chosen is None
+            await pilot.click(offset=(12, next(y for y, line in enumerate(lines) if "#1" in line)))
+            await step(app, pilot)
+            assert pane._chosen.number == 1
+
+    asyncio.run(click())
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 
 import pytest
 
-from day6_tui.core.ros.programs.rqt_graph.model.drawing import ASCII, UNICODE, draw, draw_pulse, measure
-from day6_tui.core.ros.programs.rqt_graph.model.fit import elide, fitted
+from day6_tui.core.elide import elide
+from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
+    ASCII,
+    CONSOLE,
+    UNICODE,
+    Glyphs,
+    draw,
+    draw_pulse,
+    measure,
+)
+from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted, overview
 from day6_tui.core.ros.programs.rqt_graph.model.layout import layout
 from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture, Rect
 
@@ -27,9 +37,9 @@ def text(picture: Picture, glyphs: object = UNICODE) -> list[str]:
 
 def test_the_picture_of_the_lesson() -> None:
     assert text(layout(*LESSON, measure)) == [
-        " ╭──────────────╮                          ╭──────────╮",
-        "( /teleop_turtle )────/turtle1/cmd_vel───▶( /turtlesim )",
-        " ╰──────────────╯                          ╰──────────╯",
+        "╭────────────────╮                        ╭────────────╮",
+        "│ /teleop_turtle │────/turtle1/cmd_vel───▶│ /turtlesim │",
+        "╰────────────────╯                        ╰────────────╯",
     ]
 
 
@@ -37,6 +47,17 @@ def test_the_same_picture_where_only_ascii_can_be_shown() -> None:
     lines = text(layout(*LESSON, measure), ASCII)
     assert lines[1] == "( /teleop_turtle )----/turtle1/cmd_vel--->( /turtlesim )"
     assert all(line.isascii() for line in lines)
+
+
+@pytest.mark.parametrize("glyphs", [ASCII, CONSOLE], ids=["ascii", "console"])
+def test_without_round_corners_an_ellipse_is_made_of_slashes_that_meet_its_sides(glyphs: Glyphs) -> None:
+    across = glyphs.across
+    for height, sides in ((3, "()"), (4, "/\\ \\/"), (6, "/\\ || || \\/")):
+        box = Box("/n", ("/n",), "node")
+        picture = Picture(6, height, {"/n": (box, Rect(0, 0, 6, height))}, ())
+        rows = ["".join(run for run, _ in row) for row in draw(picture, glyphs).rows()]
+        assert rows[0] == f" /{across * 2}\\ " and rows[-1] == f" \\{across * 2}/ "
+        assert [row[0] + row[-1] for row in rows[1:-1]] == sides.split()
 
 
 def test_feedback_flows_back_without_turning_the_picture_round() -> None:
@@ -90,6 +111,25 @@ def test_a_window_too_narrow_gets_shorter_labels() -> None:
     narrow = fitted(boxes, [*edges, BACK], 70, 20)
     assert wide.width > 70 >= narrow.width
     assert any(route.edge.label == "/turtle1/…/feedback" for route in narrow.routes)
+
+
+def test_an_overview_takes_its_room_from_the_edges_and_keeps_boxes_names_and_arrows() -> None:
+    names = [f"/r1/part_{number}" for number in range(4)]
+    boxes = [Box(name, (name,), "node", "/r1") for name in names]
+    edges = [Edge(*ends, "/a_topic", "t") for ends in pairwise(names)]
+    picture = layout(boxes, edges, measure)
+    small = overview(picture, 76, 9)
+    assert picture.width > 76 >= small.width
+    assert text(small)[2].count("│ /r1/part_") == 4 and text(small)[2].count("─▶│") == 3
+    least = overview(layout(boxes, edges, measure, roomy=False), 40, 3)
+    assert text(least)[0].startswith("┌ /r1 ─") and text(least)[1].count("▶") == 3
+    assert all(f"part_{number}" in text(least)[1] for number in range(4))
+
+
+def test_long_names_of_topics_drawn_as_boxes_are_shortened_before_the_boxes_become_lines() -> None:
+    boxes = [Box("/teleop_turtle", ("/teleop_turtle",), "node"), Box(" t", (FEEDBACK,), "topic")]
+    picture = fitted(boxes, [Edge(" t", "/teleop_turtle", "", "t")], 60, 20)
+    assert picture.boxes[" t"][0].lines == ("/turtle1/…/feedback",) and picture.boxes[" t"][1].height == 3
 
 
 @pytest.mark.parametrize(

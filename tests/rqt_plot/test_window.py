@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
 import sys
 from pathlib import Path
@@ -10,7 +11,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from screens import look_at
+from fakes import FakeDesk
+from screens import look_at, opened, screen_lines, step
 
 from day6_tui.core.ros.programs.rqt_plot.model.plot import Curve, Plot
 
@@ -93,6 +95,38 @@ def test_keys_pause_zoom_and_remove(waves):
     waves._subscriptions = {"/topic": None}
     waves.handle_requests()
     assert [each.path for each in waves.curves] == ["/wave/data"]
+
+
+@pytest.mark.parametrize(("size", "least"), [((40, 10), 3), ((60, 12), 5), ((120, 40), 20)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_at_every_size_the_picture_has_rows_and_the_chosen_curve_its_name_and_value(size, least, lang):
+    plot = make_plot(*(curve(f"/turtle{number}/pose/x", number, math.sin) for number in range(3)))
+    lines = look(plot, ["f8", "down"], width=size[0], height=size[1], lang=lang).splitlines()
+    assert sum("┤" in line or "│" in line for line in lines) >= least
+    legend = next(line for line in lines if "▸ ━━" in line)
+    assert "/turtle1/pose/x " in legend and f"{math.sin(NOW - 0.02):.5g} " in legend
+    assert ("2/3" in lines[-2]) is (size[1] < 40)
+
+
+def test_a_click_on_a_scrolled_legend_chooses_the_curve_that_is_there():
+    plot = make_plot(*(curve(f"/c{number}/x", number, math.sin) for number in range(9)))
+
+    async def click() -> None:
+        desk = FakeDesk()
+        desk.display.open("rqt_plot", "MatPlot", plot)
+        async with opened(desk, 120, 40, scene="empty", lang="en") as (app, pilot):
+            await step(app, pilot)
+            next(iter(app.query("RqtPlotPane"))).focus()
+            for key in ("f8", *["down"] * 8):
+                await pilot.press(key)
+                await step(app, pilot)
+            lines = screen_lines(app)
+            row = next(y for y, line in enumerate(lines) if "/c4/x" in line)
+            await pilot.click(offset=(lines[row].index("/c4/x"), row))
+            await step(app, pilot)
+            assert any("▸ ━━ /c4/x" in line for line in screen_lines(app))
+
+    asyncio.run(click())
 
 
 @pytest.mark.parametrize(

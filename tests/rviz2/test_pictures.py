@@ -8,6 +8,7 @@ import struct
 import zlib
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -28,10 +29,12 @@ from day6_tui.core.ros.programs.rviz2.model.scene import (
     Triangles,
 )
 from day6_tui.core.ros.programs.rviz2.model.views import Camera, Orbit, TopDownOrtho
+from day6_tui.tui.colours import colours
 from day6_tui.tui.render.cells import cells_of, pixel_aspect
 from day6_tui.tui.render.image_file import png, svg
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import EMPTY, Picture
+from day6_tui.tui.windows.rviz.pixels import PixelView
 from day6_tui.urdf import shipped_model
 from day6_tui.urdf.kinematics import IDENTITY, Transform, about, compose, link_transforms
 
@@ -295,3 +298,30 @@ def test_an_svg_has_a_rectangle_for_every_run() -> None:
 def test_rotation_about_the_vertical_turns_the_picture_of_a_box() -> None:
     turned = Transform((0, 0, 0), about((0, 0, 1), 0.5))
     assert (painted(shape(BOX)).rgb() != painted(shape(BOX, pose=turned)).rgb()).sum() > 50
+
+
+def test_an_offset_of_a_whole_pixel_moves_the_picture_by_one() -> None:
+    whole = paint(car_scene(0.3), orbit(0.85), 72, 56, 1.0, HIGH).rgb(1)
+    moved = paint(car_scene(0.3), orbit(0.85), 72, 56, 1.0, HIGH, (1.0, 2.0)).rgb(1)
+    assert (moved[2:, 1:] == whole[:-2, :-1]).mean() > 0.99
+
+
+def test_real_pixels_are_quick_while_the_robot_moves_and_smooth_once_it_stands_still() -> None:
+    look = SimpleNamespace(colours=colours("dark"))
+    view = SimpleNamespace(camera=lambda: orbit(0.85))
+    rviz = SimpleNamespace(scene=car_scene(0.0), view=view, quality=SimpleNamespace(value="High"))
+    pictures = SimpleNamespace(cell=lambda columns, rows, most: (4, 8) if most < 200_000 else (8, 16))
+    shown = PixelView(rviz, look, 20, 8)  # type: ignore[arg-type]
+    shown.draft(pictures, 1.0)  # type: ignore[arg-type]
+    quick = len(np.unique(shown.pixels.reshape(-1, 3), axis=0))
+    assert shown.pixels.shape == (64, 80, 3)
+    assert shown.smooth(pictures, 1.1) == (False, True)  # type: ignore[arg-type]
+    told = [shown.smooth(pictures, 2.0) for _ in range(5)]  # type: ignore[arg-type]
+    assert told == [(False, True)] * 3 + [(True, False), (False, False)]
+    smooth = shown.pixels
+    assert smooth.shape == (128, 160, 3) and len(np.unique(smooth.reshape(-1, 3), axis=0)) > quick
+    shown.draft(pictures, 3.0)  # type: ignore[arg-type]
+    assert shown.pixels is smooth  # a message said the same again
+    rviz.scene = car_scene(0.5)
+    shown.draft(pictures, 4.0)  # type: ignore[arg-type]
+    assert shown.pixels.shape == (64, 80, 3)

@@ -2,73 +2,18 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
 from rviz_machine import lines
+from rviz_walk import Walk, mouse, run, walking
 from textual import events
 
 from day6_tui.urdf import shipped_model
 
 if TYPE_CHECKING:
     from rviz_machine import RVizMachine
-
-
-class Walk:
-    """Presses keys at the window and lets the machine answer."""
-
-    def __init__(self, machine: RVizMachine, app: Any, pilot: Any) -> None:
-        self.machine, self.app, self.pilot = machine, app, pilot
-
-    @property
-    def pane(self) -> Any:
-        """The window that has the keys; the newest one while a dialog has them."""
-        focused = self.app.desktop.focused_pane
-        return focused if hasattr(focused, "rviz") else list(self.app.desktop.panes.values())[-1]
-
-    async def press(self, *keys: str) -> None:
-        for key in keys:
-            await self.pilot.press(key)
-        await self.settle()
-
-    async def type(self, text: str) -> None:
-        await self.press(*({" ": "space", "/": "slash", "_": "underscore", ".": "full_stop"}.get(c, c) for c in text))
-
-    async def settle(self) -> None:
-        from screens import step
-
-        self.machine.settle()
-        await step(self.app, self.pilot)
-
-    def screen(self) -> str:
-        from screens import screen_text
-
-        return screen_text(self.app)
-
-    def line(self, name: str) -> str:
-        return next(line for line in self.screen().splitlines() if name in line)
-
-
-@asynccontextmanager
-async def walking(machine: RVizMachine, width: int = 120, height: int = 40, **options: Any) -> AsyncIterator[Walk]:
-    from fakes import FakeDesk
-    from screens import opened
-
-    machine.open()
-    desk = FakeDesk()
-    desk.display = machine.display
-    async with opened(desk, width, height, scene="empty", lang="en", **options) as (app, pilot):
-        walk = Walk(machine, app, pilot)
-        await walk.press("f3", "f8")
-        yield walk
-
-
-def run(walk: Any) -> None:
-    asyncio.run(walk)
 
 
 def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
@@ -86,10 +31,10 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             await at.press("enter")
             await at.settle()
             (robot,) = [display for display in machine.rviz.displays if display.type == "RobotModel"]
-            assert at.pane.displays.prop is robot
+            assert at.pane.panel.tree.prop is robot
             assert "Enter on Description Topic lets you choose: /robot_description" in " ".join(at.screen().split())
             for _ in range(20):
-                if at.pane.displays.prop is not robot.topic:
+                if at.pane.panel.tree.prop is not robot.topic:
                     await at.press("down")
             await at.press("enter", "enter")
             machine.until(lambda: robot.status("URDF") is not None)
@@ -184,26 +129,6 @@ def test_keys_of_the_view(machine: RVizMachine) -> None:
     run(walk())
 
 
-def test_the_panel_folds_away_and_in_a_small_window_takes_turns_with_the_view(machine: RVizMachine) -> None:
-    async def walk() -> None:
-        async with walking(machine, 80, 24) as at:
-            assert "Global Options" in at.screen() and at.pane.view.columns > 20
-            await at.press("d")
-            assert "Global Options" not in at.screen() and at.pane.view.columns == 78
-            await at.press("tab")
-            assert "Global Options" in at.screen()
-
-    run(walk())
-
-    async def narrow() -> None:
-        async with walking(machine, 50, 20) as at:
-            assert "Global Options" in at.screen() and at.pane.view.columns == 0
-            await at.press("tab")
-            assert "Global Options" not in at.screen() and at.pane.view.columns == 48
-
-    run(narrow())
-
-
 @pytest.mark.parametrize(
     ("button", "shift", "ctrl", "changed"),
     [
@@ -213,13 +138,13 @@ def test_the_panel_folds_away_and_in_a_small_window_takes_turns_with_the_view(ma
         (2, False, False, "Focal Point"),
     ],
 )
-def test_drags_of_the_mouse(machine: RVizMachine, button: int, shift: bool, ctrl: bool, changed: str) -> None:
+def test_drags_of_themouse(machine: RVizMachine, button: int, shift: bool, ctrl: bool, changed: str) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
             rviz = machine.rviz
             start = {name: rviz.view.child(name).value for name in ("Yaw", "Focal Point", "Distance")}
             for kind, x in ((events.MouseDown, 80), (events.MouseMove, 88), (events.MouseUp, 88)):
-                at.pane.post_message(_mouse(at.pane, kind, x, 15, button, shift, ctrl))
+                at.pane.post_message(mouse(at.pane, kind, x, 15, button, shift, ctrl))
                 await at.pilot.pause()
             now = {name: rviz.view.child(name).value for name in start}
             assert [name for name in start if start[name] != now[name]] == [changed]
@@ -227,17 +152,13 @@ def test_drags_of_the_mouse(machine: RVizMachine, button: int, shift: bool, ctrl
     run(walk())
 
 
-def _mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool) -> Any:
-    return kind(pane, x, y, 0, 0, button, shift, False, ctrl, x, y)
-
-
 def test_the_wheel_zooms_over_the_view_and_scrolls_over_the_panel(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            at.pane.post_message(_mouse(at.pane, events.MouseScrollUp, 80, 10, 0, False, False))
+            at.pane.post_message(mouse(at.pane, events.MouseScrollUp, 80, 10, 0, False, False))
             await at.pilot.pause()
             assert machine.rviz.view.child("Distance").value == pytest.approx(8.8)
-            at.pane.post_message(_mouse(at.pane, events.MouseScrollUp, 5, 10, 0, False, False))
+            at.pane.post_message(mouse(at.pane, events.MouseScrollUp, 5, 10, 0, False, False))
             await at.pilot.pause()
             assert machine.rviz.view.child("Distance").value == pytest.approx(8.8)
 
@@ -247,7 +168,7 @@ def test_the_wheel_zooms_over_the_view_and_scrolls_over_the_panel(machine: RVizM
 def test_a_click_opens_branches_and_sets_boxes(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            row = next(index for index, line in enumerate(at.pane.displays.lines) if line.prop.name == "Grid")
+            row = next(index for index, line in enumerate(at.pane.panel.tree.lines) if line.prop.name == "Grid")
             await at.pilot.click(at.pane, offset=(1, row + 1))
             await at.settle()
             assert "Cell Size" in at.screen()

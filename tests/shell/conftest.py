@@ -135,3 +135,9 @@ class Seat:
 @pytest.fixture
 def seat(machine: Machine) -> Seat:
     return Seat(machine.desk)
+
+
+@pytest.fixture
+def seat_at() -> type[Seat]:
+    """Opens a terminal of another desk."""
+    return Seat

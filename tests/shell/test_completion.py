@@ -14,6 +14,7 @@ FILES = "mkdir -p one/in 'two dirs' .hidden; touch one/a.py one/b.txt only.py 's
 
 def completed(machine: Any, line: str) -> tuple[list[str], int]:
     found: list[tuple[list[str], int]] = []
+    machine.shell.variables["PATH"] = "/no/programs"
 
     async def main(session: Any) -> int:
         found.append(await Completer(machine.shell, session).complete(line))

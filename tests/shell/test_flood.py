@@ -10,7 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from day6_tui.core.shell import screen as screen_module
+from day6_tui.core.shell import whole_lines
 from day6_tui.core.shell.light_pyte import Stream as PyteStream
+from day6_tui.core.shell.rows import Folded
 from day6_tui.core.shell.screen import Screen
 from day6_tui.core.width import char_width
 
@@ -102,6 +104,7 @@ def picture(screen: Screen) -> dict[str, Any]:
     return {
         "cells": cells,
         "rows": [screen.row(y) for y in range(screen.lines)],
+        "folded": [isinstance(row, Folded) for row in (*screen.scrollback, *map(screen.row, range(screen.lines)))],
         "scrollback": list(screen.scrollback),
         "scrolled": screen.scrolled,
         "cursor": (screen.cursor.x, screen.cursor.y, screen.cursor.attrs, screen.cursor.hidden),
@@ -278,8 +281,8 @@ def test_eight_times_as_much_output_takes_eight_times_as_long(kind: str) -> None
 
 def test_characters_taken_for_one_cell_or_for_no_mark_are_that() -> None:
     every = [chr(code) for code in range(32, 0x20000) if not 0xD800 <= code < 0xE000]
-    narrow = [char for char in every if not screen_module._NOT_NARROW.search(char)]
-    common = [char for char in every if not screen_module._NOT_COMMON.search(char)]
+    narrow = [char for char in every if not whole_lines.NOT_NARROW.search(char)]
+    common = [char for char in every if not whole_lines.NOT_COMMON.search(char)]
     assert len(narrow) > 1000 and {char_width(char) for char in narrow} == {1}
     assert len(common) > 30_000 and {char_width(char) for char in common} == {1, 2}
 

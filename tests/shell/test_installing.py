@@ -104,10 +104,20 @@ def test_the_system_tells_its_name(machine: Any, monkeypatch: pytest.MonkeyPatch
     assert machine.run("nproc").out == "1\n"
 
 
-def test_help_names_every_command_once(machine: Any) -> None:
+def test_our_own_notes_are_in_the_language_of_the_terminal(machine: Any) -> None:
+    machine.run("export DAY6_LANG=zh")
+    out = machine.run("sudo apt install ros-jazzy-turtlesim ros-jazzy-nav2-bringup nothing").out
+    assert "is already the newest version (这里由 day6-tui 代替 ROS 2 jazzy)" in out
+    assert "ros-jazzy-nav2-bringup: day6-tui 里没有它" in out and "nothing: 这台机器不需要它" in out
+    assert machine.run("ros2 --version").err == "说明：真正安装的 ros2 没有 --version，它只会打印用法\n"
+    assert machine.run("rosdep update").out == "不用下载：day6-tui 不需要网络\n"
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_help_names_every_command_once(machine: Any, language: str) -> None:
     from day6_tui.core.shell.commands import command_names
 
-    out = machine.run("help").out
+    out = machine.run(f"DAY6_LANG={language} help").out
     words = out.replace(",", " ").replace(";", " ").split()
     assert all(name in words for name in command_names() if name.isalpha())
     assert "{others}" not in out

@@ -217,7 +217,7 @@ def test_arguments_are_too_long_where_linux_says_so() -> None:
         ("#!/usr/bin/env bash\n", "./f a", 0, "f ./f a\n", ""),
         ("", "./f a", 0, "f ./f a\n", ""),
         ("#!/bin/sh\n", "~/f a", 0, "f HOME/f a\n", ""),
-        ("#!/usr/bin/perl\n", "./f", 126, "", "bash: ./f: cannot execute: only Python and shell scripts run on this machine\n"),
+        ("#!/usr/bin/env -S cat -s\n", "./f", 0, "#!/usr/bin/env -S cat -s\necho f $0 $1\n", ""),
         ("", "chmod -x f; ./f", 126, "", "bash: ./f: Permission denied\n"),
         ("", "./g", 127, "", "bash: ./g: No such file or directory\n"),
         ("", "./ros2_ws", 126, "", "bash: ./ros2_ws: Is a directory\n"),

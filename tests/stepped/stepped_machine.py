@@ -51,8 +51,8 @@ class SteppedMachine:
     WHILE_WAITING = 0.01
     """Seconds."""
 
-    def __init__(self) -> None:
-        self.clock = WorldClock(wall=None, epoch_ns=EPOCH_NS)
+    def __init__(self, clock: WorldClock | None = None) -> None:
+        self.clock = WorldClock(wall=None, epoch_ns=EPOCH_NS) if clock is None else clock
         self.scheduler = Scheduler(self.clock)
         self.graph = Graph()
         self.display = Display()

@@ -28,6 +28,20 @@ class FakeTerminal:
         self.is_crowded = False
         self.has_news = False
         self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True, receiver=None))
+        self.shell = SimpleNamespace(cwd=Path("/"), front=None, jobs=SimpleNamespace(jobs=[]))
+        self.version = 0
+
+    @property
+    def running(self) -> list[str]:
+        return [self.title] if self.busy else []
+
+    @property
+    def columns(self) -> int:
+        return self.screen.columns
+
+    @property
+    def rows(self) -> int:
+        return self.screen.lines
 
     def write(self, text: str) -> None:
         self.screen.feed(text.replace("\n", "\r\n"))
@@ -68,9 +82,9 @@ class FakeDesk:
         self.scheduler = SimpleNamespace(on_activity=None)
         self.terminals: list[FakeTerminal] = []
         self.steps: list[float] = []
-        self.home = Path("/nowhere")
+        self.home = Path("/dev/null/home")  # nothing can be written there
 
-    def open_terminal(self, columns: int, rows: int) -> FakeTerminal:
+    def open_terminal(self, columns: int, rows: int, *, cwd: Path | None = None, text: str = "") -> FakeTerminal:
         terminal = FakeTerminal(columns, rows, title="~")
         terminal.write("student@day6:~$ ")
         self.terminals.append(terminal)
@@ -99,6 +113,7 @@ class FakeSimulation:
     def __init__(self, *turtles: Any, background: tuple[int, int, int] = (69, 86, 255)) -> None:
         self.node_name = "/turtlesim"
         self.trail = Trail()
+        self.topics: dict[str, Any] = {}
         self.background = background
         self.scene = SimpleNamespace(turtles=turtles or (turtle(),), background=background)
 

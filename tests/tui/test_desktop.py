@@ -49,12 +49,14 @@ def _play(scene: str, stage: _Stage, fetch: str = "", **options: object) -> floa
     return now - 1000.0
 
 
-def test_the_turtle_scene_types_the_two_commands_letter_by_letter() -> None:
+def test_the_turtle_scene_types_its_commands_letter_by_letter() -> None:
     stage = _Stage()
     seconds = _play("turtle", stage)
-    assert "".join(stage.done) == "[idle]ros2 run turtlesim turtlesim_node\r[new]ros2 run turtlesim turtle_teleop_key\r"
-    assert len(stage.done) > 60
-    assert 2 < seconds < 6
+    commands = ("turtlesim turtlesim_node", "turtlesim turtle_teleop_key")
+    run, teleop = (f"ros2 run {command}\r" for command in commands)
+    assert "".join(stage.done) == f"[idle]{run}[new]ros2 topic echo /turtle1/cmd_vel\r[new]{teleop}"
+    assert len(stage.done) > 90
+    assert 3 < seconds < 8
 
 
 def test_a_window_that_never_comes_ends_the_scene_there() -> None:
@@ -88,16 +90,17 @@ def test_in_a_hurry_a_command_is_typed_at_once() -> None:
     assert "ros2 run turtlesim turtlesim_node\r" in stage.done
 
 
-async def test_choosing_the_turtle_types_into_two_terminals_and_leaves_the_keyboard_there(desk) -> None:
+async def test_choosing_the_turtle_types_into_three_terminals_and_leaves_the_keyboard_with_the_teleop(desk) -> None:
     async with opened(desk, 120, 40, lang="en") as (app, pilot):
         await pilot.press("1")
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         for _ in range(5):
             await step(app, pilot)
         assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node\r"
-        assert desk.terminals[1].sent == "ros2 run turtlesim turtle_teleop_key\r"
-        assert app.screen.focused is app.terminal_pane
-        assert app.terminal_pane.view.terminal is desk.terminals[1]
+        assert desk.terminals[1].sent == "ros2 topic echo /turtle1/cmd_vel\r"
+        assert desk.terminals[2].sent == "ros2 run turtlesim turtle_teleop_key\r"
+        assert app.screen.focused is app.terminals.current
+        assert app.terminals.current.view.terminal is desk.terminals[2]
 
 
 async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
@@ -109,7 +112,7 @@ async def test_what_is_typed_while_a_scene_plays_is_not_lost(desk) -> None:
         for _ in range(8):
             await step(app, pilot)
             terminal = desk.terminals[-1]
-            terminal.busy = len(desk.terminals) == 2 and terminal.sent.endswith("\r")
+            terminal.busy = len(desk.terminals) == 3 and terminal.sent.endswith("\r")
             await asyncio.sleep(0.03)
         assert app.scenes.player is None
         assert terminal.sent == "ros2 run turtlesim turtle_teleop_key\r\x1b[Aa"
@@ -129,7 +132,7 @@ async def test_the_guide_types_a_command_but_leaves_running_it_to_the_user(desk)
         app.desktop.focus_pane(app.welcome)
         await pilot.press("enter")
         assert desk.terminals[0].sent == "ros2 run turtlesim turtlesim_node"
-        assert app.screen.focused is app.terminal_pane
+        assert app.screen.focused is app.terminals.current
 
 
 async def test_a_command_typed_at_the_welcome_choices_goes_to_the_terminal_whole(desk) -> None:
@@ -138,7 +141,7 @@ async def test_a_command_typed_at_the_welcome_choices_goes_to_the_terminal_whole
         await pilot.press(*"ros2 node list", "enter")
         await step(app, pilot)
         assert desk.terminals[0].sent == "ros2 node list\r"
-        assert app.screen.focused is app.terminal_pane and app.scenes.player is None
+        assert app.screen.focused is app.terminals.current and app.scenes.player is None
 
 
 async def test_quick_fingers_at_the_welcome_choices_lose_no_key(desk) -> None:
@@ -155,7 +158,7 @@ async def test_what_is_pasted_at_the_welcome_choices_goes_to_the_terminal(desk) 
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.welcome.post_message(events.Paste("ros2 topic list"))
         await step(app, pilot)
-        assert desk.terminals[0].sent == "<ros2 topic list>" and app.screen.focused is app.terminal_pane
+        assert desk.terminals[0].sent == "<ros2 topic list>" and app.screen.focused is app.terminals.current
 
 
 async def test_typing_at_the_guide_takes_a_terminal_in_which_nothing_runs(desk) -> None:
@@ -172,7 +175,7 @@ async def test_what_lay_over_a_pane_goes_when_the_keyboard_goes_to_another(desk)
         await pilot.press("f4", "f2")
         await step(app, pilot)
         assert app.desktop.overlay is None and "Windows and terminals" not in screen_text(app)
-        assert app.screen.focused is app.terminal_pane
+        assert app.screen.focused is app.terminals.current
 
 
 def test_the_world_scene_launches_the_world_and_ends_where_the_keyboard_drives() -> None:
@@ -186,54 +189,51 @@ def test_the_world_scene_launches_the_world_and_ends_where_the_keyboard_drives()
     ]
 
 
-async def test_f3_goes_through_terminals_and_windows(desk) -> None:
+async def test_f3_goes_through_terminals_and_windows_as_they_stand(desk) -> None:
     async with opened(desk, 120, 40, lang="en") as (app, pilot):
-        window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         await step(app, pilot)
         await pilot.press("f2")
         seen = []
         for _ in range(4):
             await pilot.press("f3")
-            pane = app.screen.focused
-            seen.append(f"terminal {app.terminal_pane.active}" if pane is app.terminal_pane else pane.window.title)
-        assert seen == ["TurtleSim", "terminal 0", "terminal 1", "TurtleSim"]
-        assert app.desktop.active == window.number
+            seen.append(app.desktop.focused_pane.slot)
+        assert seen == [2, 1, 3, 2]  # the window stands on the right of both terminals
 
 
 @pytest.mark.parametrize("key", ["f3", "shift+f3"])
-async def test_from_a_terminal_f3_leads_to_the_window_one_sees_and_then_to_all_others(desk, key) -> None:
+async def test_f3_goes_through_hidden_tabs_too(desk, key) -> None:
     for title in ("First", "Second", "Third"):
-        desk.display.open("turtlesim", title, FakeSimulation())
-    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        desk.display.open("rviz-like", title, object())
+    async with opened(desk, 60, 16, lang="en") as (app, pilot):
         await step(app, pilot)
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         seen = []
-        for _ in range(5):
+        for _ in range(4):
             await pilot.press(key)
-            pane = app.screen.focused
-            seen.append("terminal" if pane is app.terminal_pane else pane.window.title)
-        if key == "f3":
-            assert seen == ["Third", "First", "Second", "terminal", "Second"]
-        else:
-            assert seen == ["Second", "First", "Third", "terminal", "Second"]
+            pane = app.desktop.focused_pane
+            assert app.desktop.is_shown(pane)
+            seen.append(pane.slot)
+        assert sorted(seen) == [1, 2, 3, 4] and seen[-1] == 1
 
 
 async def test_on_a_small_screen_the_guide_gives_way_to_a_terminal_that_is_full(desk) -> None:
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 9
+        assert "No window is open" in screen_text(app)
+        height = app.terminals.current.size.height
         desk.terminals[0].write("\r\n".join(map(str, range(30))))
         await step(app, pilot)
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 22 and "No window is open" not in screen_text(app)
+        assert height < app.terminals.current.size.height == 22 and "No window is open" not in screen_text(app)
         await pilot.press("f3")
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 9 and "No window is open" in screen_text(app)
+        assert "No window is open" in screen_text(app)
         await pilot.press("f3")
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         await step(app, pilot)
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 9 and "TurtleSim" in screen_text(app)
+        assert len(app.desktop.shown()) == 2 and " 2 TurtleSim " in screen_text(app)
 
 
 async def test_on_a_wide_screen_the_guide_stays(desk) -> None:
@@ -267,28 +267,33 @@ async def test_the_focused_pane_has_the_heavy_frame_and_only_it(desk, size) -> N
 
 
 async def test_the_names_of_windows_that_cannot_be_seen_stand_on_the_frame(desk) -> None:
-    for title in ("TurtleSim", "Second", "Third"):
+    for title in ("TurtleSim", "Second", "Third", "Fourth", "Fifth", "Sixth"):
         desk.display.open("turtlesim", title, FakeSimulation())
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         await step(app, pilot)
-        line = screen_lines(app)[1]
-        assert line.startswith("╭ Third ") and "TurtleSim" in line and "Second" in line
+        shown = {pane.slot for pane in app.desktop.shown()}
+        assert len(shown) < 7
+        text = screen_text(app)
+        for slot in app.desktop.slots:
+            assert f" {slot} " in text
 
 
 async def test_f8_enlarges_and_puts_back(desk) -> None:
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         await step(app, pilot)
-        app.desktop.focus_pane(app.desktop.panes[window.number])
+        pane = app.desktop.panes[window.number]
+        app.desktop.focus_pane(pane)
+        small = pane.size
         await pilot.press("f8")
         await step(app, pilot)
-        assert app.desktop.panes[window.number].size.height == 22
+        assert pane.size == (80, 22) and " +1 " in screen_lines(app)[1]
         await pilot.press("f3")
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 22
+        assert app.terminals.current.size == (80, 22)
         await pilot.press("f8")
         await step(app, pilot)
-        assert app.terminal_pane.size.height == 9
+        assert pane.size == small
 
 
 async def test_f4_lists_everything_and_del_closes(desk) -> None:
@@ -298,18 +303,21 @@ async def test_f4_lists_everything_and_del_closes(desk) -> None:
         await pilot.press("f4")
         await step(app, pilot)
         assert "TurtleSim" in screen_text(app) and "Windows and terminals" in screen_text(app)
-        await pilot.press("down", "delete", "escape")
+        await pilot.press("delete", "escape")
         await step(app, pilot)
         assert desk.display.windows == []
 
 
 async def test_the_palette_finds_a_command_by_either_language(desk) -> None:
     async with opened(desk, 80, 24, lang="zh") as (app, pilot):
-        await pilot.press("ctrl+p")
+        await pilot.press("f7")
         await pilot.press(*"light")
         await step(app, pilot)
-        assert "深色或浅色" in screen_text(app) and "新终端" not in screen_text(app)
+        assert "配色：深色、浅色" in screen_text(app) and "新终端" not in screen_text(app)
         await pilot.press("enter")
+        await step(app, pilot)
+        assert "高对比度" in screen_text(app)
+        await pilot.press(*"浅色", "enter")
         await step(app, pilot)
         assert app.look.colours.name == "light" and app.desktop.overlay is None
 
@@ -317,7 +325,7 @@ async def test_the_palette_finds_a_command_by_either_language(desk) -> None:
 async def test_keys_find_a_pane_although_the_keyboard_is_with_a_menu_that_was_closed(desk) -> None:
     async with opened(desk, 80, 24) as (app, pilot):
         await pilot.press("f2")
-        await pilot.press("ctrl+p")
+        await pilot.press("f7")
         menu = app.desktop.overlay
         await pilot.press("escape")
         await step(app, pilot)
@@ -325,8 +333,8 @@ async def test_keys_find_a_pane_although_the_keyboard_is_with_a_menu_that_was_cl
             app.screen.focused = gone
             await pilot.press(*"echo")
             await step(app, pilot)
-            assert app.screen.focused is app.terminal_pane
-        assert "".join(app.terminal_pane.view.terminal.sent) == "echoecho"
+            assert app.screen.focused is app.terminals.current
+        assert "".join(app.terminals.current.view.terminal.sent) == "echoecho"
 
 
 async def test_the_language_changes_at_once(desk) -> None:
@@ -368,12 +376,13 @@ async def test_another_speed_is_shown_with_what_it_does_not_reach(desk) -> None:
         assert "0.5×" in screen_lines(app)[0] and "student processes run at normal speed" in screen_lines(app)[-1]
 
 
-async def test_a_click_on_a_tab_shows_its_terminal(desk) -> None:
-    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+async def test_a_click_on_a_tab_shows_its_pane(desk) -> None:
+    async with opened(desk, 40, 10, lang="en") as (app, pilot):
         await pilot.press("f2")
         await step(app, pilot)
-        await pilot.click(app.terminal_pane, offset=(2, 0))
-        assert app.terminal_pane.active == 0
+        assert app.desktop.focused_pane.slot == 2
+        await pilot.click(offset=(3, 1))
+        assert app.desktop.focused_pane.slot == 1
 
 
 async def test_a_click_on_the_key_bar_does_what_the_key_does(desk) -> None:
@@ -438,9 +447,9 @@ async def test_a_click_on_the_cross_closes_a_window_that_had_not_the_keyboard(de
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         await step(app, pilot)
         pane = app.desktop.panes[window.number]
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         await step(app, pilot)
-        x, y = screen_lines(app)[1].index(" × ") + 1, 1
+        x, y = screen_lines(app)[1].rindex(" × ") + 1, 1
         assert pane.hit(x - pane.region.x, y - pane.region.y) is not None
         pane.touch()  # as the focus does, between pressing the button and letting it go
         assert pane.hit(x - pane.region.x, y - pane.region.y) is not None
@@ -456,30 +465,36 @@ async def test_quitting_leaves_no_frame_behind(desk) -> None:
     assert app.frames._loop is None and app.return_code == 0
 
 
-async def test_a_window_that_covers_the_one_with_the_keyboard_takes_it(desk) -> None:
+async def test_a_new_window_never_covers_the_pane_with_the_keyboard(desk) -> None:
     """Else no frame is bright and nobody sees where the keys go."""
-    first = desk.display.open("turtlesim", "First", FakeSimulation())
-    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
-        app.desktop.focus_pane(app.desktop.panes[first.number])
-        second = desk.display.open("turtlesim", "Second", FakeSimulation())
-        await step(app, pilot)
-        assert app.screen.focused is app.desktop.panes[second.number]
-        app.desktop.focus_pane(app.terminal_pane)
-        desk.display.open("turtlesim", "Third", FakeSimulation())
-        await step(app, pilot)
-        assert app.screen.focused is app.terminal_pane
+    for size in ((80, 24), (40, 10), (20, 5)):
+        desk = type(desk)()
+        async with opened(desk, *size, lang="en", scene="empty") as (app, pilot):
+            for title in ("First", "Second", "Third"):
+                desk.display.open("turtlesim", title, FakeSimulation())
+                await step(app, pilot)
+                assert app.desktop.focused_pane.slot == 1 and app.desktop.is_shown(app.desktop.focused_pane)
+            for slot in (2, 3):
+                app.desktop.focus_pane(app.desktop.slots[slot])
+                desk.display.open("turtlesim", "More", FakeSimulation())
+                await step(app, pilot)
+                assert app.desktop.focused_pane.slot == slot and app.desktop.is_shown(app.desktop.focused_pane)
 
 
 async def test_the_hint_of_a_teleop_terminal_names_a_key_that_leads_there(desk) -> None:
-    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
-    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
-        await pilot.press("f2", "f2")
-        for index, key in ((0, "F3"), (1, "F4"), (2, "Shift+F3")):
-            app.terminal_pane.activate(index)
-            desk.terminals[index].busy = True
-            app.desktop.focus_pane(app.desktop.panes[window.number])
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await pilot.press("f2", "f2", "f2")
+        desk.terminals[1].busy = True
+        teleop = app.terminals.panes[1]
+        for pane in app.terminals.panes:
+            app.desktop.focus_pane(pane)
             await step(app, pilot)
-            assert f"click or {key} " in screen_text(app)
+            if pane is teleop:
+                assert "click or" not in screen_text(app)
+                continue
+            key = screen_text(app).split("click or ")[1].split()[0]
+            await pilot.press({"F3": "f3", "Shift+F3": "shift+f3", "Alt+2": "alt+2"}[key])
+            assert app.desktop.focused_pane is teleop
 
 
 async def test_keys_that_come_all_at_once_go_where_they_are_meant(desk) -> None:
@@ -488,7 +503,7 @@ async def test_keys_that_come_all_at_once_go_where_they_are_meant(desk) -> None:
         desk.display.open("turtlesim", title, FakeSimulation())
     async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
         await step(app, pilot)
-        for key in ("f3", "f3", "f3", "x", "f3", "y", "f3", "f3", "z", "f4", "S", "e", "c", "enter", "q"):
+        for key in ("f3", "f3", "f3", "x", "f3", "y", "alt+1", "z", "f4", "S", "e", "c", "enter", "q"):
             app.post_message(events.Key(key, key if len(key) == 1 else None))
         await step(app, pilot)
         await step(app, pilot)
@@ -500,7 +515,7 @@ async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_te
     window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         await pilot.press("f2", "f2")
-        told = "Arrow keys only drive in terminal 2: Shift+F3 goes there"
+        told = "Arrow keys only drive in terminal 3: "
         await pilot.press("up")
         await step(app, pilot)
         assert told not in screen_text(app)  # at a prompt they are the history's
@@ -514,13 +529,37 @@ async def test_an_arrow_key_where_it_drives_nothing_names_the_terminal_of_the_te
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await pilot.press("up")
         await step(app, pilot)
-        assert "Arrow keys only drive in terminal 2: F4 goes there" in screen_text(app)
+        assert told in screen_text(app)
         app.notices.show("")
-        app.terminal_pane.activate(1)
-        app.desktop.focus_pane(app.terminal_pane)
+        await pilot.press("alt+3", "up")
+        await step(app, pilot)
+        assert told not in screen_text(app)
+
+
+@pytest.mark.parametrize(
+    ("command", "keys"),
+    [
+        ("ros2 run teleop_twist_keyboard teleop_twist_keyboard", "The keys i j k l and ,"),
+        ("ros2 run turtlebot3_teleop teleop_keyboard", "The keys w a d x and s"),
+        ("ros2 run turtlesim turtle_teleop_key", "Arrow keys"),
+        ("python3 my_teleop.py", "This program's keys"),
+    ],
+)
+async def test_each_teleop_is_named_with_its_own_keys(desk, command: str, keys: str) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        desk.terminals[0].busy, desk.terminals[0].title = True, command
         await pilot.press("up")
         await step(app, pilot)
-        assert "Arrow keys drive only" not in screen_text(app)
+        assert (f"Arrow keys do nothing here. {keys} drive" in screen_text(app)) == keys.startswith("The keys")
+        app.notices.show("")
+        app.desktop.focus_pane(app.desktop.panes[window.number])
+        await step(app, pilot)
+        assert f"{keys} work only in here: click or" in screen_text(app)
+        await pilot.press("up")
+        await step(app, pilot)
+        assert f"{keys} only drive in terminal 1: F3 goes there" in screen_text(app)
 
 
 async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> None:
@@ -528,9 +567,10 @@ async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> No
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         await step(app, pilot)
         assert "TurtleSim is open: F4 shows it" in screen_lines(app)[-1]
-        await pilot.press("f4", "down", "enter")
+        await pilot.press("f4", "enter")
         await step(app, pilot)
-        assert screen_lines(app)[1].startswith("┏ TurtleSim ")
+        assert screen_lines(app)[1].startswith("┏ 1 ~  2 TurtleSim ")
+        assert app.screen.focused.window.title == "TurtleSim"
     desk = type(desk)()
     async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())

@@ -60,7 +60,7 @@ def test_the_beginning_of_a_mark_that_nothing_follows_is_a_key(now: Callable[[fl
     parser = KeyboardParser()
     assert told(parser, "\x1b[") == []
     now(0.2)
-    assert [event.key for event in parser.tick() if isinstance(event, events.Key)] == ["left_square_bracket"]
+    assert [event.key for event in parser.tick() if isinstance(event, events.Key)] == ["alt+left_square_bracket"]
     assert told(parser, "\x1b") == []
     now(0.2)
     assert [event.key for event in parser.tick() if isinstance(event, events.Key)] == ["escape"]
@@ -124,3 +124,22 @@ def test_a_character_cut_in_two_is_no_fault() -> None:
         ("", ""),
         ("中", ""),
     ]
+
+
+@pytest.mark.parametrize(
+    ("data", "key"),
+    [
+        ("\x1b3", "alt+3"),
+        ("\x1b-", "alt+minus"),
+        ("\x1b\\", "alt+backslash"),
+        ("\x1b.", "alt+full_stop"),
+        ("\x1bx", "alt+x"),
+        ("\x1b[1;3A", "alt+up"),
+        ("\x1b[1;4C", "alt+shift+right"),
+        ("\x1b", "escape"),
+    ],
+)
+def test_alt_is_alt_with_every_key(monkeypatch, data: str, key: str) -> None:
+    monkeypatch.setattr("textual.constants.ESCAPE_DELAY", -1.0)
+    parser = KeyboardParser()
+    assert [event.key for event in (*parser.feed(data), *parser.tick())] == [key]

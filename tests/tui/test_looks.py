@@ -11,12 +11,14 @@ from pathlib import Path
 
 import pytest
 from rich.cells import cell_len
+from rich.style import Style
 
 from day6_tui.tui import actions, glyphs, locale
 from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.cells import clip, fit, wrap
 from day6_tui.tui.colours import colours
 from day6_tui.tui.options import Options
+from day6_tui.tui.themes import NAMES, make_theme, palette
 from day6_tui.tui.windows import KINDS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -150,6 +152,10 @@ def test_no_two_actions_share_a_key_and_every_key_of_the_bar_is_bound() -> None:
 
 def test_every_kind_of_window_has_a_help_page() -> None:
     assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
+    from day6_tui.tui.manual import PAGES
+
+    assert {*KINDS, "terminal", "welcome", "guide", "desk"} == {*PAGES}
+    assert [page for page in PAGES if f"manual.{page}" not in EN] == []
 
 
 def test_the_windows_say_remarks_in_the_words_of_the_programs() -> None:
@@ -191,7 +197,7 @@ def test_without_colour_no_style_has_one() -> None:
     assert styles and all(style.color is None and style.bgcolor is None for style in styles)
 
 
-@pytest.mark.parametrize("theme", ["dark", "light"])
+@pytest.mark.parametrize("theme", NAMES)
 def test_text_is_readable_on_its_background(theme) -> None:
     """WCAG contrast of at least 4.5 for what is to be read, 3 for what is large or secondary."""
     table = colours(theme)
@@ -205,12 +211,40 @@ def test_text_is_readable_on_its_background(theme) -> None:
         "title_focus",
         "hint",
         "error",
-        "overlay",
         "terminal",
     ):
         assert _contrast(getattr(table, name)) >= 4.5, name
-    for name in ("muted", "title", "node", "topic", "publisher", "warning", "accent", "overlay_muted", "bar_muted"):
+    for name in ("muted", "title", "node", "topic", "publisher", "warning", "accent", "bar_muted"):
         assert _contrast(getattr(table, name)) >= 3.0, name
+
+    found = palette(theme)
+    for text, ground in (
+        ("panel-text", "panel"),
+        ("panel-strong", "panel"),
+        ("panel-key", "panel"),
+        ("key-text", "key"),
+    ):
+        assert _contrast(Style(color=found[text], bgcolor=found[ground])) >= 4.5, text
+    assert _contrast(Style(color=found["panel-muted"], bgcolor=found["panel"])) >= 3.0
+
+
+def test_the_command_line_knows_every_theme() -> None:
+    from day6_tui.tui.command_line import build_parser
+
+    assert [build_parser().parse_args(["--theme", name]).theme for name in NAMES] == [*NAMES]
+
+
+def test_high_contrast_is_high() -> None:
+    found = palette("contrast")
+    for text in ("foreground", "muted", "title", "node", "topic", "publisher", "warning", "bar-text", "panel-muted"):
+        assert _contrast(Style(color=found[text], bgcolor=found["background"])) >= 7.0, text
+
+
+@pytest.mark.parametrize("name", [*NAMES, "sixteen", "plain"])
+def test_every_theme_has_every_colour_and_a_name_to_choose_it_by(name) -> None:
+    assert palette(name).keys() == palette("dark").keys()
+    assert make_theme(name).name == name
+    assert name not in NAMES or f"theme.{name}" in EN
 
 
 def _contrast(style) -> float:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from screens import UTF8, make_look
+from screens import UTF8, make_look, step
+from textual import events
 
 from day6_tui.tui.app import Day6App
-from day6_tui.tui.menu import Entry, Menu
+from day6_tui.tui.menu import Entry, Menu, ranked
 from day6_tui.tui.options import Options
 
 ENTRIES = (
@@ -41,9 +42,7 @@ ENTRIES = (
     ],
 )
 def test_the_likeliest_comes_first(typed: str, names: list[str]) -> None:
-    menu = Menu(make_look(Options(lang="en"), UTF8), "menu.palette", ENTRIES)
-    menu._filter = typed
-    assert [entry.name for entry in menu.matches()] == names
+    assert [entry.name for entry in ranked(ENTRIES, typed)] == names
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
@@ -55,15 +54,15 @@ async def test_the_palette_never_takes_a_word_of_an_explanation_for_a_name(
 ) -> None:
     options = Options(fps=0, lang=lang)
     app = Day6App(options, desk=desk, look=make_look(options, UTF8))
-    async with app.run_test(size=(100, 30)):
+    async with app.run_test(size=(100, 30)) as pilot:
         app.actions["palette"]()
         menu = app.desktop.overlay
         assert isinstance(menu, Menu)
-        menu._filter = typed
+        for key in typed:
+            app.post_message(events.Key(key, key))
+        await step(app, pilot)
         assert menu.matches()[0].name == app.look.texts(f"action.{action}")
 
 
 def test_a_name_made_to_be_searched_for_ever_is_not() -> None:
-    menu = Menu(make_look(Options(lang="en"), UTF8), "menu.palette", [Entry("/" + "ab" * 120, "", lambda: None)])
-    menu._filter = "a" * 30
-    assert menu.matches() == []
+    assert ranked([Entry("/" + "ab" * 120, "", lambda: None)], "a" * 30) == []

@@ -8,9 +8,9 @@ from fakes import FakeTerminal
 from screens import UTF8, make_look
 from textual import events
 
+from day6_tui.tui.held_keys import HeldKeys
 from day6_tui.tui.notices import Notices
 from day6_tui.tui.options import Options
-from day6_tui.tui.terminal_pane import HeldKeys
 from day6_tui.tui.terminal_view import TerminalView
 
 
@@ -54,12 +54,15 @@ def test_a_notice_wakes_the_frames_and_is_forgotten_after_its_time() -> None:
     look = make_look(Options(lang="en"), UTF8)
     woken: list[bool] = []
     look.wake = lambda: woken.append(True)
-    notices = Notices(look)
+    told: list[tuple[str, float]] = []
+    notices = Notices(look, lambda: 20, lambda *notice: told.append(notice))
     assert not notices.expire(time.monotonic())
     notices.show("saved", 5.0)
     now = time.monotonic()
     assert woken and notices.expire(now + 4.0) and notices.text == "saved"
-    assert not notices.expire(now + 6.0) and notices.text == ""
+    assert not notices.expire(now + 6.0) and notices.text == "" and told == []
+    notices.show("more than the line has room for", 5.0)
+    assert told == [("more than the line has room for", 5.0)] and notices.text == ""
 
 
 def test_only_listening_and_calling_are_doors_to_other_machines() -> None:

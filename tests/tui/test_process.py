@@ -124,7 +124,7 @@ def test_no_student_process_outlives_the_desktop(home, end) -> None:
     terminal.until(b"student@day6")
     pid = _student_pid(terminal)
     if end == "quit":
-        terminal.send(b"\x11")
+        terminal.send(b"\x11y")
     elif end == "hang up":
         terminal.hang_up()
     else:
@@ -172,8 +172,33 @@ def test_without_a_terminal_it_says_so_and_what_to_use_instead(home) -> None:
     assert "the desktop needs a terminal" in done.stderr and "day6-tui exec" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("words", "variables", "said"),
+    [
+        (["--help"], {}, ["usage: day6-tui", "most frames a second"]),
+        (["--lang", "zh", "--help"], {}, ["用法：day6-tui", "每秒最多画几帧", "编译工作空间"]),
+        (["--lang=en", "--help"], {"LANG": "zh_CN.UTF-8"}, ["usage: day6-tui"]),
+        (["--help"], {"LANG": "zh_CN.UTF-8"}, ["用法：day6-tui"]),
+        (["--help"], {"DAY6_LANG": "zh"}, ["用法：day6-tui"]),
+        (["nope"], {"DAY6_LANG": "zh"}, ["没有叫 nope 的命令"]),
+    ],
+)
+def test_the_command_line_speaks_the_language_of_the_user(monkeypatch, capfd, words, variables, said) -> None:
+    from day6_tui.tui.main import main
+
+    monkeypatch.setenv("COLUMNS", "80")
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    try:
+        main(words)
+    except SystemExit as end:
+        assert end.code == 0
+    shown = "".join(capfd.readouterr())
+    assert all(text in shown for text in said)
+
+
 def test_the_command_line_knows_every_scene() -> None:
-    from day6_tui.tui.main import build_parser
+    from day6_tui.tui.command_line import build_parser
     from day6_tui.tui.scenes import SCENES
 
     (option,) = [action for action in build_parser()._actions if action.dest == "scene"]

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from fakes import FakeDesk
-from screens import UTF8, opened, screen_text, step
+from screens import opened, screen_text, step
 
-from day6_tui.tui.app import make_look
-from day6_tui.tui.options import Options
 from day6_tui.tui.prompt import Prompt, before_replacing
 
 
-def test_a_prompt_without_any_room_shows_what_it_can() -> None:
-    prompt = Prompt(make_look(Options(), UTF8), "Save", "rosgraph.dot", lambda text: None)
-    for width in range(-2, 20):
-        before, at, after = prompt._window(width)
-        assert len(before + at + after) <= max(1, width)
-    assert prompt._window(40) == ("rosgraph.dot", " ", "")
+@pytest.mark.parametrize("size", [(80, 24), (20, 6), (10, 3), (4, 2)])
+async def test_a_prompt_shows_what_it_can_however_little_room_there_is(desk: FakeDesk, size: tuple[int, int]) -> None:
+    async with opened(desk, *size) as (app, pilot):
+        taken: list[str] = []
+        app.desktop.open_overlay(Prompt(app.look, "Save", "rosgraph.dot", taken.append, note="a note"))
+        await step(app, pilot)
+        assert "rosgraph.dot" in screen_text(app) or size[0] < 80
+        await pilot.press("x", "enter")
+        assert taken == ["rosgraph.dotx"] and app.desktop.overlay is None
 
 
 async def test_what_is_wrong_is_told_and_the_line_stays(desk: FakeDesk) -> None:

@@ -117,6 +117,81 @@ def test_looking_back_stays_at_its_lines_while_more_is_printed() -> None:
     assert _text(view, 3) == "and more"
 
 
+def test_looking_back_stays_at_its_lines_when_the_width_changes() -> None:
+    terminal = FakeTerminal(20, 4)
+    terminal.write("\n".join(f"line {n} that is longer than the window" for n in range(20)))
+    view = TerminalView(terminal)
+    view.changes()
+    view.scroll_by(22)
+    view.changes()
+    first = _text(view, 0)
+    assert first == "line 7 that is longe"
+    for columns in (10, 50, 7, 33, 20):
+        terminal.resize(columns, 4)
+        view.changes()
+        shown = _text(view, 0)
+        assert shown.startswith(first[:columns].rstrip()) and view.passed == 0
+    assert [_text(view, line) for line in range(2)] == ["line 7 that is longe", "r than the window"]
+    terminal.resize(60, 30)
+    view.changes()
+    assert not view.scroll
+    terminal.write("\nmore" * 40)
+    view.changes()
+    assert _text(view, 29) == "more" and not view.scroll
+
+
+def test_a_frame_between_another_width_and_the_next_look_shows_what_was_there() -> None:
+    terminal = FakeTerminal(10, 4)
+    terminal.write("0123456789abcdefghij-more")
+    view = TerminalView(terminal)
+    view.changes()
+    before = [_text(view, line) for line in range(4)]
+    terminal.resize(40, 4)
+    assert [_text(view, line) for line in range(4)] == before
+    view.changes()
+    assert _text(view, 0) == "0123456789abcdefghij-more"
+
+
+@pytest.mark.parametrize("columns", [7, 12, 60])
+def test_a_selection_stays_with_its_text_when_the_width_changes(columns: int) -> None:
+    terminal = FakeTerminal(20, 3)
+    terminal.write("first line is long enough to be wrapped\n海龟 and second\nthird\nfourth")
+    view = TerminalView(terminal)
+    view.changes()
+    view.selection = ((1, 3), (2, 4))
+    text = view.selected_text()
+    assert text == "gh to be wrapped\n海龟"
+    terminal.resize(columns, 3)
+    view.changes()
+    assert view.selected_text() == text
+    terminal.resize(20, 3)
+    assert view.selection == ((1, 3), (2, 4))
+
+
+def test_a_selection_stays_with_its_text_when_the_oldest_lines_are_forgotten() -> None:
+    terminal = FakeTerminal(20, 3)
+    terminal.write("\n".join(f"line {n}" for n in range(5002)))
+    view = TerminalView(terminal)
+    view.changes()
+    view.selection = ((9, 0), (9, 6))
+    text = view.selected_text()
+    terminal.write("\nmore" * 8)
+    assert view.selected_text() == text
+    terminal.write("\nmore" * 8)
+    assert view.selection is None and view.selected_text() == ""
+
+
+def test_copying_a_line_that_was_wrapped_joins_it() -> None:
+    terminal = FakeTerminal(10, 3)
+    terminal.write("ros2 topic pub -r 10 /cmd_vel\n一二三四五六七\n\nend")
+    view = TerminalView(terminal)
+    view.changes()
+    view.selection = ((0, 0), (6, 3))
+    assert view.selected_text() == "ros2 topic pub -r 10 /cmd_vel\n一二三四五六七\n\nend"
+    view.selection = ((0, 5), (1, 7))
+    assert view.selected_text() == "topic pub -r"
+
+
 def test_the_selected_text_spans_scrollback_and_screen() -> None:
     terminal = FakeTerminal(20, 3)
     terminal.write("one\ntwo   \n海龟\nfour\nfive")
@@ -166,7 +241,7 @@ def test_the_usual_pairs_of_full_screen_programs_can_be_read(theme, pair) -> Non
 
 async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         await pilot.press("l", "s", "space", "tab", "up", "ctrl+c", "escape", "f5", "enter")
         assert desk.terminals[0].sent == "ls \t\x1b[A\x03\x1b\x1b[15~\r"
         await pilot.press("f2")
@@ -177,7 +252,7 @@ async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> No
 
 async def test_pasted_text_goes_in_as_a_paste(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         await pilot.pause()
         app.post_message(events.Paste("ros2 node list\nls"))
         await pilot.pause()
@@ -186,33 +261,35 @@ async def test_pasted_text_goes_in_as_a_paste(desk) -> None:
 
 
 async def test_a_tab_tells_what_runs_and_that_there_is_news(desk) -> None:
-    async with opened(desk, 100, 30, lang="en") as (app, pilot):
+    async with opened(desk, 60, 12, lang="en") as (app, pilot):
         await pilot.press("f2")
+        app.actions["stack"]()
         desk.terminals[0].title = "ros2 topic echo /turtle1/pose"
         desk.terminals[0].write("x: 1.0\n")
         await step(app, pilot)
         title = screen_lines(app)[1]
         assert " 1 echo /turtle1/pose ● " in title
         assert " 2 ~ " in title
-        await pilot.press("f3", "f3")
-        await step(app, pilot)
+        for key in ("alt+1", "alt+2"):
+            await pilot.press(key)
+            await step(app, pilot)
         assert "●" not in screen_lines(app)[1]
 
 
 async def test_a_teleop_terminal_says_that_it_lacks_the_keyboard(desk) -> None:
     async with opened(desk, 100, 30, lang="zh") as (app, pilot):
-        desk.terminals[0].busy = True
+        desk.terminals[0].busy, desk.terminals[0].title = True, "ros2 run turtlesim turtle_teleop_key"
         app.desktop.focus_pane(app.welcome)
         await step(app, pilot)
         assert "方向键只在这个终端里有用" in screen_text(app)
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         await step(app, pilot)
         assert "方向键只在这个终端里有用" not in screen_text(app)
 
 
 async def test_a_program_that_ignores_ctrl_c_makes_the_terminal_say_what_helps(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         desk.terminals[0].is_stubborn = True
         await step(app, pilot)
         assert "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%" in screen_text(app)
@@ -223,7 +300,7 @@ async def test_a_program_that_ignores_ctrl_c_makes_the_terminal_say_what_helps(d
 
 async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
         await step(app, pilot)
         assert "line 49" in screen_text(app)
@@ -237,12 +314,28 @@ async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
 
 async def test_dragging_with_the_mouse_copies(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         await step(app, pilot)
-        await pilot.mouse_down(app.terminal_pane, offset=(1, 1))
-        await pilot.hover(app.terminal_pane, offset=(8, 1))
-        await pilot.mouse_up(app.terminal_pane, offset=(8, 1))
+        await pilot.mouse_down(app.terminals.current, offset=(1, 1))
+        await pilot.hover(app.terminals.current, offset=(8, 1))
+        await pilot.mouse_up(app.terminals.current, offset=(8, 1))
         assert app.clipboard == "student"
+
+
+async def test_dragging_goes_on_from_its_text_when_the_width_changes_meanwhile(desk) -> None:
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        pane = app.terminals.current
+        app.desktop.focus_pane(pane)
+        desk.terminals[0].write("\r" + "".join(chr(97 + n % 26) for n in range(100)))
+        await step(app, pilot)
+        width = pane.view.columns
+        await pilot.mouse_down(pane, offset=(3, 2))
+        await pilot.hover(pane, offset=(5, 2))
+        assert pane.view.selection == ((1, 2), (1, 4))
+        desk.terminals[0].resize(200, pane.view.lines)
+        await pilot.hover(pane, offset=(6, 1))
+        assert pane.view.selection == ((0, width + 2), (0, 5))
+        await pilot.mouse_up(pane, offset=(6, 1))
 
 
 async def test_a_shell_that_ended_leaves_and_the_last_one_is_replaced(desk) -> None:
@@ -250,24 +343,28 @@ async def test_a_shell_that_ended_leaves_and_the_last_one_is_replaced(desk) -> N
         await pilot.press("f2")
         desk.terminals[0].closed = True
         await step(app, pilot)
-        assert [view.terminal for view in app.terminal_pane.views] == [desk.terminals[1]]
+        assert [pane.view.terminal for pane in app.terminals.panes] == [desk.terminals[1]]
         desk.terminals[1].closed = True
         await step(app, pilot)
-        assert [view.terminal for view in app.terminal_pane.views] == [desk.terminals[2]]
+        assert [pane.view.terminal for pane in app.terminals.panes] == [desk.terminals[2]]
 
 
 async def test_terminals_are_as_large_as_their_pane(desk) -> None:
     async with opened(desk, 120, 40, lang="en") as (app, pilot):
-        await step(app, pilot)
-        assert (desk.terminals[0].screen.columns, desk.terminals[0].screen.lines) == (58, 36)
-        await pilot.resize_terminal(80, 24)
-        await step(app, pilot)
-        assert desk.terminals[0].screen.columns == 78
+        await pilot.press("f2", "f2")
+        for size in ((120, 40), (80, 24), (40, 10), (100, 30)):
+            await pilot.resize_terminal(*size)
+            await step(app, pilot)
+            for pane in app.terminals.panes:
+                front = app.desktop.plan_now().front_of(pane.slot)
+                place = app.desktop.plan_now().places[front]
+                screen = pane.view.terminal.screen
+                assert (screen.columns, screen.lines) == (place.width - 2, place.height - 2)
 
 
 async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_reads_keys(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
-        app.desktop.focus_pane(app.terminal_pane)
+        app.desktop.focus_pane(app.terminals.current)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
         await step(app, pilot)
         await pilot.press("pageup")
@@ -290,13 +387,10 @@ async def test_with_many_terminals_the_tab_of_the_one_in_front_is_always_there(d
             await pilot.press("f2")
         for terminal in desk.terminals[:4]:
             terminal.has_news = True
-        for index in range(16):
-            app.terminal_pane.activate(index)
-            labels = app.terminal_pane._labels()
-            first, end = app.terminal_pane._tabs_that_fit(labels)
-            assert first <= index < end
-            assert sum(cell_len(label) + 2 for label in labels[first:end]) <= app.terminal_pane.inner_width
-            assert not any("…" in label for label in labels)
-            assert labels[index].split()[0] == str(index + 1)
-        await step(app, pilot)
-        assert " 16" in screen_text(app)
+        for slot in range(1, 17):
+            app.switching.go_to(slot)
+            await step(app, pilot)
+            pane = app.desktop.focused_pane
+            title = "".join(piece.text for piece in pane.title())
+            assert pane.slot == slot and f" {slot} " in title
+            assert cell_len(title) <= pane.inner_width - 3

@@ -15,7 +15,7 @@ from day6_tui.core.graph import Graph
 from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.tui.actions import ACTIONS
 from day6_tui.tui.locale import LANGUAGES, catalogue
-from day6_tui.tui.overlay import KEY_WIDTH
+from day6_tui.tui.manual import KEY_WIDTH
 
 
 def test_no_key_is_cut_on_a_help_page() -> None:
@@ -64,50 +64,6 @@ async def test_a_click_on_a_check_box_of_rqt_graph_is_its_key(desk: FakeDesk, tm
         assert "[x] Debug(d)" in screen_text(app)
 
 
-class _Topics:
-    """A topic monitor with two topics, one of which is listened to."""
-
-    def __init__(self) -> None:
-        self.version = 1
-        self.topics = [self._topic("/chatter", True), self._topic("/rosout", False)]
-
-    def _topic(self, name: str, monitored: bool) -> Any:
-        ends = [SimpleNamespace(node="/talker", qos="RELIABLE VOLATILE")]
-        return SimpleNamespace(
-            name=name, types=["std_msgs/msg/String"], publishers=ends, subscriptions=[], monitored=monitored, count=3,
-            rate=2.0, bandwidth=60.0, bars=[1.0, 2.0], problem="",
-        )  # fmt: skip
-
-    def last_message(self, name: str) -> None:
-        return None
-
-    def toggle(self, name: str) -> None:
-        topic = next(topic for topic in self.topics if topic.name == name)
-        topic.monitored = not topic.monitored
-        self.version += 1
-
-
-async def test_the_topic_monitor_names_its_columns_and_marks_the_whole_line(desk: FakeDesk) -> None:
-    model = _Topics()
-    window = desk.display.open("topics", "Topic Monitor", model)
-    async with opened(desk, 80, 24, lang="en", scene="empty") as (app, pilot):
-        await step(app, pilot)
-        await step(app, pilot)
-        pane = app.desktop.panes[window.number]
-        app.desktop.focus_pane(pane)
-        await step(app, pilot)
-        assert app.screen.focused is pane
-        await step(app, pilot)
-        lines = screen_lines(app)
-        assert lines[2].split()[1:4] == ["topic", "pub", "▸"] and "/chatter" in lines[3]
-        strip = pane._strip(2)
-        assert {segment.style for segment in list(strip)[1:-1]} == {app.look.colours.choice}
-        x, y = _place(app, "[ ] /rosout")
-        await pilot.click(offset=(x + 1, y))
-        await step(app, pilot)
-        assert pane.chosen == "/rosout" and model.topics[1].monitored
-
-
 @pytest.mark.parametrize(("size", "told"), [((40, 10), False), ((80, 24), True), ((120, 40), True)])
 async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_knowing(
     desk: FakeDesk, size: Any, told: bool
@@ -120,7 +76,7 @@ async def test_in_a_low_window_the_cars_picture_comes_before_what_is_only_worth_
         app.desktop.focus_pane(app.desktop.panes[window.number])
         await step(app, pilot)
         await step(app, pilot)
-        assert ("why does the car not move?" in screen_text(app)) is told
+        assert ("why does the car" in screen_text(app)) is told
         line.level, line.id, line.parameters = "error", "car.no_transform", (("link", "left"), ("frame", "base"))
         app.desktop.panes[window.number].restyle()
         await step(app, pilot)

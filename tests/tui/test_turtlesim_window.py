@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from types import SimpleNamespace
 
@@ -10,12 +11,16 @@ from fakes import FakeSimulation, turtle
 from screens import UTF8, make_look, opened, screen_text, step
 from textual.geometry import Size
 
+from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
 from day6_tui.core.session.display import Display
 from day6_tui.tui.canvas import Canvas, square
+from day6_tui.tui.cells import cell_len
 from day6_tui.tui.colours import colours
 from day6_tui.tui.options import Options
 from day6_tui.tui.windows.turtle_shapes import COATS, HEADINGS, characters, heading_step, pixels
 from day6_tui.tui.windows.turtlesim import TurtleSimPane, _shrink
+
+SECONDS = itertools.count(1.0)
 
 SIZES = [(10, 5), (58, 29), (120, 60)]
 
@@ -59,7 +64,7 @@ def _touched(pane: TurtleSimPane) -> list[tuple[int, int, int]]:
     pane.touch_spans = lambda new: spans.extend(new)  # type: ignore[method-assign, assignment]
     pane.touch_frame = lambda: None  # type: ignore[method-assign]
     pane.touch = lambda: None  # type: ignore[method-assign]
-    pane.pull(0.0)
+    pane.pull(next(SECONDS))
     return spans
 
 
@@ -197,7 +202,7 @@ async def test_the_window_closes_and_gives_the_keyboard_back(desk) -> None:
         app.actions["close"]()
         await step(app, pilot)
         assert interrupted == [True]
-        assert app.desktop.panes == {} and app.screen.focused is app.terminal_pane
+        assert app.desktop.panes == {} and app.screen.focused is app.terminals.current
         assert "TurtleSim" not in screen_text(app)
 
 
@@ -215,3 +220,105 @@ def test_the_colours_of_the_world_are_not_those_of_the_theme() -> None:
     pane = _pane(FakeSimulation(), 60, 31)
     _touched(pane)
     assert pane._canvas.background == 0x4556FF
+
+
+# -- what stands beside the world --------------------------------------------------------------------------------------
+
+
+def _topics(*senders: str) -> dict[str, TurtleTopics]:
+    return {"turtle1": TurtleTopics("/turtle1/pose", "/turtle1/cmd_vel", senders)}
+
+
+def _lines(pane: TurtleSimPane) -> list[str]:
+    _touched(pane)
+    return _text(pane)
+
+
+def _text(pane: TurtleSimPane) -> list[str]:
+    width = pane.inner_width
+    lines = ["".join(segment.text for segment in pane.content_line(y, width)) for y in range(pane.inner_height)]
+    assert max(map(cell_len, lines)) <= width
+    return lines
+
+
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize(
+    ("size", "columns"), [((80, 14), 24), ((58, 20), 36), ((40, 22), 38), ((60, 38), 58), ((80, 13), 22)]
+)
+def test_the_world_is_as_large_as_it_can_be_and_what_is_left_over_says_where_the_turtle_is_and_who_drives_it(
+    size, columns, lang, glyphs
+) -> None:
+    simulation = FakeSimulation(turtle(x=1.25, theta=-0.5, v=2.0))
+    simulation.topics = _topics("/teleop_turtle")
+    pane = _pane(simulation, *size, lang=lang, glyphs=glyphs)
+    text = "\n".join(_lines(pane))
+    assert pane._world_place()[2] == columns
+    if size == (40, 22):  # one line below a world that is as wide as the window
+        assert "turtle1" in text
+        return
+    words = ("/turtle1/pose", "x  1.25", "theta -0.50", "/turtle1/cmd_vel", "/teleop_turtle")
+    assert all(each in text for each in words), text
+    assert ("linear_velocity  2.00" in text) or size == (58, 20)
+    assert glyphs != "ascii" or text.isascii() or lang == "zh"
+
+
+def test_a_turtle_that_nobody_drives_says_how_to_drive_it() -> None:
+    simulation = FakeSimulation()
+    simulation.topics = _topics()
+    assert "ros2 run turtlesim turtle_teleop_key" in "\n".join(_lines(_pane(simulation, 80, 14, lang="en")))
+
+
+def test_a_new_driver_is_named_though_the_turtle_stands_still() -> None:
+    simulation = FakeSimulation()
+    simulation.topics = _topics()
+    pane = _pane(simulation, 80, 14)
+    assert "/draw_square" not in "\n".join(_lines(pane))
+    simulation.topics = _topics("/draw_square", "/teleop_turtle")
+    text = "\n".join(_lines(pane))
+    assert "/draw_square" in text and "/teleop_turtle" in text
+
+
+def test_many_turtles_come_before_the_card_of_one() -> None:
+    simulation = FakeSimulation(*[turtle(f"turtle{n}", float(n)) for n in range(1, 10)])
+    simulation.topics = _topics("/teleop_turtle")
+    lines = _lines(_pane(simulation, 80, 12, lang="en"))
+    assert all(any(f" turtle{n} " in line for line in lines) for n in range(1, 10))
+    assert not any("linear_velocity" in line for line in lines)
+    assert any("linear_velocity" in line for line in _lines(_pane(simulation, 80, 16, lang="en")))
+    few = _lines(_pane(simulation, 80, 9, lang="en"))
+    assert "turtle6" in "\n".join(few) and "3 more" in few[-1]
+
+
+def test_the_numbers_change_ten_times_a_second_and_the_last_ones_are_shown() -> None:
+    simulation = FakeSimulation(turtle(x=5.0))
+    simulation.topics = _topics("/teleop_turtle")
+    pane = _pane(simulation, 80, 14)
+    _lines(pane)
+    now = next(SECONDS)
+    simulation.show(turtle(x=5.2))
+    assert not pane.pull(now)
+    simulation.show(turtle(x=5.4))
+    assert pane.pull(now + 0.03) and not any("x  5.40" in line[25:] for line in _text(pane))
+    assert not pane.pull(now + 0.11) and any("x  5.40" in line[25:] for line in _text(pane))
+    assert not pane.pull(now + 0.3)
+
+
+def test_only_the_numbers_that_change_are_drawn_again() -> None:
+    simulation = FakeSimulation(turtle(x=5.0))
+    simulation.topics = _topics("/teleop_turtle")
+    pane = _pane(simulation, 80, 14)
+    _lines(pane)
+    compared: list[int] = []
+    pane.touch_lines = lambda lines: compared.extend(lines)  # type: ignore[method-assign]
+    simulation.show(turtle(x=5.2))
+    _touched(pane)
+    assert len(compared) == 2  # the turtle's own line, and x
+
+
+@pytest.mark.parametrize("name", ["a" * 200, "龟" * 60, "\x1b]0;T\a"])
+@pytest.mark.parametrize("size", [(80, 14), (58, 20), (60, 38), (30, 8)])
+def test_names_of_any_length_keep_their_place(name, size) -> None:
+    simulation = FakeSimulation(turtle(name))
+    simulation.topics = {name: TurtleTopics(f"/{name}/pose", f"/{name}/cmd_vel", (f"/{name}",))}
+    _lines(_pane(simulation, *size))

@@ -357,3 +357,20 @@ def test_closing_the_window_ends_the_node_without_a_word(machine: Machine) -> No
     machine.advance()
     assert turtlesim.program.status == 0
     assert turtlesim.log == START_LOG
+
+
+def test_the_window_knows_who_drives_each_turtle(machine: Machine) -> None:
+    machine.start("turtlesim_node", "--ros-args", "-r", "__ns:=/left", screen=True)
+    machine.until(lambda: machine.display.windows)
+    simulation = machine.display.windows[0].model
+    machine.ticks(20)
+    assert simulation.topics == {"turtle1": ("/left/turtle1/pose", "/left/turtle1/cmd_vel", ())}
+    driver = machine.node.create_publisher(Twist, "/left/turtle1/cmd_vel", 1)
+    machine.ticks(20)
+    assert simulation.topics["turtle1"].senders == (machine.node.get_fully_qualified_name(),)
+    before = simulation.topics
+    machine.ticks(40)
+    assert simulation.topics is before
+    machine.node.destroy_publisher(driver)
+    machine.ticks(20)
+    assert simulation.topics["turtle1"].senders == ()

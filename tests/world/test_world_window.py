@@ -217,3 +217,16 @@ def test_a_window_that_opens_before_its_world_is_read_is_empty_and_takes_keys() 
     pane.title()
     pane.status()
     pane.status_right()
+
+
+def test_the_frame_tells_the_world_s_seconds_and_how_fast_they_really_pass() -> None:
+    model = model_of(seconds=12.34, speed=1.0, real_time_factor=1.984)
+    pane = pane_of(model, lang="en")
+    text_of(pane)
+    assert [piece.text for piece in pane.status_right()] == [" 12.3 s  RTF 1.98 "]
+    heads: list[None] = []
+    pane.touch_frame = lambda: heads.append(None)  # type: ignore[method-assign]
+    model.is_held = lambda: True
+    pane.pull(2e9)
+    assert heads, "a pause of the whole desktop brings no new snapshot, but the frame has to tell it"
+    assert [piece.text for piece in pane.status_right()] == [" 12.3 s  paused "]

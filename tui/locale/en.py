@@ -21,12 +21,23 @@ TEXTS = {
     "action.close": "Close this terminal or window",
     "action.copy": "Copy the selection",
     "action.paste": "Paste",
+    "action.find": "Search the terminal",
     "action.clear": "Clear the terminal's scrollback",
     "action.language": "中文 / English",
-    "action.theme": "Dark or light",
-    "action.glyphs": "Next set of characters (half, braille, cell, ascii)",
-    "action.grow": "Larger windows",
-    "action.shrink": "Smaller windows",
+    "action.theme": "Theme: dark, light, high contrast",
+    "action.glyphs": "Next set of characters (pixels, half, braille, cell, ascii)",
+    "action.split.right": "Split: terminal on the right",
+    "action.split.below": "Split: terminal below",
+    "action.stack": "Tab: put this pane behind its neighbour, or beside it again",
+    "action.move.left": "Move this pane to the left",
+    "action.move.right": "Move this pane to the right",
+    "action.move.above": "Move this pane up",
+    "action.move.below": "Move this pane down",
+    "action.layout.load": "Layouts",
+    "action.layout.save": "Save this layout",
+    "action.layout.lesson": "Layout: lesson, everything where it is seen best",
+    "action.layout.four": "Layout: four terminals",
+    "action.layout.presenter": "Layout: presenter, a big picture and one terminal",
     "action.step": "One time step (while paused)",
     "action.faster": "Faster time",
     "action.slower": "Slower time",
@@ -39,7 +50,7 @@ TEXTS = {
     "help.action.enlarge": "makes the focused pane fill the screen, or restores it",
     "help.action.pause": "pauses or resumes the simulated world",
     "help.action.palette": "finds any command by name",
-    "help.action.quit": "ends every program and closes the desktop",
+    "help.action.quit": "closes the desktop, and asks first if programs are running; in the editor ^Q closes the file",
     "help.action.help": "explains the focused pane",
     "help.action.scene.turtle": "types the two commands of the turtle lesson",
     "help.action.scene.world": "types the commands that put the car into a world with walls and drive it from the keyboard",
@@ -47,12 +58,25 @@ TEXTS = {
     "help.action.close": "ends the shell, or the program that opened the window",
     "help.action.copy": "copies what is selected with the mouse",
     "help.action.paste": "types what was copied",
+    "help.action.find": "finds a text in what a terminal has shown",
     "help.action.clear": "discards the lines that have scrolled out of view",
     "help.action.language": "changes the language of the desktop",
-    "help.action.theme": "changes the colours",
+    "help.action.theme": "chooses the colours; the choice is remembered",
     "help.action.glyphs": "changes how pictures are drawn",
-    "help.action.grow": "gives the windows more room",
-    "help.action.shrink": "gives the terminals more room",
+    "help.action.split.right": "opens a terminal to the right of this pane",
+    "help.action.split.below": "opens a terminal below this pane",
+    "help.action.stack": "makes it a tab of the pane beside it, or gives a tab a place of its own",
+    "help.action.move.left": "changes places with the pane on the left",
+    "help.action.move.right": "changes places with the pane on the right",
+    "help.action.move.above": "changes places with the pane above",
+    "help.action.move.below": "changes places with the pane below",
+    "help.panes": "Alt+←↑↓→\tthe pane on that side\nAlt+1 … 9\tthe pane with that number\n"
+    "Shift+Alt+←\tand ↑ ↓ →: moves the border\nMouse\tdrag borders and titles; double-click a title to enlarge",
+    "help.action.layout.load": "lists the ready layouts and those you have saved",
+    "help.action.layout.save": "keeps the places of the panes under a name",
+    "help.action.layout.lesson": "arranges all panes anew",
+    "help.action.layout.four": "two by two, with the windows beside them",
+    "help.action.layout.presenter": "for a projector; the other panes are tabs",
     "help.action.step": "advances the paused world by one turtlesim tick (16 ms)",
     "help.action.faster": "up to ten times",
     "help.action.slower": "down to a tenth",
@@ -99,9 +123,39 @@ TEXTS = {
     "terminal.stubborn": "It ignores Ctrl-C. Ctrl-\\ ends it; or Ctrl-Z, then: kill -9 %%",
     "input.gbk": "Your terminal sends GBK, not UTF-8: set it to UTF-8 (PuTTY: Window > Translation)",
     "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
-    "terminal.hint": "Arrow keys work only in here: click or {key}",
-    "terminal.arrows": "Arrow keys only drive in terminal {number}: {key} goes there",
+    "terminal.hint": "{keys} work only in here: click or {key}",
+    "terminal.arrows": "{keys} only drive in terminal {number}: {key} goes there",
+    "terminal.not_arrows": "Arrow keys do nothing here. {keys} drive",
+    "teleop.arrows": "Arrow keys",
+    "teleop.twist_keyboard": "The keys i j k l and ,",
+    "teleop.turtlebot3": "The keys w a d x and s",
+    "teleop.other": "This program's keys",
     "terminal.scrolled": "{count} more lines below · any key goes there",
+    "terminal.close.title": "Close the terminal",
+    "terminal.close.ask": "{what} is still running in it. End it?",
+    "drop.told": "{name}: let go to put it {where}",
+    "drop.left": "to the left of {name}",
+    "drop.right": "to the right of {name}",
+    "drop.above": "above {name}",
+    "drop.below": "below {name}",
+    "drop.tab": "behind {name}, as a tab",
+    "layout.name": "A name for this layout",
+    "layout.no_name": "It needs a name",
+    "layout.saved": "The layout is saved as {name}",
+    "layout.own": "saved",
+    "layout.foreign": "not a file of layouts of version {version}",
+    "layout.unreadable": "{file}: {reason}",
+    "session.title": "As you left it",
+    "session.ask": "When you left, these were running. Start them again?\n\n{what}",
+    "session.start": "Start again",
+    "session.restored": "from {when}",
+    "session.foreign": "not a session of this version; it stays as it is",
+    "find.title": "Search",
+    "find.keys": "Enter ↑ older   ↓ newer   Esc back",
+    "find.what": "type what to look for",
+    "find.none": "not found",
+    "find.count": "{number} of {count}",
+    "menu.program": "start",
     "terminal.copied": "Copied",
     "terminal.no_room": "No new terminal: too many programs are running. End some of them (Ctrl-C, kill, close their terminals)",
     # welcome
@@ -128,6 +182,8 @@ TEXTS = {
     "turtlesim.pose": "x {x:.2f}  y {y:.2f}  θ {theta:.2f}  v {v:.1f}",
     "turtlesim.none": "no turtle",
     "turtlesim.more": "{count} more",
+    "turtlesim.from": "from",
+    "turtlesim.undriven": "nobody publishes here; to drive it:",
     "turtlesim.label": "names",
     # car
     "car.zoom": "zoom",
@@ -135,6 +191,7 @@ TEXTS = {
     # world
     "world.pose": "x {x:.2f}  y {y:.2f}  {degrees}°  v {v:.2f} m/s",
     "world.line": "line",
+    "world.factor": "RTF {factor:.2f}",
     "world.zoom": "zoom",
     "world.follow": "follow",
     "world.lidar": "lidar",
@@ -143,6 +200,7 @@ TEXTS = {
     # joint sliders
     "sliders.waiting": "Waiting for a robot on /robot_description: is robot_state_publisher running?",
     "sliders.none": "This robot has no joint that can be moved.",
+    "sliders.conflict.short": "{nodes} sets joints too",
     "sliders.conflict": "{nodes} publishes the same joints: the robot jitters between two commands. One of the two has to stop.",
     "sliders.degrees": "degrees",
     "sliders.move": "move",
@@ -172,9 +230,12 @@ TEXTS = {
     "editor.name": "a name is needed",
     "editor.exists": "{name} exists: Enter again overwrites it",
     "editor.modified": "Save modified buffer?",
-    "editor.modified.keys": "Y  save    N  discard the changes    Esc  go on editing",
+    "editor.modified.text": "{file} has unsaved changes.",
+    "editor.modified.save": "Save",
+    "editor.modified.discard": "Don't save",
     "editor.cut": "cut lines, put them back",
-    "editor.indent": "indent; all selected lines if there are any",
+    "editor.tab": "completes modules, message types and fields; elsewhere indents, all selected lines if there are any",
+    "editor.complete": "Which one?",
     "editor.outdent": "unindent",
     "editor.new": "A new file …",
     "editor.no_folder": "there is no folder {name}",
@@ -190,21 +251,29 @@ TEXTS = {
     "editor.overwrite": "the file was changed elsewhere: ^S again overwrites it",
     "editor.not_saved": "not saved: {reason}",
     "editor.not_kept": "no copy of the unsaved text: {reason}",
-    "editor.unsaved": "not saved: ^S saves, the same key again closes (a copy is kept)",
-    "editor.lose": "again loses the text, no copy: {reason}",
+    "editor.lose": "the same answer again loses the text, no copy: {reason}",
     "editor.gone": "file gone from disk; ^S writes it again",
-    "quit.title": "A text would be lost",
-    "quit.lost": "Neither saved nor kept: {what}. Y  quit anyway    Esc  go back",
-    "quit.was_lost": "day6-tui: unsaved text was lost: {what}",
+    "quit.title": "Something would be lost",
+    "quit.lost": "Neither saved nor kept: {what}",
+    "quit.anyway": "Quit anyway",
+    "quit.running": "Programs are still running",
+    "quit.runs": "{what} is still running: end it?",
+    "quit.run": "{what} are still running: end all?",
+    "quit.more": " and {count} more",
+    "quit.end": "End",
+    "quit.was_lost": "day6-tui: unsaved work was lost: {what}",
     "editor.not_found": "{text} not found",
     "editor.lines": "1 to {count}",
     "prompt.replaces": "{file} already exists; Enter again replaces it",
     "prompt.keys": "Enter accept   Esc back",
     "rqt.choose": "choose",
+    "rqt.pan": "move",
+    "rqt.zoom": "zoom",
+    "rqt.fit": "Fit",
     "rqt.filter": "filter nodes, topics",
     "rqt.namespaces": "namespaces",
     "rqt.group": "Group",
-    "rqt.view": "Highlight, Fit",
+    "rqt.view": "Highlight",
     "rqt.files": "save, open",
     "rqt.auto": "auto refresh",
     "rqt.node_filter": "Node filter",
@@ -218,17 +287,27 @@ TEXTS = {
     "rqt.node": "{name}: {arriving} arrows in, {leaving} out",
     "rqt.topic": "{name}: published by {arriving}, subscribed to by {leaving}",
     # topics
-    "topics.columns.topic": "topic",
-    "topics.columns.publishers": "pub",
-    "topics.columns.subscriptions": "sub",
+    "topics.columns.topic": "Topic",
+    "topics.columns.type": "Type",
+    "topics.columns.bandwidth": "Bandwidth",
+    "topics.columns.hz": "Hz",
+    "topics.columns.value": "Value",
     "topics.none": "There are no topics yet. Start a node.",
+    "topics.no_match": "No topic matches. Esc shows all.",
     "topics.publishers": "publishers",
     "topics.subscriptions": "subscriptions",
-    "topics.last": "last message",
-    "topics.quiet": "not listening: Enter listens",
-    "topics.waiting": "listening, nothing received yet",
+    "topics.history": "recent rate",
+    "topics.quiet": "not monitored",
+    "topics.waiting": "nothing received yet",
     "topics.listen": "listen",
     "topics.stop": "stop",
+    "topics.open": "open",
+    "topics.sort": "sort",
+    "topics.reverse": "sort the other way",
+    "topics.filter": "filter",
+    "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
+    "topics.filtered": "of {count}, filter: {text}",
+    "topics.unfilter": "show all",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -267,6 +346,12 @@ TEXTS = {
     "rviz.not_loaded": "{file} could not be loaded: {reason}",
     "rviz.picture": "Save a picture",
     "rviz.picture_note": ".png or .svg",
+    "rviz.offer": "see the robot up close",
+    "rviz.leave.title": "There are unsaved changes",
+    "rviz.leave.save": "to {file}, then close",
+    "rviz.leave.discard": "close without saving",
+    "rviz.leave.cancel": "go on",
+    "rviz.unsaved": "the view of RViz (^S in its window saves it)",
     "rviz.quality": "quality: {name}",
     "rviz.nothing_to_focus": "there is nothing to look at yet",
     "rviz.type.Axes": "the axes of a frame",
@@ -332,6 +417,7 @@ TEXTS = {
     "console.location": "Location",
     "console.none": "No log message yet: they come from /rosout.",
     "console.filtered": "All messages are left out; a shows them.",
+    "console.newest": "follow the newest",
     "console.exclude": "Exclude",
     "console.containing": "Exclude messages containing",
     "console.containing.note": "Messages with this text are left out; an empty line shows them again.",
@@ -362,9 +448,12 @@ TEXTS = {
     "plot.pause": "pause",
     "plot.resume": "resume",
     "plot.span": "time",
+    "plot.fine": "finer, coarser",
+    "plot.curve": "choose a curve",
     "plot.clear": "clear",
     # menus
     "menu.palette": "Commands",
+    "menu.layouts": "Layouts",
     "menu.windows": "Windows and terminals",
     "menu.filter": "type to search",
     "menu.none": "nothing by that name",
@@ -374,7 +463,7 @@ TEXTS = {
     "menu.window": "window",
     # help
     "help.title": "Help",
-    "help.keys": "↑ ↓ scroll   Esc back",
+    "help.keys": "↑ ↓ scroll   Tab next page   Esc back",
     "list.head": "{name}: ",
     "help.everywhere": "Keys that work everywhere",
     "help.desk": (
@@ -388,6 +477,7 @@ TEXTS = {
         "program, Ctrl-D on an empty line ends the shell. Ctrl-Z and bg let a program go on in the background; so does & at "
         "the end of a command.\n\n"
         "Shift+PageUp, or the mouse wheel, scrolls back. Drag with the mouse to copy; Shift+Insert or the middle button pastes."
+        "\n\n~ is your home folder. Here it is not /home/NAME: type cd, then pwd to see where it is on the disk."
     ),
     "help.turtlesim": (
         "The world of turtlesim, 11.09 metres wide. The node /turtlesim subscribes to velocities on /turtle1/cmd_vel and "
@@ -407,16 +497,22 @@ TEXTS = {
         "Three settings show your robot: Fixed Frame (a frame that exists, such as base_link), Add RobotModel, and in it "
         "Description Topic /robot_description. Red and yellow lines say what is missing; the line at the bottom says it in "
         "full.\n\n"
-        "Tab\tpanel or view\nEnter\tchange a value, open a branch\nSpace\tcheck box\n^N or a\tadd a display\n"
-        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\nd\thide or show the panel\n"
+        "Tab\tpanel or view; in a narrow window the panel folds away meanwhile\nEnter\tchange a value, open a branch\n"
+        "Space\tcheck box\n^N or a\tadd a display, like the button Add at the lower left (↓ below the last line goes there)\n"
+        "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
+        "d\thide or show the panel, like the arrow at its edge\n"
         "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "
         "start\nv\tOrbit, XYOrbit, TopDownOrtho, FPS\np\tquality: less detail is faster\nr\treset\n"
         "^S w ^O\tsave, save as, open\ng\tsave a picture\n\n"
         "Mouse: drag turns, Shift or Ctrl and drag pans, the wheel zooms."
     ),
     "help.rqt_graph": (
-        "Which node talks to which. Ellipses are nodes, arrows are topics. A pulse runs along an arrow when messages pass. "
-        "The line below says what the filters hide."
+        "Which node talks to which. Round boxes (ellipses in the real rqt_graph) are nodes, arrows and square boxes are topics. "
+        "A pulse runs along an arrow when messages pass. "
+        "The line below says what the filters hide.\n\n"
+        "Drag or arrow keys: move. Wheel, + and -: zoom, from names in full to an overview. v (Fit) shows the whole graph again, "
+        "and keeps to it until you move. An arrow with a number at an edge says how many boxes lie beyond it. "
+        "A click, or j and k, chooses a box: the line below describes it."
     ),
     "help.editor": (
         "A file of your home folder. What is wrong in it is named below and underlined, while you type. Unsaved text is kept and "
@@ -427,8 +523,11 @@ TEXTS = {
         "that fight, joints the robot does not have. Red keeps messages from arriving."
     ),
     "help.topics": (
-        "All topics, with their type and how many publish and subscribe. Enter listens to the chosen topic and measures its "
-        "rate and bandwidth; the last message is shown below. Listening is a subscription, so it counts as one."
+        "All topics, with their types. Enter, or a click on the box, listens to a topic: then its bandwidth, its rate and its "
+        "newest message are shown. Listening is a subscription, so it counts as one.\n\n"
+        "The right arrow key, or a click on the small arrow, opens a topic: the fields of its message, and who publishes and "
+        "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
+        "name. / filters by part of a name or type, Esc shows all again."
     ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
@@ -436,7 +535,8 @@ TEXTS = {
         "and senses with /scan and /line_sensor.\n\n"
         "To enter, every link needs <inertial>; a link without <collision> goes through walls.\n\n"
         "+ and - zoom, arrows move the view, f follows the robot, 0 shows everything. l shows the lidar, t wipes the trail. "
-        "Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start."
+        "Space pauses, n takes one step, [ and ] change the speed of time, r puts the robot back to its start. "
+        "RTF is the real-time factor, as in Gazebo: how many seconds passed in here while one passed on your watch."
     ),
     "help.joint_state_publisher": (
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
@@ -473,4 +573,72 @@ TEXTS = {
     "error.window": "This window cannot be drawn: {reason}",
     "error.continue": "Esc closes this message",
     "error.title": "Something went wrong",
+    "error.close": "Close",
+    "list.comma": ", ",
+    "question.back": "Back",
+    "theme.title": "Theme",
+    "theme.dark": "Dark",
+    "theme.light": "Light",
+    "theme.contrast": "High contrast",
+    "theme.colourblind": "Safe for colour-blind eyes",
+    "settings.fault": "{path} cannot be read and is left as it is: {reason}",
+    "settings.not_kept": "The choice holds until the end only: {reason}",
+    # the manual
+    "manual.search": "type to search all pages",
+    "manual.desk": "The desk",
+    "manual.welcome": "The choices at the start",
+    "manual.guide": "Commands to try",
+    "manual.terminal": "Terminals",
+    "manual.editor": "The editor",
+    "manual.turtlesim": "turtlesim",
+    "manual.car": "The car from above",
+    "manual.world": "The world",
+    "manual.joint_state_publisher": "Joint sliders",
+    "manual.rviz2": "RViz",
+    "manual.rqt": "rqt",
+    "manual.rqt_graph": "rqt_graph",
+    "manual.rqt_console": "rqt_console",
+    "manual.rqt_plot": "rqt_plot",
+    "manual.topics": "Topic Monitor",
+    "manual.inspector": "Inspector",
+    # The command line
+    "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",
+    "cli.usage": "usage: ",
+    "cli.options": "options",
+    "cli.help": "show this help and exit",
+    "cli.scene": "what to begin with (default: the welcome choices)",
+    "cli.robot": "a URDF file of your own instead of the shipped car",
+    "cli.lang": "language of the screen (default: that of the system)",
+    "cli.glyphs": "what pictures are drawn with (default: by terminal; pixels where it shows them)",
+    "cli.theme": "the colours (default: as chosen last)",
+    "cli.fps": "most frames a second (default: 30)",
+    "cli.reduced_motion": "no pulses and no animation",
+    "cli.home": "the folder that is ~ in the terminals",
+    "cli.listen": (
+        "let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command"
+    ),
+    "cli.connect": "join another machine, e.g. tcp/192.168.1.5:7447",
+    "cli.secret": (
+        "what the machines of --listen and --connect must have in common: better a file that only you can read (chmod 600) than "
+        "a word, which every user of this machine can see in the list of processes"
+    ),
+    "cli.version": "print the version and exit",
+    "cli.commands": """\
+commands:
+  shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
+  exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
+  python FILE [ARG ...]       run a Python file unmodified as a ROS program
+  ros2 ...                    the ros2 command, on the graph of this machine
+  colcon ...                  build a workspace
+  rviz2                       the robot in 3-D; a window takes this terminal
+  rqt, rqt_graph, rqt_console, rqt_plot, rqt_topic
+                              the windows of rqt
+  check_urdf FILE             check a robot description
+  urdf_to_graphviz FILE       draw a robot description
+  xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
+  export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
+  env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE""",
+    "cli.more": "day6-tui COMMAND --help says more.",
+    "cli.no_command": "there is no command '{name}'; day6-tui --help lists them",
+    "cli.no_terminal": "the desktop needs a terminal; day6-tui exec runs commands without one",
 }

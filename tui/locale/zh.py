@@ -18,12 +18,23 @@ TEXTS = {
     "action.close": "关闭这个终端或窗口",
     "action.copy": "复制选中的文字",
     "action.paste": "粘贴",
+    "action.find": "在终端里查找",
     "action.clear": "清除终端的历史画面",
     "action.language": "English / 中文",
-    "action.theme": "深色或浅色",
-    "action.glyphs": "换一套绘图字符（half、braille、cell、ascii）",
-    "action.grow": "窗口大一点",
-    "action.shrink": "窗口小一点",
+    "action.theme": "配色：深色、浅色、高对比度",
+    "action.glyphs": "换一种画法（pixels、half、braille、cell、ascii）",
+    "action.split.right": "分屏：右边开一个终端",
+    "action.split.below": "分屏：下面开一个终端",
+    "action.stack": "标签：和旁边的窗格叠在一起，或者再分开",
+    "action.move.left": "把窗格往左挪",
+    "action.move.right": "把窗格往右挪",
+    "action.move.above": "把窗格往上挪",
+    "action.move.below": "把窗格往下挪",
+    "action.layout.load": "布局",
+    "action.layout.save": "保存现在的布局",
+    "action.layout.lesson": "布局：上课，每样东西都放在看得最清楚的地方",
+    "action.layout.four": "布局：四个终端",
+    "action.layout.presenter": "布局：演示，一个大画面加一个终端",
     "action.step": "时间走一步（暂停时）",
     "action.faster": "时间快一点",
     "action.slower": "时间慢一点",
@@ -36,7 +47,7 @@ TEXTS = {
     "help.action.enlarge": "把当前窗格放大到整个屏幕，再按一次还原",
     "help.action.pause": "让仿真世界停住，再按一次继续",
     "help.action.palette": "按名字查找所有命令",
-    "help.action.quit": "结束所有程序，关闭桌面",
+    "help.action.quit": "关闭桌面，还有程序在运行就先问；在编辑器里，^Q 关闭文件",
     "help.action.help": "解释当前的窗格",
     "help.action.scene.turtle": "替你输入小海龟课的两条命令",
     "help.action.scene.world": "替你输入命令：把小车放进有墙的世界里，再用键盘开它",
@@ -44,12 +55,25 @@ TEXTS = {
     "help.action.close": "结束 shell，或结束打开窗口的程序",
     "help.action.copy": "复制用鼠标选中的文字",
     "help.action.paste": "输入刚才复制的文字",
+    "help.action.find": "在终端显示过的内容里找一段文字",
     "help.action.clear": "忘掉已经滚上去的内容",
     "help.action.language": "切换桌面语言",
-    "help.action.theme": "切换配色",
+    "help.action.theme": "选一套颜色，下次打开还是它",
     "help.action.glyphs": "改变图像的画法",
-    "help.action.grow": "给窗口更多地方",
-    "help.action.shrink": "给终端更多地方",
+    "help.action.split.right": "在这个窗格右边开一个终端",
+    "help.action.split.below": "在这个窗格下面开一个终端",
+    "help.action.stack": "变成旁边窗格的标签页；已经是标签页的，给它自己的位置",
+    "help.action.move.left": "和左边的窗格换位置",
+    "help.action.move.right": "和右边的窗格换位置",
+    "help.action.move.above": "和上面的窗格换位置",
+    "help.action.move.below": "和下面的窗格换位置",
+    "help.panes": "Alt+←↑↓→\t到那一边的窗格\nAlt+1 … 9\t到这个编号的窗格\nShift+Alt+←\t以及 ↑ ↓ →：移动边界\n"
+    "鼠标\t拖边界改大小，拖标题挪窗格，双击标题放大",
+    "help.action.layout.load": "列出现成的布局和你保存的布局",
+    "help.action.layout.save": "给窗格的位置起个名字存起来",
+    "help.action.layout.lesson": "把所有窗格重新摆放",
+    "help.action.layout.four": "两行两列，窗口放在旁边",
+    "help.action.layout.presenter": "用投影仪时；其他窗格变成标签页",
     "help.action.step": "暂停时让世界走一个 turtlesim 节拍（16 毫秒）",
     "help.action.faster": "最快十倍",
     "help.action.slower": "最慢十分之一",
@@ -96,9 +120,39 @@ TEXTS = {
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
     "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",
     "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
-    "terminal.hint": "方向键只在这个终端里有用：点一下这里，或按 {key}",
-    "terminal.arrows": "方向键只在终端 {number}（遥控）里有用：按 {key} 切换过去",
+    "terminal.hint": "{keys}只在这个终端里有用：点一下这里，或按 {key}",
+    "terminal.arrows": "{keys}只在终端 {number}（遥控）里有用：按 {key} 切换过去",
+    "terminal.not_arrows": "这个程序不用方向键驾驶，要用{keys}",
+    "teleop.arrows": "方向键",
+    "teleop.twist_keyboard": "按键 i j k l 和逗号",
+    "teleop.turtlebot3": "按键 w a d x 和 s",
+    "teleop.other": "这个程序的按键",
     "terminal.scrolled": "下面还有 {count} 行 · 按任意键回到底部",
+    "terminal.close.title": "关闭终端",
+    "terminal.close.ask": "{what} 还在里面运行。结束它吗？",
+    "drop.told": "{name}：松开鼠标，放到{where}",
+    "drop.left": "{name} 的左边",
+    "drop.right": "{name} 的右边",
+    "drop.above": "{name} 的上面",
+    "drop.below": "{name} 的下面",
+    "drop.tab": "{name} 的位置，叠成标签页",
+    "layout.name": "给这个布局起个名字",
+    "layout.no_name": "得有个名字",
+    "layout.saved": "布局已保存：{name}",
+    "layout.own": "自己保存的",
+    "layout.foreign": "不是版本 {version} 的布局文件",
+    "layout.unreadable": "{file}：{reason}",
+    "session.title": "和你离开时一样",
+    "session.ask": "你离开的时候，这些程序正在运行。要重新启动吗？\n\n{what}",
+    "session.start": "重新启动",
+    "session.restored": "以上是 {when} 的内容",
+    "session.foreign": "不是这个版本保存的，文件原样留着",
+    "find.title": "查找",
+    "find.keys": "Enter ↑ 更早   ↓ 更晚   Esc 返回",
+    "find.what": "输入要找的文字",
+    "find.none": "没有找到",
+    "find.count": "第 {number} 处，共 {count} 处",
+    "menu.program": "启动",
     "terminal.copied": "已复制",
     "terminal.no_room": "开不了新终端：运行的程序太多了。先结束一些（Ctrl-C、kill、关掉它们的终端）",
     # welcome
@@ -125,6 +179,8 @@ TEXTS = {
     "turtlesim.pose": "x {x:.2f}  y {y:.2f}  θ {theta:.2f}  v {v:.1f}",
     "turtlesim.none": "没有海龟",
     "turtlesim.more": "还有 {count} 只",
+    "turtlesim.from": "来自",
+    "turtlesim.undriven": "还没有节点发布；想开动它：",
     "turtlesim.label": "名字",
     # car
     "car.stays": (
@@ -147,6 +203,7 @@ TEXTS = {
     "car.slow": "{topic} 每秒只来 {rate} 次：眼睛需要大约 20 次",
     "car.silent": "{topic} 已经 {seconds} 秒没有消息",
     # world
+    "world.factor": "RTF {factor:.2f}",
     "world.pose": "x {x:.2f}  y {y:.2f}  {degrees}°  v {v:.2f} m/s",
     "world.line": "巡线",
     "world.zoom": "缩放",
@@ -178,6 +235,7 @@ TEXTS = {
     # joint sliders
     "sliders.waiting": "正在等 /robot_description 上的机器人：robot_state_publisher 在运行吗？",
     "sliders.none": "这个机器人没有可以动的关节。",
+    "sliders.conflict.short": "{nodes} 也在发布关节角度，会抖动",
     "sliders.conflict": "{nodes} 也在发布这些关节：两边各说各的，机器人就会抖动。同一时刻只留一个发布者。",
     "sliders.degrees": "角度制",
     "sliders.move": "拖动",
@@ -205,6 +263,7 @@ TEXTS = {
     "inspector.unknown_joint_near": "{topic} 里有关节 {joint}，机器人描述里没有；是不是想写 {nearest}？",
     "inspector.silent_joint": "关节 {joint} 能动，但没有人在 {topic} 上发它的位置",
     "inspector.slow": "{topic} 每秒只来 {rate} 次；眼睛要看得顺，大约需要 20 次",
+    "inspector.late": "这台电脑忙不过来：时间只走到 {pace} 倍速，本来应该是 {speed} 倍，所以各个话题的频率都比程序设定的低",
     "inspector.open": "{endpoint} 已开放，{joined} 台已加入；没有口令：能连到这个端口的人都能读取和指挥",
     "inspector.open_secret": "{endpoint} 已向知道口令的机器开放，{joined} 台已加入",
     "inspector.opening": "{endpoint} 即将开放",
@@ -238,9 +297,12 @@ TEXTS = {
     "editor.name": "要有一个名字",
     "editor.exists": "{name} 已经有了：再按一次 Enter 就覆盖它",
     "editor.modified": "改过的内容要保存吗？",
-    "editor.modified.keys": "Y  保存      N  不保存，丢掉改动      Esc  继续写",
+    "editor.modified.text": "{file} 里有改动还没有保存。",
+    "editor.modified.save": "保存",
+    "editor.modified.discard": "不保存",
     "editor.cut": "剪下几行、放回来",
-    "editor.indent": "缩进一级；选中几行就一起移",
+    "editor.tab": "补全模块、消息类型和字段；别处是缩进，选中了多行就一起缩进",
+    "editor.complete": "要哪一个？",
     "editor.outdent": "退回一级",
     "editor.new": "新建文件……",
     "editor.no_folder": "没有文件夹 {name}",
@@ -256,21 +318,29 @@ TEXTS = {
     "editor.overwrite": "文件在别处被改过：再按一次 ^S 就覆盖它",
     "editor.not_saved": "没有保存：{reason}",
     "editor.not_kept": "没能留下未保存内容的副本：{reason}",
-    "editor.unsaved": "还没有保存：^S 保存，再按一次就关闭（会留一份副本）",
-    "editor.lose": "再按一次文字就丢了，没有副本：{reason}",
+    "editor.lose": "再选一次“不保存”文字就没了，没有副本：{reason}",
     "editor.gone": "磁盘上的文件不见了；^S 重新写入",
-    "quit.title": "有文字会丢失",
-    "quit.lost": "既没保存也没有副本：{what}。Y  仍然退出    Esc  回去",
-    "quit.was_lost": "day6-tui：未保存的文字丢失了：{what}",
+    "quit.title": "有内容会丢失",
+    "quit.lost": "既没保存也没有副本：{what}",
+    "quit.anyway": "仍然退出",
+    "quit.running": "还有程序在运行",
+    "quit.runs": "{what} 还在运行，结束它吗？",
+    "quit.run": "{what} 还在运行，全部结束吗？",
+    "quit.more": "等，另有 {count} 个",
+    "quit.end": "结束",
+    "quit.was_lost": "day6-tui：未保存的内容丢失了：{what}",
     "editor.not_found": "没有找到 {text}",
     "editor.lines": "1 到 {count}",
     "prompt.replaces": "{file} 已经存在；再按一次 Enter 就替换它",
     "prompt.keys": "Enter 确定   Esc 返回",
     "rqt.choose": "选择",
+    "rqt.pan": "移动",
+    "rqt.zoom": "缩放",
+    "rqt.fit": "适应窗口",
     "rqt.filter": "过滤节点、话题",
     "rqt.namespaces": "命名空间",
     "rqt.group": "合并",
-    "rqt.view": "高亮、适应窗口",
+    "rqt.view": "高亮",
     "rqt.files": "保存、打开",
     "rqt.auto": "自动刷新",
     "rqt.node_filter": "节点过滤",
@@ -285,16 +355,26 @@ TEXTS = {
     "rqt.topic": "{name}：{arriving} 个发布者，{leaving} 个订阅者",
     # topics
     "topics.columns.topic": "话题",
-    "topics.columns.publishers": "发布",
-    "topics.columns.subscriptions": "订阅",
+    "topics.columns.type": "类型",
+    "topics.columns.bandwidth": "带宽",
+    "topics.columns.hz": "Hz",
+    "topics.columns.value": "值",
     "topics.none": "还没有话题。先启动一个节点吧。",
+    "topics.no_match": "没有符合的话题。按 Esc 显示全部。",
     "topics.publishers": "发布者",
     "topics.subscriptions": "订阅者",
-    "topics.last": "最新消息",
-    "topics.quiet": "没有在听：按 Enter 开始听",
-    "topics.waiting": "正在听，还没有消息",
+    "topics.history": "最近的频率",
+    "topics.quiet": "没有在听",
+    "topics.waiting": "还没有消息",
     "topics.listen": "听",
     "topics.stop": "不听",
+    "topics.open": "展开",
+    "topics.sort": "排序",
+    "topics.reverse": "反过来排",
+    "topics.filter": "过滤",
+    "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
+    "topics.filtered": "共 {count} 个，过滤：{text}",
+    "topics.unfilter": "显示全部",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -333,6 +413,12 @@ TEXTS = {
     "rviz.not_loaded": "{file} 打不开：{reason}",
     "rviz.picture": "保存图片",
     "rviz.picture_note": ".png 或 .svg",
+    "rviz.offer": "靠近看机器人",
+    "rviz.leave.title": "有改动还没保存",
+    "rviz.leave.save": "保存到 {file} 再关闭",
+    "rviz.leave.discard": "不保存，直接关闭",
+    "rviz.leave.cancel": "先不关",
+    "rviz.unsaved": "RViz 的画面设置（在它的窗口里按 ^S 保存）",
     "rviz.quality": "画质：{name}",
     "rviz.nothing_to_focus": "现在还没有可以对准的东西",
     "rviz.type.Axes": "一个坐标系的坐标轴",
@@ -398,6 +484,7 @@ TEXTS = {
     "console.location": "位置",
     "console.none": "还没有日志。日志来自 /rosout。",
     "console.filtered": "所有日志都被排除了，按 a 全部显示。",
+    "console.newest": "跟着最新的消息",
     "console.exclude": "排除",
     "console.containing": "排除含有这些字的消息",
     "console.containing.note": "含有这段文字的消息不再显示；留空就重新显示。",
@@ -428,9 +515,12 @@ TEXTS = {
     "plot.pause": "暂停",
     "plot.resume": "继续",
     "plot.span": "时间",
+    "plot.fine": "更细、更粗",
+    "plot.curve": "选一条曲线",
     "plot.clear": "清空",
     # menus
     "menu.palette": "命令",
+    "menu.layouts": "布局",
     "menu.windows": "窗口和终端",
     "menu.filter": "输入文字来查找",
     "menu.none": "没有这个名字",
@@ -440,7 +530,7 @@ TEXTS = {
     "menu.window": "窗口",
     # help
     "help.title": "帮助",
-    "help.keys": "↑ ↓ 滚动   Esc 返回",
+    "help.keys": "↑ ↓ 滚动   Tab 下一页   Esc 返回",
     "list.head": "{name}：",
     "help.everywhere": "到处都能用的按键",
     "help.desk": (
@@ -451,7 +541,8 @@ TEXTS = {
         "这是终端：输入一条命令，按 Enter 运行。\n\n"
         "Tab 补全，↑ 找回以前的命令，Ctrl-R 搜索历史。Ctrl-C 结束正在运行的程序，在空行上按 Ctrl-D 结束 shell。"
         "Ctrl-Z 再输入 bg 让程序到后台去；命令末尾写 & 也一样。\n\n"
-        "Shift+PageUp 或鼠标滚轮可以往回看。用鼠标拖选就会复制；Shift+Insert 或鼠标中键粘贴。"
+        "Shift+PageUp 或鼠标滚轮可以往回看。用鼠标拖选就会复制；Shift+Insert 或鼠标中键粘贴。\n\n"
+        "~ 是你的主目录。这里的主目录不是 /home/用户名：先输入 cd，再输入 pwd，就能看到它在硬盘上的真实位置。"
     ),
     "help.turtlesim": (
         "turtlesim 的世界，边长 11.09 米。节点 /turtlesim 在 /turtle1/cmd_vel 上听速度命令，"
@@ -469,15 +560,19 @@ TEXTS = {
         "左边是 Displays 面板，右边是三维视图。\n\n"
         "三个设置就能看到机器人：Fixed Frame 选一个真实存在的坐标系（比如 base_link），用 Add 添加 RobotModel，再把它的 "
         "Description Topic 设成 /robot_description。红色和黄色的行说明缺了什么，最下面一行是完整的话。\n\n"
-        "Tab\t面板或视图\nEnter\t修改数值，展开一项\n空格\t打勾\n^N 或 a\t添加显示项\n"
-        "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板\n"
+        "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n"
+        "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓ 也能走到按钮）\n"
+        "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
         "v\tOrbit、XYOrbit、TopDownOrtho、FPS\np\t画质：细节少一些就快一些\nr\t重置\n"
         "^S w ^O\t保存、另存为、打开\ng\t保存图片\n\n"
         "鼠标：拖动旋转，按住 Shift 或 Ctrl 拖动平移，滚轮缩放。"
     ),
     "help.rqt_graph": (
-        "谁在和谁说话。椭圆是节点，箭头是话题。有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。"
+        "谁在和谁说话。圆角框是节点（真正的 rqt_graph 画的是椭圆），箭头和方框是话题。"
+        "有消息经过时，一个光点会沿着箭头跑。最下面一行说明过滤器藏起了什么。\n\n"
+        "拖动或方向键：移动。滚轮、+ 和 -：缩放，从完整的名字一直到全景。v（Fit）让整张图回到窗口里，直到你再次移动它。"
+        "边上的箭头和数字表示：那个方向的外面还有几个框。点一下框，或者按 j、k，可以选中它，最下面一行会介绍它。"
     ),
     "help.editor": (
         "你主目录里的一个文件。有错误时，下面会说是什么错，那一行会加下划线，边打字边检查。没保存的内容会留着，无论发生什么都能找回来。"
@@ -487,8 +582,10 @@ TEXTS = {
         "现在的计算图有什么问题：名字差一个字母、类型或 QoS 对不上、两个发布者打架、机器人没有的关节。标红的会让消息收不到。"
     ),
     "help.topics": (
-        "所有的话题：类型、几个发布者、几个订阅者。按 Enter 开始听选中的话题，测量它的频率和带宽，下面显示最新的一条消息。"
-        "听就是订阅，所以订阅者会多一个。"
+        "所有的话题和它们的类型。按 Enter，或者点一下方框，就开始听这个话题：会显示带宽、频率和最新的一条消息。"
+        "听就是订阅，所以订阅者会多一个。\n\n"
+        "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
+        "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
     ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
@@ -496,6 +593,7 @@ TEXTS = {
         "想进来，每个 link 都要有 <inertial>；没有 <collision> 的部分会穿墙。\n\n"
         "+ 和 - 缩放，方向键移动画面，f 跟着车，0 看全图。l 显示激光雷达，t 擦掉轨迹。"
         "空格暂停，n 走一步，[ 和 ] 让时间变慢变快，r 回到起点。"
+        "RTF 是实时系数，和 Gazebo 里的一样：你的手表走一秒，这里走了几秒。"
     ),
     "help.joint_state_publisher": (
         "每个能动的关节一根滑条。你在这里设的角度，每秒十次发到 /joint_states；robot_state_publisher 再把它变成"
@@ -529,4 +627,70 @@ TEXTS = {
     "error.window": "这个窗口画不出来：{reason}",
     "error.continue": "按 Esc 关闭这条消息",
     "error.title": "出错了",
+    "error.close": "关闭",
+    "list.comma": "、",
+    "question.back": "返回",
+    "theme.title": "配色",
+    "theme.dark": "深色",
+    "theme.light": "浅色",
+    "theme.contrast": "高对比度",
+    "theme.colourblind": "色盲也能分清",
+    "settings.fault": "{path} 读不出来，先原样留着：{reason}",
+    "settings.not_kept": "这次的选择没能保存，只在退出前有效：{reason}",
+    # 手册
+    "manual.search": "输入文字，在所有页里查找",
+    "manual.desk": "桌面",
+    "manual.welcome": "开始时的选项",
+    "manual.guide": "可以试试的命令",
+    "manual.terminal": "终端",
+    "manual.editor": "编辑器",
+    "manual.turtlesim": "turtlesim",
+    "manual.car": "小车俯视图",
+    "manual.world": "小世界",
+    "manual.joint_state_publisher": "关节滑块",
+    "manual.rviz2": "RViz",
+    "manual.rqt": "rqt",
+    "manual.rqt_graph": "rqt_graph",
+    "manual.rqt_console": "rqt_console",
+    "manual.rqt_plot": "rqt_plot",
+    "manual.topics": "话题监视器",
+    "manual.inspector": "检查器",
+    # 命令行
+    "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",
+    "cli.usage": "用法：",
+    "cli.options": "选项",
+    "cli.help": "显示这份帮助",
+    "cli.scene": "从哪个场景开始（默认：欢迎页面上的选项）",
+    "cli.robot": "用你自己的 URDF 文件代替自带的小车",
+    "cli.lang": "界面的语言（默认：和系统一样）",
+    "cli.glyphs": "用什么画图（默认：看终端；能显示真像素就用 pixels）",
+    "cli.theme": "用哪种配色（默认：上次选的）",
+    "cli.fps": "每秒最多画几帧（默认：30）",
+    "cli.reduced_motion": "不要闪烁和动画",
+    "cli.home": "终端里的 ~ 是哪个文件夹",
+    "cli.listen": "让别的电脑加入，例如 tcp/0.0.0.0:7447；不写 --secret 的话，能连上这个端口的人都可以读取和发命令",
+    "cli.connect": "加入另一台电脑，例如 tcp/192.168.1.5:7447",
+    "cli.secret": (
+        "--listen 和 --connect 的电脑共有的口令：最好是一个只有你能读的文件（chmod 600）；直接写一个词，"
+        "这台电脑上的其他用户在进程列表里看得到"
+    ),
+    "cli.version": "显示版本号",
+    "cli.commands": """\
+命令：
+  shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
+  exec [-c COMMANDS] [FILE]   不开桌面，直接运行模拟终端的命令
+  python FILE [ARG ...]       把一个 Python 文件原样当作 ROS 程序运行
+  ros2 ...                    ros2 命令，看到的是这台电脑上的节点和话题
+  colcon ...                  编译工作空间
+  rviz2                       机器人的三维画面；窗口占用这个终端
+  rqt, rqt_graph, rqt_console, rqt_plot, rqt_topic
+                              rqt 的各个窗口
+  check_urdf FILE             检查机器人描述文件
+  urdf_to_graphviz FILE       把机器人描述画成图
+  xacro FILE [NAME:=VALUE]    把 xacro 文件展开成 URDF
+  export [PKG ...] [-o FILE]  把工作空间的包打成 zip，拿到真正的 ROS 2 上编译
+  env [--vscode|--pycharm]    打印让普通终端也能用的变量，或者设置好 IDE""",
+    "cli.more": "想知道更多：day6-tui 命令 --help",
+    "cli.no_command": "没有叫 {name} 的命令；day6-tui --help 列出所有命令",
+    "cli.no_terminal": "桌面需要一个终端；day6-tui exec 不用终端也能运行命令",
 }

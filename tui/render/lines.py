@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,15 @@ BIAS = 0.004
 
 MOST_SAMPLES = 400_000
 WIDEST_POINT = 9
+
+
+def ends_of(lines: Lines) -> Array:
+    """The ends of all segments in the fixed frame: N x 2 x 3."""
+    count = len(lines.vertices) // 2
+    turn = np.array(matrix(lines.pose.rotation))
+    points = np.asarray(lines.vertices, np.float64)[: 2 * count] @ turn.T + np.array(lines.pose.xyz)
+    ends: Array = points.reshape(count, 2, 3)
+    return ends
 
 
 class Segments:
@@ -35,14 +45,13 @@ class Segments:
         count = len(lines.vertices) // 2
         if not count:
             return
-        turn = np.array(matrix(lines.pose.rotation))
-        points = np.asarray(lines.vertices, np.float64)[: 2 * count] @ turn.T + np.array(lines.pose.xyz)
+        ends = ends_of(lines)
         colours = np.asarray(lines.colours, np.float32)
         if len(colours) == 2 * count and count:
             pairs = colours.reshape(count, 2, 4)
         else:
             pairs = np.broadcast_to(colours[0], (count, 2, 4))
-        self._ends.append(points.reshape(count, 2, 3))
+        self._ends.append(ends)
         self._colours.append(pairs)
 
     def paint(self, picture: Picture) -> None:
@@ -54,13 +63,34 @@ class Segments:
         _paint(picture, picture.seen(ends[good].reshape(-1, 3)).reshape(-1, 2, 3), colours[good])
 
 
-def _paint(picture: Picture, seen: Array, colours: Array) -> None:
+@dataclass(frozen=True)
+class OnScreen:
+    """Segments with their visible parts: from (x, y, z)[0] to (x, y, z)[1] in pixels, visible for `low` < t < `high`."""
+
+    x: tuple[Array, Array]
+    y: tuple[Array, Array]
+    z: tuple[Array, Array]
+    low: Array
+    high: Array
+    number: Array
+    """Which of the segments that were given these are."""
+
+    def depth(self, picture: Picture, which: Array, t: Array) -> Array:
+        """The depths of places `t` of the segments `which`."""
+        z0, z1 = self.z[0][which], self.z[1][which]
+        # Along a projected line 1/z is linear.
+        depth: Array = z0 + (z1 - z0) * t if picture.parallel else 1 / (1 / z0 + (1 / z1 - 1 / z0) * t)
+        return depth
+
+
+def on_screen(picture: Picture, seen: Array) -> OnScreen | None:
+    """Project segments (N x 2 x 3 in the camera's axes); None if nothing of them is in the picture."""
     near = picture.near
     depth = seen[..., 2]
-    visible = depth.max(axis=1) > near
-    seen, colours, depth = seen[visible], colours[visible], depth[visible]
+    number = np.flatnonzero(depth.max(axis=1, initial=-np.inf) > near)
+    seen, depth = seen[number], depth[number]
     if not len(seen):
-        return
+        return None
     # Cut off what lies behind the viewer.
     gap = depth[:, 1] - depth[:, 0]
     gap = np.where(gap == 0, 1.0, gap)
@@ -73,31 +103,40 @@ def _paint(picture: Picture, seen: Array, colours: Array) -> None:
     low, high = _on_screen(picture, x0, y0, x1, y1)
     keep = high > low
     if not keep.any():
+        return None
+    x0, y0, x1, y1, low, high, number = (each[keep] for each in (x0, y0, x1, y1, low, high, number))
+    return OnScreen((x0, x1), (y0, y1), (begin[keep, 2], end[keep, 2]), low, high, number)
+
+
+def _paint(picture: Picture, seen: Array, colours: Array) -> None:
+    found = on_screen(picture, seen)
+    if found is None:
         return
-    x0, y0, x1, y1, low, high = (each[keep] for each in (x0, y0, x1, y1, low, high))
-    z0, z1, colours = begin[keep, 2], end[keep, 2], colours[keep]
+    (x0, x1), (y0, y1), low, high = found.x, found.y, found.low, found.high
+    colours = colours[found.number]
     dx, dy = x1 - x0, y1 - y0
     steps = np.maximum(np.abs(dx), np.abs(dy)) * (high - low)
     counts = np.minimum(np.ceil(steps).astype(int) + 1, 4096)
     if counts.sum() > MOST_SAMPLES:
         room = np.cumsum(counts) <= MOST_SAMPLES
         counts = np.where(room, counts, 0)
-    which = np.repeat(np.arange(len(counts)), counts)
+    which, number = numbered(counts)
     if not len(which):
         return
-    number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
     t = low[which] + (high - low)[which] * (number + 0.5) / counts[which]
     x, y = (x0[which] + dx[which] * t).astype(int), (y0[which] + dy[which] * t).astype(int)
-    # Along a projected line 1/z is linear.
-    if picture.parallel:
-        z = z0[which] + (z1 - z0)[which] * t
-    else:
-        z = 1 / (1 / z0[which] + (1 / z1 - 1 / z0)[which] * t)
+    z = found.depth(picture, which, t)
     inside = (x >= 0) & (x < picture.width) & (y >= 0) & (y < picture.height)
     flat = (y * picture.width + x)[inside]
     z, which, t = z[inside], which[inside], t[inside]
     colour = colours[which, 0] + (colours[which, 1] - colours[which, 0]) * t[:, None]
-    _write(picture, flat, z, colour, _direction(dx, dy)[which], BIAS)
+    _write(picture, flat, z, colour, direction(dx, dy)[which], BIAS)
+
+
+def numbered(counts: Array) -> tuple[Array, Array]:
+    """For groups of so many samples: the group of every sample, and its number in it."""
+    which = np.repeat(np.arange(len(counts)), counts)
+    return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
 def _on_screen(picture: Picture, x0: Array, y0: Array, x1: Array, y1: Array) -> tuple[Array, Array]:
@@ -115,7 +154,8 @@ def _on_screen(picture: Picture, x0: Array, y0: Array, x1: Array, y1: Array) -> 
     return low, high
 
 
-def _direction(dx: Array, dy: Array) -> Array:
+def direction(dx: Array, dy: Array) -> Array:
+    """The kinds of pixels of lines that go this way."""
     flat, upright = np.abs(dy) < 0.4 * np.abs(dx), np.abs(dx) < 0.4 * np.abs(dy)
     rising = dx * dy < 0
     result: Array = np.where(flat, LINE, np.where(upright, LINE + 1, np.where(rising, LINE + 2, LINE + 3)))

@@ -9,6 +9,7 @@ import numpy as np
 from day6_tui.core.ros.programs.rviz2.model.scene import Image, Scene
 from day6_tui.core.ros.programs.rviz2.model.turning import matrix
 from day6_tui.core.ros.programs.rviz2.model.views import Camera
+from day6_tui.tui.render.lattice import paint_lattice
 from day6_tui.tui.render.lines import Segments, paint_points
 from day6_tui.tui.render.overlays import paint_overlays
 from day6_tui.tui.render.picture import SURFACE, Array, Picture
@@ -28,10 +29,18 @@ class Quality:
 QUALITIES = {"High": Quality(20, 4, 1), "Medium": Quality(8, 8, 1), "Low": Quality(5, 16, 2)}
 
 
-def paint(scene: Scene, camera: Camera, width: int, height: int, aspect: float, quality: Quality) -> Picture:
-    """Paint a scene; `aspect` is the width of a pixel by its height."""
+def paint(
+    scene: Scene,
+    camera: Camera,
+    width: int,
+    height: int,
+    aspect: float,
+    quality: Quality,
+    offset: tuple[float, float] = (0.0, 0.0),
+) -> Picture:
+    """Paint a scene; `aspect` is the width of a pixel by its height, `offset` moves everything by parts of a pixel."""
     coarse = quality.coarse
-    picture = Picture(max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background)
+    picture = Picture(max(1, width // coarse), max(1, height // coarse), aspect, camera, scene.background, offset)
     for image in scene.images:
         if image.behind:
             _paint_image(picture, image)
@@ -42,8 +51,12 @@ def paint(scene: Scene, camera: Camera, width: int, height: int, aspect: float, 
         if not image.behind:
             _paint_image(picture, image)
     for lines in scene.lines:
-        thin.extend(lines)
+        if not lines.lattice:
+            thin.extend(lines)
     thin.paint(picture)
+    for lines in scene.lines:
+        if lines.lattice:
+            paint_lattice(picture, lines)
     for points in scene.points:
         paint_points(picture, points)
     faint = Segments()

@@ -23,8 +23,16 @@ class Picture:
     """`width` x `height` pixels; `aspect` is the width of a pixel by its height."""
 
     def __init__(
-        self, width: int, height: int, aspect: float, camera: Camera, background: tuple[int, int, int]
+        self,
+        width: int,
+        height: int,
+        aspect: float,
+        camera: Camera,
+        background: tuple[int, int, int],
+        offset: tuple[float, float] = (0.0, 0.0),
     ) -> None:
+        self.offset = offset
+        """Parts of a pixel by which the scene is moved to the right and down."""
         self.width, self.height = width, height
         self.camera = camera
         self.background = background
@@ -55,16 +63,16 @@ class Picture:
     def project(self, seen: Array) -> tuple[Array, Array]:
         """Pixel coordinates of points in the camera's axes, which must be in front of it."""
         depth = 1.0 if self.parallel else np.maximum(seen[..., 2], self.near)
-        x = self.width / 2 + seen[..., 0] / depth * self.across
-        y = self.height / 2 - seen[..., 1] / depth * self.down
+        x = self.width / 2 + self.offset[0] + seen[..., 0] / depth * self.across
+        y = self.height / 2 + self.offset[1] - seen[..., 1] / depth * self.down
         return x, y
 
     # -- rays ----------------------------------------------------------------------------------------------------------
 
     def rays(self, left: int, top: int, right: int, bottom: int) -> tuple[Array, Array]:
         """Starts and directions (h x w x 3 each) of the rays of a rectangle of pixels; depth is the ray's parameter."""
-        u = ((np.arange(left, right) + 0.5) - self.width / 2) / self.across
-        v = (self.height / 2 - (np.arange(top, bottom) + 0.5)) / self.down
+        u = ((np.arange(left, right) + 0.5) - self.width / 2 - self.offset[0]) / self.across
+        v = (self.height / 2 + self.offset[1] - (np.arange(top, bottom) + 0.5)) / self.down
         offsets = u[None, :, None] * self.axes[0] + v[:, None, None] * self.axes[1]
         if self.parallel:
             return self.position + offsets, np.broadcast_to(self.axes[2], offsets.shape)

@@ -8,14 +8,14 @@ from typing import Generic
 
 from rich.segment import Segment
 from textual.geometry import Region
-from textual.message import Message
 from textual.strip import Strip
 
 from day6_tui.core.session.display import Model, Window
 from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
-from day6_tui.tui.overlay import Overlay, PaneHost
-from day6_tui.tui.pane import Pane, Piece
+from day6_tui.tui.modal import Modal
+from day6_tui.tui.pane import Pane, PaneMessage
+from day6_tui.tui.pane_host import PaneHost
 
 KINDS: dict[str, tuple[str, str]] = {
     "turtlesim": ("turtlesim", "TurtleSimPane"),
@@ -35,22 +35,22 @@ KINDS: dict[str, tuple[str, str]] = {
 
 
 class WindowPane(Pane, Generic[Model]):
-    """Base of the panes that draw a program's window: its number, its title with the other windows' names, its model."""
+    """Base of the panes that draw a program's window."""
 
-    class Failed(Message):
+    class Failed(PaneMessage):
         """The window could not be drawn."""
 
-        def __init__(self, pane: WindowPane[object], error: Exception) -> None:
-            super().__init__()
-            self.pane = pane
-            self.error = error
+        pane: WindowPane[object]
 
-        @property
-        def control(self) -> WindowPane[object]:
-            return self.pane
+        def __init__(self, pane: WindowPane[object], error: Exception) -> None:
+            super().__init__(pane)
+            self.error = error
 
     takes_focus = False
     """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""
+
+    closes_on_quit = False
+    """Whether ^Q closes this window, as it closes a file in an editor; otherwise it ends the desktop."""
 
     def __init__(self, window: Window[Model], look: Look) -> None:
         super().__init__(look)
@@ -58,10 +58,6 @@ class WindowPane(Pane, Generic[Model]):
         self.model: Model = window.model
         self.help_key = window.kind
         self._failed = False
-
-    @property
-    def number(self) -> int:
-        return self.window.number
 
     def render_lines(self, crop: Region) -> list[Strip]:
         try:
@@ -78,16 +74,6 @@ class WindowPane(Pane, Generic[Model]):
         """The window's name on frames and in lists: the program's, as on a real desktop."""
         return self.window.title
 
-    def title(self) -> list[Piece]:
-        colours = self.look.colours
-        style = colours.title_focus if self.has_focus else colours.title
-        return [Piece(f" {self.label} ", style)]
-
-    def title_right(self) -> list[Piece]:
-        others = self.parent.tabs_beside(self) if isinstance(self.parent, PaneHost) else []
-        close = Piece(f" {self.look.glyphs.close} ", self.look.colours.title, self.close)
-        return [*others, close]
-
     def close(self) -> None:
         """Close the window at the user's request; one that would lose something asks first."""
         self.window.close_by_user()
@@ -102,10 +88,10 @@ class WindowPane(Pane, Generic[Model]):
 
         self.lay_over(Prompt(self.look, title, value, taken, note=note))
 
-    def lay_over(self, overlay: Overlay) -> None:
-        """Lay a prompt or menu over the desktop."""
+    def lay_over(self, modal: Modal) -> None:
+        """Open a prompt or menu over the desktop."""
         if isinstance(self.parent, PaneHost):
-            self.parent.open_overlay(overlay)
+            self.parent.open_overlay(modal)
 
 
 class BrokenPane(WindowPane[object]):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.geometry import Region
 
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
@@ -20,6 +21,8 @@ from day6_tui.urdf.topview import render_top
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.day6_bot.model import CarModel, CarSnapshot
     from day6_tui.core.ros.programs.remark import Remark
+    from day6_tui.tui.pixels.pictures import Pictures
+    from day6_tui.tui.windows.car_pixels import CarPicture
 
 
 MOST_STATUS_LINES = 4
@@ -65,6 +68,8 @@ class CarPane(WindowPane["CarModel"]):
         self._shift = (0, 0)
         self._boxes = False
         """Box lines instead of ASCII."""
+        self._picture: CarPicture | None = None
+        """The car in real pixels, where the terminal shows them."""
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -78,6 +83,8 @@ class CarPane(WindowPane["CarModel"]):
         before, remarks_before = self._rows, self._remarks
         rate_before = self._rate()
         self._take_over(snapshot)
+        if (pictures := self.look.pixels) is not None:
+            self._show_picture(pictures, snapshot)
         if remarks_before != self._remarks or len(before) != len(self._rows):
             self.touch()
             return False
@@ -94,13 +101,37 @@ class CarPane(WindowPane["CarModel"]):
             self._rows = [()] * rows
             return
         glyphs = "half" if self._boxes and self.look.glyphs.unicode else "ascii"
-        degree = "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
-        labels = snapshot.labels(degree)
+        if self.look.pixels is not None:
+            self._rows = [()] * rows  # the picture has them
+            return
+        labels = snapshot.labels(self._degree)
         self._rows = list(
             render_top(
                 snapshot.robot, snapshot.transforms, self.inner_width, rows, glyphs, labels, self._zoom, self._shift
             )
         )
+
+    @property
+    def _degree(self) -> str:
+        return "°" if self.look.glyphs.canvas in ("half", "braille") else " deg"
+
+    def _show_picture(self, pictures: Pictures, snapshot: CarSnapshot) -> None:
+        """Draw in real pixels."""
+        from day6_tui.tui.windows.car_pixels import CarPicture
+
+        if snapshot.robot is None or not self.inner_width or not self._rows:
+            pictures.drop(self)
+            self._picture = None
+            return
+        size = self.inner_width, len(self._rows)
+        cell, picture = pictures.cell(*size), self._picture
+        if picture is None or (picture.columns, picture.rows, picture.cell) != (*size, cell):
+            picture = self._picture = CarPicture(*size, cell, self.look.colours)
+            self.touch()
+        pixels = picture.pixels(snapshot.robot, snapshot.transforms, self._zoom, self._shift)
+        spans = picture.sheet.put(picture.texts(snapshot.transforms, snapshot.labels(self._degree)))
+        pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, picture.sheet.holes)
+        self.touch_spans(spans)
 
     def _remark_lines(self, status: Iterable[Remark]) -> list[tuple[str, str]]:
         """Levels and lines of the remarks.
@@ -115,7 +146,7 @@ class CarPane(WindowPane["CarModel"]):
         self._rows = []
 
     def restyle(self) -> None:
-        self._rows = []
+        self._rows, self._picture = [], None
         super().restyle()
 
     # -- drawing -------------------------------------------------------------------------------------------------------
@@ -137,6 +168,8 @@ class CarPane(WindowPane["CarModel"]):
         if not self._rows:
             self._take_over(self.model.snapshot())
         colours = self.look.colours
+        if y < len(self._rows) and self._picture is not None and self.look.pixels is not None:
+            return self._picture.sheet.line(y) if y < self._picture.rows else []
         if y < len(self._rows):
             return [Segment(text, self._style(style)) for text, style in self._rows[y]]
         index = y - len(self._rows)

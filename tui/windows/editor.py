@@ -22,7 +22,7 @@ from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.prompt import Question
+from day6_tui.tui.question import Answer, Question
 from day6_tui.tui.terminal_keys import decode
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.editor_area import EditorArea, has_grammar
@@ -38,6 +38,7 @@ class EditorPane(WindowPane[Editor]):
     """Draws the frame and the status lines; the text, its cursor and its history belong to the TextArea."""
 
     takes_focus = True
+    closes_on_quit = True
 
     def __init__(self, window: Window[Editor], look: Look) -> None:
         super().__init__(window, look)
@@ -72,11 +73,10 @@ class EditorPane(WindowPane[Editor]):
         """Whether the text differs from the file."""
         return self.editor.file is not None and self.area.text != self.editor.saved
 
-    def title(self) -> list[Piece]:
-        colours = self.look.colours
+    @property
+    def label(self) -> str:
         mark = f" {self.look.glyphs.news}" if self.changed else ""
-        style = colours.title_focus if self.area.has_focus else colours.title
-        return [Piece(f" {self.editor.name}  {self.editor.title()}{mark} ", style)]
+        return f"{self.editor.name}  {self.editor.title()}{mark}"
 
     def status(self) -> list[Piece]:
         colours, texts = self.look.colours, self.look.texts
@@ -102,12 +102,6 @@ class EditorPane(WindowPane[Editor]):
         row, column = self.area.cursor_location
         return [Piece(f" {row + 1}:{column + 1} ", self.look.colours.muted)]
 
-    def _border(self) -> tuple:  # type: ignore[type-arg]
-        glyphs, colours = self.look.glyphs, self.look.colours
-        if self.area.has_focus:
-            return glyphs.strong_border, colours.frame_focus
-        return glyphs.border, colours.frame
-
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         if self.editor.file is None:
@@ -124,7 +118,7 @@ class EditorPane(WindowPane[Editor]):
         nano = [("^O", texts("editor.write")), ("^K ^U", texts("editor.cut"))] if self._is_nano else []
         return [
             *nano,
-            ("Tab", texts("editor.indent")),
+            ("Tab", texts("editor.tab")),
             ("Shift+Tab", texts("editor.outdent")),
             ("^Z ^Y", texts("editor.undo")),
             ("^T", texts("editor.open")),
@@ -262,36 +256,43 @@ class EditorPane(WindowPane[Editor]):
         return True
 
     def close(self) -> None:
-        """Close the window. With unsaved text nano asks; the others need the key twice, and keep a copy even then.
+        """Close the window; with unsaved text ask first.
 
-        If there is no room for a copy, they need it a third time.
+        nano throws away what shall not be saved; the others keep a copy, and need the answer twice if there is no room for one.
         """
-        if self.changed and self._is_nano:
+        if self.changed:
             self._ask_before_leaving()
-            return
-        if self.changed and self._again not in ("close", "lose"):
-            self._again = "close"
-            self._message = self.look.texts("editor.unsaved")
-            self.touch_frame()
-            return
-        if self.changed and not self._keep(self.area.text) and self._again != "lose":
-            self._again = "lose"
-            self._message = self.look.texts("editor.lose", reason=self._unkept)
-            self.touch_frame()
-            return
-        self.window.close_by_user()
-
-    def _ask_before_leaving(self) -> None:
-        """nano's question: Y names the file once more and saves, N throws the changes away."""
-
-        def discard() -> None:
-            self._discarded = True
-            self.editor.keep(self.editor.saved)
+        else:
             self.window.close_by_user()
 
-        answers: dict[str, Callable[[], object]] = {"y": partial(self.write_as, leave=True), "n": discard}
+    def _ask_before_leaving(self) -> None:
+        """Save (nano names the file once more), do not save, or go on writing."""
         texts = self.look.texts
-        self.lay_over(Question(self.look, texts("editor.modified"), texts("editor.modified.keys"), answers))
+        save = partial(self.write_as, leave=True) if self._is_nano else self._save_and_leave
+        discard = self._discard if self._is_nano else self._leave_a_copy
+        answers = [
+            Answer("y", texts("editor.modified.save"), save),
+            Answer("n", texts("editor.modified.discard"), discard),
+        ]
+        text = texts("editor.modified.text", file=self.editor.title())
+        self.lay_over(Question(self.look, texts("editor.modified"), text, answers))
+
+    def _discard(self) -> None:
+        self._discarded = True
+        self.editor.keep(self.editor.saved)
+        self.window.close_by_user()
+
+    def _save_and_leave(self) -> None:
+        if self.save():
+            self.window.close_by_user()
+
+    def _leave_a_copy(self) -> None:
+        if self._keep(self.area.text) or self._again == "lose":
+            self.window.close_by_user()
+            return
+        self._again = "lose"
+        self._message = self.look.texts("editor.lose", reason=self._unkept)
+        self.touch_frame()
 
     def write_as(self, leave: bool = False) -> None:
         """nano's ^O: show the name and save when Enter is pressed; under another name if it was changed."""
@@ -392,6 +393,10 @@ class EditorPane(WindowPane[Editor]):
         entries = [Entry(path.relative_to(self.editor.folder).as_posix(), "", partial(chosen, path)) for path in files]
         entries.append(Entry(self.look.texts("editor.new"), "", partial(self._ask_new_file, chosen)))
         self.lay_over(Menu(self.look, "editor.files", entries))
+
+    def offer(self, words: list[str], taken: Callable[[str], object]) -> None:
+        """Offer the words of a completion."""
+        self.lay_over(Menu(self.look, "editor.complete", [Entry(word, "", partial(taken, word)) for word in words]))
 
     def _ask_new_file(self, chosen: Callable[[Path], object]) -> None:
         """Ask for the name of a new file; it is created when it is saved."""

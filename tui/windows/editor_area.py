@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from rich.text import Text
 from textual import events
 from textual._tree_sitter import get_language
-from textual.color import Color
 from textual.document._document_navigator import DocumentNavigator
 from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_tui.core.session.harmless import same_length
 from day6_tui.tui.look import Look
+from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import survive
 from day6_tui.tui.windows.editor_document import document_of
+from day6_tui.tui.windows.editor_indent import STEP, after, has_own_depth, shifted
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.editor import EditorPane
-
-STEP = "    "
-"""What Tab puts before a line."""
 
 _CLOSING = {"right_parenthesis": ")", "right_square_bracket": "]", "right_curly_bracket": "}"}
 """Keys that close the block a deeper line belongs to."""
@@ -51,10 +50,14 @@ class EditorArea(TextArea):
             compact=True,
         )
         self._pane = pane
-        self._colour_scrollbar(look)
+        colour_scrollbar(self, look)
         self._last_key = 0.0
         self._cut = ""
         self._cut_row = -1
+        self._automatic: tuple[int, int] | None = None
+        """Where the cursor was after blanks that Enter put there."""
+        self._own_row = -1
+        """The line whose blanks the user typed; the next one is left to the user too."""
 
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))
@@ -62,17 +65,7 @@ class EditorArea(TextArea):
     def take_look(self, look: Look) -> None:
         """Take the colours of the desktop."""
         self.theme = theme_for(look)
-        self._colour_scrollbar(look)
-
-    def _colour_scrollbar(self, look: Look) -> None:
-        thumb, track = look.colours.frame.color, look.colours.frame.bgcolor
-        styles = self.styles
-        if thumb is not None and track is not None:
-            bar, behind = Color.from_rich_color(thumb), Color.from_rich_color(track)
-            styles.scrollbar_color = styles.scrollbar_color_hover = styles.scrollbar_color_active = bar
-            styles.scrollbar_background = styles.scrollbar_background_hover = styles.scrollbar_background_active = (
-                behind
-            )
+        colour_scrollbar(self, look)
 
     def _set_document(self, text: str, language: str | None) -> None:
         """Like TextArea's, with documents that change no character."""
@@ -119,14 +112,21 @@ class EditorArea(TextArea):
     async def _on_paste(self, event: events.Paste) -> None:
         event.stop()  # the text area, which gets the event next, inserts it; nothing else may
         event.text = event.text.replace("\r\n", "\n").replace("\r", "\n")  # terminals send what Enter sends
+        if self._after_automatic_blanks() and has_own_depth(event.text, self.cursor_location[1]):
+            self._drop_blanks()
 
     def _typed(self, key: str, pasted: bool) -> bool:
         """Handle a key that is special in code; return False for an ordinary one."""
         first, last = sorted((self.selection.start[0], self.selection.end[0]))
         if key == "enter" and not pasted:
             self._new_line()
+        elif key == "space":
+            self._own_blank()
+            return False
         elif key == "tab" and first != last:
             self._shift(first, last, 1)
+        elif key == "tab" and not pasted and self._complete():
+            return True
         elif key == "shift+tab":
             self._shift(first, last, -1)
         elif key == "backspace" and not pasted and self._at_a_step():
@@ -134,10 +134,34 @@ class EditorArea(TextArea):
             self.delete((row, (column - 1) // len(STEP) * len(STEP)), (row, column))
         elif key in _CLOSING and not pasted and self.language == "python" and self._at_a_step():
             row, column = self.cursor_location
+            if row == self._own_row:
+                return False
             self.replace(_CLOSING[key], (row, column - len(STEP)), (row, column), maintain_selection_offset=False)
         elif key != "escape":  # which in a text area would take the keyboard away
             return False
         return True
+
+    def _complete(self) -> bool:
+        """Complete the word before the cursor, or offer what it may become; return False where nothing is known."""
+        row, column = self.cursor_location
+        before = self.document.get_line(row)[:column]
+        if not self.selection.is_empty or not before.strip():
+            return False
+        choices, start = self._pane.editor.completions(self.text, row, column)
+        if not choices:
+            return False
+        alike = takewhile(
+            lambda pair: pair[0] == pair[1], zip(choices[0], choices[-1], strict=False)
+        )  # they are sorted
+        common = "".join(letter for letter, _ in alike)
+        if len(choices) == 1 or len(common) > column - start:
+            self.replace(common, (row, start), (row, column), maintain_selection_offset=False)
+        else:
+            self._pane.offer(choices, lambda choice: self._take(choice, (row, start), (row, column)))
+        return True
+
+    def _take(self, choice: str, start: tuple[int, int], end: tuple[int, int]) -> None:
+        self.replace(choice, start, end, maintain_selection_offset=False)
 
     def _at_a_step(self) -> bool:
         """Whether nothing is selected and only whole indentation steps precede the cursor."""
@@ -146,19 +170,39 @@ class EditorArea(TextArea):
         return self.selection.is_empty and column > 0 and column % len(STEP) == 0 and not before.strip(" ")
 
     def _new_line(self) -> None:
-        """Begin a line indented like this one, one step deeper after a colon or an open bracket in Python."""
+        """Begin a line as deep as this one suggests; at the left if the user typed this one's blanks."""
         (row, column), end = sorted(self.selection)
         before = self.document.get_line(row)[:column]
-        indentation = before[: len(before) - len(before.lstrip())]
-        if self.language == "python" and before.rstrip().endswith((":", "(", "[", "{")):
-            indentation += STEP
-        self.replace("\n" + indentation, (row, column), end, maintain_selection_offset=False)
+        blanks = "" if row == self._own_row else after(before, python=self.language == "python")
+        self.replace("\n" + blanks, (row, column), end, maintain_selection_offset=False)
+        self._automatic = self.cursor_location if blanks else None
+        self._own_row = -1
+
+    def _own_blank(self) -> None:
+        """Make way for blanks that the user types before a line: they count from the left, as in a book."""
+        row, column = self.cursor_location
+        if self._after_automatic_blanks():
+            self._drop_blanks()
+        elif self.document.get_line(row)[:column].strip():
+            return
+        self._own_row = row
+
+    def _after_automatic_blanks(self) -> bool:
+        """Whether the line is nothing but blanks that Enter put there."""
+        row, column = self.cursor_location
+        line = self.document.get_line(row)
+        return self.selection.is_empty and self._automatic == (row, column) == (row, len(line)) and not line.strip()
+
+    def _drop_blanks(self) -> None:
+        row, column = self.cursor_location
+        self.delete((row, 0), (row, column), maintain_selection_offset=False)
+        self._automatic = None
 
     def _shift(self, first: int, last: int, steps: int) -> None:
         """Indent or unindent these lines by one step, and leave them selected."""
         start, end = self.selection
         lines = [self.document.get_line(row) for row in range(first, last + 1)]
-        moved = [_shifted(line, steps) for line in lines]
+        moved = [shifted(line, steps) for line in lines]
         if moved == lines:
             return
         by_row = {first + index: len(new) - len(old) for index, (new, old) in enumerate(zip(moved, lines, strict=True))}
@@ -197,16 +241,9 @@ class EditorArea(TextArea):
         self.refresh()
 
 
-def _shifted(line: str, steps: int) -> str:
-    if steps > 0:
-        return STEP + line if line.strip() else line
-    blank = len(line) - len(line.lstrip(" "))
-    return line[1:] if line.startswith("\t") else line[min(blank, len(STEP)) :]
-
-
 def theme_for(look: Look) -> str:
     """The colours of the text: a well-known editor's, or the terminal's own if it has few."""
-    return {"dark": "vscode_dark", "light": "github_light"}.get(look.colours.name, "css")
+    return {"dark": "vscode_dark", "light": "github_light", "colourblind": "vscode_dark"}.get(look.colours.name, "css")
 
 
 def has_grammar(language: str) -> bool:

@@ -15,16 +15,21 @@ from textual import events
 
 from day6_tui.core.ros.programs.joint_state_publisher_gui.model import RANGE
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, fit, wrap
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.joint_names import shortened
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel
 
 
 VALUE_WIDTH = 9
+
+NARROW, NARROWEST_LINE = 58, 30
+"""Columns below which a slider takes two lines if all have room, and below which one line never does."""
+
 BUTTONS = (("randomize", "Randomize", "r"), ("center", "Center", "c"))
 """The requests they make, their names in the original, their keys."""
 
@@ -114,7 +119,7 @@ class SlidersPane(WindowPane["SliderModel"]):
 
     def _build(self, width: int, height: int) -> list[Line]:
         lines = [self._buttons(width)]
-        below = self._problem_lines(width)
+        below = self._problem_lines(width, max(1, height // 3))
         room = max(1, height - 1 - len(below))
         lines += self._list(width, room)
         lines += [[]] * (height - len(lines) - len(below))
@@ -125,16 +130,17 @@ class SlidersPane(WindowPane["SliderModel"]):
         self._hits.pop(1, None)
         segments: Line = [Segment(" ", self.background)]
         column = 1
+        keys = width >= sum(len(name) + 7 for _, name, _ in BUTTONS)
         for request, name, key in BUTTONS:
             text = f" {name} "
-            segments += [Segment(text, colours.key), Segment(f" {key}   ", colours.muted)]
+            segments += [Segment(text, colours.key), Segment(f" {key}   " if keys else "  ", colours.muted)]
             self.add_hit(
                 1,
                 column + self.inner_offset,
                 column + self.inner_offset + len(text),
                 partial(self._request, request),
             )
-            column += len(text) + 5
+            column += len(text) + (5 if keys else 2)
         return segments
 
     def _list(self, width: int, room: int) -> list[Line]:
@@ -146,37 +152,34 @@ class SlidersPane(WindowPane["SliderModel"]):
         fitting = max(1, room // tall)
         first = max(0, min(self._index() - fitting // 2, len(sliders) - fitting))
         self._first, self._lines_each = first, tall
+        longest = max(cell_len(slider.name) for slider in sliders)
+        name_width = max(4, width - VALUE_WIDTH - 9) if tall > 1 else max(8, min(longest, width // 3))
+        names = shortened([slider.name for slider in sliders], name_width, self.look.glyphs.ellipsis)
         lines: list[Line] = []
-        for slider in sliders[first : first + fitting]:
-            lines += self._two_lines(slider, width) if tall >= 2 else [self._one_line(slider, width)]
-            lines += [[]] * (tall - 2)
+        for slider, name in list(zip(sliders, names, strict=True))[first : first + fitting]:
+            head = self._head(slider, name, name_width)
+            if tall > 1:
+                track = [Segment("   ", self.background), *self._track(slider, 3, width - 5)]
+                lines += [[*head, *self._value(slider)], track, *[[]] * (tall - 2)]
+            else:
+                track = self._track(slider, name_width + 3, width - name_width - VALUE_WIDTH - 8)
+                lines.append([*head, *track, *self._value(slider)])
         return lines[:room]
 
     def _tall(self, width: int, room: int) -> int:
-        """Lines for each slider: two where a line is too short for name, track and number, three if there is plenty."""
-        if width < 58:
-            return 2
-        return 3 if room >= 3 * len(self.model.sliders) else 1
+        """Lines for each slider: two where one is too short for the whole name, three if there is plenty of room."""
+        count = len(self.model.sliders)
+        if width < NARROW:
+            return 2 if room >= 2 * count or width < NARROWEST_LINE else 1
+        return 3 if room >= 3 * count else 1
 
-    def _one_line(self, slider: Slider, width: int) -> Line:
-        names = max(cell_len(other.name) for other in self.model.sliders)
-        name_width = max(8, min(names, width // 3))
-        head = self._head(slider, name_width)
-        track_width = width - name_width - VALUE_WIDTH - 8
-        return [*head, *self._track(slider, name_width + 3, track_width), *self._value(slider)]
-
-    def _two_lines(self, slider: Slider, width: int) -> list[Line]:
-        name_width = max(4, width - VALUE_WIDTH - 9)
-        head = [*self._head(slider, name_width), *self._value(slider)]
-        return [head, [Segment("   ", self.background), *self._track(slider, 3, width - 5)]]
-
-    def _head(self, slider: Slider, width: int) -> Line:
+    def _head(self, slider: Slider, name: str, width: int) -> Line:
         colours, chosen = self.look.colours, slider is self._slider()
         mark = self.look.glyphs.marker if chosen else " "
         style = colours.choice if chosen and self.has_focus else colours.strong if chosen else colours.node
         return [
             Segment(f" {mark}", colours.accent),
-            Segment(fit(slider.name, width, self.look.glyphs.ellipsis), style),
+            Segment(fit(name, width), style),
             Segment(" ", self.background),
         ]
 
@@ -216,15 +219,18 @@ class SlidersPane(WindowPane["SliderModel"]):
             *([Segment(high, colours.muted)] if limits else ()),
         ]
 
-    def _problem_lines(self, width: int) -> list[Line]:
-        """Other publishers, if there are any: the reason a robot jitters."""
-        others = self.model.others
+    def _problem_lines(self, width: int, most: int) -> list[Line]:
+        """Other publishers, if there are any: the reason a robot jitters. Where there is no room to explain, only who."""
+        others = ", ".join(self.model.others)
         if not others:
             return []
-        text = self.look.texts("sliders.conflict", nodes=", ".join(others))
+        lines = wrap(self.look.texts("sliders.conflict", nodes=others), width - 4)
+        if len(lines) > most:
+            short = self.look.texts("sliders.conflict.short", nodes=others)
+            lines = [clip(short, width - 4, self.look.glyphs.ellipsis)]
         mark = f"{self.look.glyphs.warning} "
         style = self.look.colours.warning
-        return [[Segment(f" {mark if not y else '  '}{line}", style)] for y, line in enumerate(wrap(text, width - 4))]
+        return [[Segment(f" {mark if not y else '  '}{line}", style)] for y, line in enumerate(lines)]
 
     def status(self) -> list[Piece]:
         sliders = self.model.sliders

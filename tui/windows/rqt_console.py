@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 
 from rich.segment import Segment
 from rich.style import Style
@@ -17,8 +18,11 @@ from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 
 NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 6, 8, 12
-LOCATION_FROM = 100
-"""Columns of the window from which there is room for the location."""
+NODE_FROM, STAMP_FROM, LOCATION_FROM = 42, 70, 100
+"""Columns of the window from which there is room for node, stamp and location."""
+
+SWITCHES_WIDTH = 58
+"""Columns that the boxes need with the severities in full; in fewer they have their letters."""
 
 DETAIL_LINES = 4
 """Lines for the chosen message in a window that is high enough; in a lower one it has one line."""
@@ -38,6 +42,10 @@ class RqtConsolePane(WindowPane[Console]):
         self._chosen: Record | None = None
         """None follows the newest message."""
         self._first = 0
+        self._boxes: list[tuple[int, int, int]] = []
+        """First column, end and level of the boxes of the severities."""
+        self._room = 1
+        """Lines for messages."""
         self._lines: list[Line] = []
         self._version = -1
 
@@ -74,7 +82,7 @@ class RqtConsolePane(WindowPane[Console]):
             return [[] for _ in range(height)]
         records = self.console.shown()
         details = DETAIL_LINES if height >= 12 else 1 if height >= 6 else 0
-        room = max(1, height - 2 - details - (1 if details > 1 else 0))
+        room = self._room = max(1, height - 2 - details - (1 if details > 1 else 0))
         chosen = self._index(records)
         follow = self._chosen is None
         self._first = max(0, min(self._first, len(records) - room))
@@ -109,23 +117,26 @@ class RqtConsolePane(WindowPane[Console]):
                 high = middle
         return min(low, len(records) - 1)
 
-    def _widths(self, width: int) -> tuple[int, int, int]:
-        """Columns of message, node and location; 0 where there is no room."""
-        rest = width - NUMBER_WIDTH - SEVERITY_WIDTH - STAMP_WIDTH - 4
-        node = max(10, min(22, rest // 4))
+    def _widths(self, width: int) -> tuple[int, int, int, int]:
+        """Columns of message, node, stamp and location; 0 where there is no room: the message comes first."""
+        stamp = STAMP_WIDTH if width >= STAMP_FROM else 0
+        rest = width - NUMBER_WIDTH - SEVERITY_WIDTH - 2 - (stamp + 1 if stamp else 0)
+        node = max(10, min(22, rest // 4)) if width >= NODE_FROM else 0
         location = min(36, rest // 3) if width >= LOCATION_FROM else 0
-        return max(4, rest - node - location - (1 if location else 0)), node, location
+        return max(4, rest - sum(size + 1 for size in (node, location) if size)), node, stamp, location
 
     def _columns(self, width: int, number: str, text: str, severity: str, node: str, stamp: str, place: str) -> str:
-        message_width, node_width, place_width = self._widths(width)
+        message_width, node_width, stamp_width, place_width = self._widths(width)
         dots = self.look.glyphs.ellipsis
         parts = [
             number.rjust(NUMBER_WIDTH - 1) + " ",
             fit(text, message_width, dots),
             fit(severity, SEVERITY_WIDTH, dots),
-            fit(node, node_width, dots),
-            fit(stamp, STAMP_WIDTH, dots),
         ]
+        if node_width:
+            parts.append(fit(node, node_width, dots))
+        if stamp_width:
+            parts.append(fit(stamp, stamp_width, dots))
         if place_width:
             parts.append(fit(_end_of(place, place_width, dots), place_width))
         return " ".join(parts)
@@ -188,15 +199,22 @@ class RqtConsolePane(WindowPane[Console]):
     def _switches(self, width: int) -> Line:
         """The severities with their boxes: a ticked one is left out, as in the real window's list."""
         colours, choice = self.look.colours, self.console.choice
+        self._boxes = []
         line: Line = [
             Segment(" " + self.look.texts("list.head", name=self.look.texts("console.exclude")), colours.muted)
         ]
+        in_full = width >= SWITCHES_WIDTH
+        x = cell_len(line[0].text)
         for key, level in _LEVEL_OF_KEY.items():
-            word, on = SEVERITIES[level], level in choice.levels
-            line.append(Segment(f"[{'x' if on else ' '}] ", colours.muted))
+            word, on = SEVERITIES[level] if in_full else SEVERITIES[level][:1], level in choice.levels
+            box = f"[{'x' if on else ' '}]{' ' * in_full}"
+            line.append(Segment(box, colours.muted))
             # The letters are the keys.
             line.append(Segment(word[: len(key)], colours.accent))
             line.append(Segment(f"{word[len(key) :]} ", colours.strong if on else colours.text))
+            end = x + len(box) + len(word) + 1
+            self._boxes.append((x, end, level))
+            x = end
         for title, text in (("console.containing", choice.text), ("console.highlighted", choice.highlight)):
             if text:
                 line.append(Segment(" " + self.look.texts("list.head", name=self.look.texts(title)), colours.muted))
@@ -211,6 +229,9 @@ class RqtConsolePane(WindowPane[Console]):
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if len(self._lines) != self.inner_height:
             self._lines = self._build(width, self.inner_height)
+        if y == self.inner_height - 1:
+            for first, end, level in self._boxes:
+                self.add_hit(y + 1, first + 1, end, partial(self._toggle_level, level))
         return self._lines[y] if y < len(self._lines) else ()
 
     def status(self) -> list[Piece]:
@@ -237,6 +258,10 @@ class RqtConsolePane(WindowPane[Console]):
             ("n", texts("console.node_out")),
             ("a", texts("console.all")),
         ]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [(" ".join(_LEVEL_OF_KEY), texts("console.exclude")), ("Esc", texts("console.newest"))]
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
@@ -266,6 +291,11 @@ class RqtConsolePane(WindowPane[Console]):
         self._show()
         self.look.wake()
 
+    def _toggle_level(self, level: int) -> None:
+        self.console.toggle_level(level)
+        self._show()
+        self.look.wake()
+
     def _move(self, step: int) -> None:
         """Choose another message; behind the last one the newest is followed again."""
         records = self.console.shown()
@@ -290,7 +320,7 @@ class RqtConsolePane(WindowPane[Console]):
         super().on_click(event)
         index = self._first + event.y - 1 - self.inner_offset
         records = self.console.shown()
-        if event.y > self.inner_offset and 0 <= index < len(records):
+        if 0 <= index - self._first < self._room and index < len(records):
             self._chosen = records[index]
             self._show()
             self.look.wake()

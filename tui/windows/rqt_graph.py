@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
+from rich.style import Style
 from textual import events
+from textual.geometry import Region
 
 from day6_tui.core.ros.programs.rqt_graph.model.content import Options
 from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
@@ -21,7 +24,7 @@ from day6_tui.core.ros.programs.rqt_graph.model.drawing import (
     draw,
     draw_pulse,
 )
-from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted, unfitted
+from day6_tui.core.ros.programs.rqt_graph.model.fit import Forms
 from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
 from day6_tui.core.ros.programs.rqt_graph.model.shapes import Picture, Route
 from day6_tui.core.session.display import Window
@@ -40,6 +43,11 @@ from day6_tui.tui.windows.rqt_graph_options import (
     flowing,
     switched,
 )
+from day6_tui.tui.windows.rqt_graph_view import View
+
+if TYPE_CHECKING:
+    from day6_tui.tui.pixels.pictures import Pictures
+    from day6_tui.tui.windows.rqt_graph_pixels import GraphPicture
 
 PULSE_SECONDS = 1.2
 """How long a pulse takes along an edge."""
@@ -47,32 +55,45 @@ PULSE_SECONDS = 1.2
 PULSE_REST = 0.6
 """Minimum time between two pulses on one edge: at 62 Hz the eye could not follow them."""
 
+PICTURE_SECONDS = 1 / 15
+"""Between two pictures of real pixels."""
+
 LOOK_SECONDS = 0.25
 """How often the message counters are read."""
 
 _GLYPHS: dict[str, Glyphs] = {"half": UNICODE, "braille": UNICODE, "cell": CONSOLE, "ascii": ASCII}
 
-_SCROLL: dict[str, tuple[int, int]] = {
+_PANS: dict[str, tuple[int, int]] = {
     "left": (-8, 0),
     "right": (8, 0),
-    "up": (0, -1),
-    "down": (0, 1),
+    "up": (0, -2),
+    "down": (0, 2),
     "pageup": (0, -10),
     "pagedown": (0, 10),
 }
 
+_ZOOMS: dict[str, int] = {"plus": -1, "equals_sign": -1, "minus": 1}
+
 
 class RqtGraphPane(WindowPane[RqtGraph]):
-    """Draws `RqtGraph.content`; keeps only view state: scroll position and running pulses."""
+    """Draws `RqtGraph.content`; keeps only view state: how large, which part of it, and running pulses."""
 
     def __init__(self, window: Window[RqtGraph], look: Look) -> None:
         super().__init__(window, look)
         self.graph = window.model
         self._drawn: tuple[object, ...] = ()
         self._picture = Picture(0, 0, {}, ())
+        self._forms = Forms((), ())
+        self._forms_of: tuple[object, ...] = ()
+        """What `_forms` was made of."""
+        self._form = 0
+        self._view = View()
+        self._drag: tuple[int, int] | None = None
+        """Where the mouse was last while its button is held."""
+        self._dragged = False
         self._canvas = Canvas(0, 0)
+        """What is seen, without the pulses."""
         self._rows: list[list[Run]] = []
-        self._offset = (0, 0)
         self._counts: dict[str, int] = {}
         self._counted = 0.0
         self._pulses: dict[Route, float] = {}
@@ -80,6 +101,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         self._controls_for: object = None
         self._chosen = ""
         """Key of the box whose edges are highlighted, '' for none."""
+        self._fine: GraphPicture | None = None
+        """The graph in real pixels, where the terminal shows them."""
+        self._shown_at = 0.0
 
     # -- frame ---------------------------------------------------------------------------------------------------------
 
@@ -106,16 +130,19 @@ class RqtGraphPane(WindowPane[RqtGraph]):
     def key_hints(self) -> list[tuple[str, str]]:
         return [
             ("t", self.look.texts("rqt.type")),
-            ("d s l p f u", self.look.texts("rqt.hide")),
+            ("+ -", self.look.texts("rqt.zoom")),
+            ("←↑↓→" if self.look.glyphs.unicode else "arrows", self.look.texts("rqt.pan")),
+            ("v", self.look.texts("rqt.fit")),
             ("j k", self.look.texts("rqt.choose")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         return [
+            ("d s l p f u", self.look.texts("rqt.hide")),
             ("/ :", self.look.texts("rqt.filter")),
             ("n", self.look.texts("rqt.namespaces")),
             ("1 2 3", self.look.texts("rqt.group")),
-            ("h v", self.look.texts("rqt.view")),
+            ("h", self.look.texts("rqt.view")),
             ("w o", self.look.texts("rqt.files")),
             ("r", self.look.texts("rqt.refresh")),
             ("a", self.look.texts("rqt.auto")),
@@ -133,26 +160,89 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         return self._pull_pulses(now)
 
     def _lay_out(self) -> None:
-        content = self.graph.content
+        content, columns, rows = self.graph.content, self.inner_width, self._picture_rows
+        made_of = (content, self.look.glyphs.ellipsis)
+        if made_of != self._forms_of:
+            self._forms_of = made_of
+            self._forms = Forms(content.boxes, content.edges, self.look.glyphs.ellipsis)
         if self.graph.options.fit:
-            height = max(1, self.inner_height - self._switch_rows())
-            ellipsis = self.look.glyphs.ellipsis
-            self._picture = fitted(content.boxes, content.edges, self.inner_width, height, ellipsis=ellipsis)
-        else:
-            self._picture = unfitted(content.boxes, content.edges)
+            self._form = self._forms.best(columns, rows)
+        self._picture = self._forms.picture(self._form, columns, rows)
+        self._view.show(self._picture, columns, rows)
+        if self.graph.options.fit:
+            self._view.centre()
+        self._pulses = {}
         if self._chosen not in self._picture.boxes:
             self._chosen = ""
-        self._pulses = {}
-        self._scroll(0, 0)
         self._paint()
 
+    @property
+    def _picture_rows(self) -> int:
+        """Lines for the picture."""
+        return max(1, self.inner_height - self._switch_rows())
+
     def _paint(self) -> None:
-        glyphs = _GLYPHS[self.look.glyphs.canvas]
+        """Draw what is seen."""
         highlight = Highlight(self._chosen, self.graph.content.edges) if self._chosen else None
-        self._canvas = draw(self._picture, glyphs, self.graph.content.trouble, highlight)
+        if (pictures := self.look.pixels) is not None:
+            self._show_pixels(pictures, highlight)
+        self._canvas = draw(self._picture, self._glyphs, self.graph.content.trouble, highlight, self._view.part)
+        self._paint_over()
+
+    def _paint_over(self) -> None:
+        """Draw pulses and hints over a copy of the picture."""
+        canvas, glyphs = self._canvas.copy(), self._glyphs
         for route, began in self._pulses.items():
-            draw_pulse(self._canvas, route, (self._counted_now - began) / PULSE_SECONDS, glyphs)
-        self._rows = self._canvas.rows()
+            draw_pulse(canvas, route, (self._counted_now - began) / PULSE_SECONDS, glyphs)
+        part = self._view.part
+        for x, y, text in self._hints():
+            canvas.put(part.x + x, part.y + y, text, "hint")
+        self._rows = canvas.rows()
+
+    def _hints(self) -> list[tuple[int, int, str]]:
+        """What lies outside of the window, at its edges: column, row and text."""
+        part, glyphs, found = self._view.part, self._glyphs, []
+        beyond = self._view.beyond(rect for _, rect in self._picture.boxes.values())
+        for count, arrow, across, down in (
+            (beyond.left, glyphs.left, 0, 1),
+            (beyond.right, glyphs.right, 2, 1),
+            (beyond.up, glyphs.up, 1, 0),
+            (beyond.down, glyphs.down, 1, 2),
+        ):
+            if count is not None:
+                text = f" {arrow} {count} " if count else f" {arrow} "
+                found.append(((part.width - len(text)) * across // 2, (part.height - 1) * down // 2, text))
+        return found
+
+    @property
+    def _glyphs(self) -> Glyphs:
+        return _GLYPHS[self.look.glyphs.canvas]
+
+    def _show_pixels(self, pictures: Pictures, highlight: Highlight | None) -> None:
+        """Draw in real pixels."""
+        from day6_tui.tui.windows.rqt_graph_pixels import GraphPicture
+
+        size = self.inner_width, self.inner_height - self._switch_rows()
+        if not self.graph.content.boxes or min(size) < 1:
+            self._fine = None
+            pictures.drop(self)
+            return
+        cell, fine, trouble = pictures.cell(*size), self._fine, self.graph.content.trouble
+        if fine is None or (fine.columns, fine.rows, fine.cell) != (*size, cell):
+            fine = self._fine = GraphPicture(*size, cell, self.background, self._style)
+            self.touch()
+        self._shown_at = self._counted_now
+        pulses = {route: (self._counted_now - began) / PULSE_SECONDS for route, began in self._pulses.items()}
+        part = self._view.part
+        pixels = fine.pixels(self._picture, (-part.x, -part.y), trouble, highlight, pulses)
+        hints = [(*hint, self._style("hint")) for hint in self._hints()]
+        spans = fine.sheet.put([*fine.texts(self._picture, trouble, highlight), *hints])
+        pictures.show(self, Region(self.inner_offset, self.inner_offset, *size), cell, pixels, fine.sheet.holes)
+        self.touch_spans(spans)
+
+    def restyle(self) -> None:
+        self._fine, self._drawn = None, ()
+        super().restyle()
 
     _counted_now = 0.0
 
@@ -173,26 +263,19 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         before = self._pulse_lines()
         self._counted_now = now
         running = {route: began for route, began in self._pulses.items() if now - began <= PULSE_SECONDS + PULSE_REST}
+        if self.look.pixels is not None and self._pulses and now - self._shown_at < 0.9 * PICTURE_SECONDS:
+            return True
         if self._pulses or moved:
             self._pulses = running
-            self._paint()
-            top = self._top
-            self.touch_lines(sorted({line + top for line in before | self._pulse_lines()}))
+            if (pictures := self.look.pixels) is not None:
+                self._show_pixels(pictures, Highlight(self._chosen, self.graph.content.edges) if self._chosen else None)
+                return bool(self._pulses)
+            self._paint_over()
+            self.touch_lines(sorted(line - self._view.y for line in before | self._pulse_lines()))
         return bool(self._pulses)
 
     def _pulse_lines(self) -> set[int]:
         return {y for route in self._pulses for _, y in route.cells}
-
-    @property
-    def _top(self) -> int:
-        """The inside line of the picture's first row: it is centred while it fits."""
-        spare = self.inner_height - self._switch_rows() - self._picture.height
-        return max(0, spare // 2) - (self._offset[1] if spare < 0 else 0)
-
-    @property
-    def _left(self) -> int:
-        spare = self.inner_width - self._picture.width
-        return max(0, spare // 2) - (self._offset[0] if spare < 0 else 0)
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         below = y - self.inner_height + self._switch_rows()
@@ -201,21 +284,11 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         if not self.graph.content.boxes and y == self.inner_height // 2:
             text = clip(self.look.texts("rqt.empty"), width, self.look.glyphs.ellipsis)
             return [Segment(text, self.look.colours.muted)]
-        row = y - self._top
-        if not 0 <= row < len(self._rows):
-            return ()
-        left = self._left
-        segments = [Segment(" " * left, self.background)] if left > 0 else []
-        skip = max(0, -left)
-        for text, style in self._rows[row]:
-            if skip >= len(text):
-                skip -= len(text)
-                continue
-            segments.append(Segment(text[skip:], self._style(style)))
-            skip = 0
-        return segments
+        if self._fine is not None and self.look.pixels is not None:
+            return self._fine.sheet.line(y) if y < self._fine.rows else []
+        return [Segment(text, self._style(style)) for text, style in self._rows[y]] if y < len(self._rows) else ()
 
-    def _style(self, name: str):  # type: ignore[no-untyped-def]
+    def _style(self, name: str) -> Style:
         colours = self.look.colours
         table = {
             "node": colours.node,
@@ -230,6 +303,7 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             "incoming": colours.publisher,
             "outgoing": colours.accent,
             "faded": colours.frame,
+            "hint": colours.choice,
         }
         return table.get(name, self.background)
 
@@ -270,8 +344,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
 
     def _about_chosen(self) -> str:
         """Describe in one line the edges of the chosen box."""
-        box, _ = self._picture.boxes[self._chosen]
-        edges = self.graph.content.edges
+        content = self.graph.content
+        box = next(box for box in content.boxes if box.key == self._chosen)
+        edges = content.edges
         arriving = [edge for edge in edges if edge.end == self._chosen]
         leaving = [edge for edge in edges if edge.start == self._chosen]
         key = "rqt.node" if box.shape == "node" else "rqt.topic"
@@ -297,8 +372,10 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             self._ask_filter("node_filter" if key == "/" else "topic_filter")
         elif key in ("w", "o"):
             self._ask_file(saving=key == "w")
-        elif key in _SCROLL:
-            self._scroll(*_SCROLL[key])
+        elif key in _PANS:
+            self._pan(*_PANS[key])
+        elif key in _ZOOMS:
+            self._zoom(_ZOOMS[key], self._view.columns // 2, self._view.rows // 2)
         else:
             return
         event.stop()
@@ -306,10 +383,13 @@ class RqtGraphPane(WindowPane[RqtGraph]):
 
     def on_click(self, event: events.Click) -> None:
         """A click on a box chooses it; a click elsewhere chooses none."""
+        if self._dragged:
+            self._dragged = False
+            return
         if self.hit(event.x, event.y) is not None:
             super().on_click(event)
             return
-        x, y = event.x - 1 - self._left, event.y - 1 - self._top
+        x, y = event.x - 1 + self._view.x, event.y - 1 + self._view.y
         for key, (_, rect) in self._picture.boxes.items():
             if rect.x <= x < rect.x + rect.width and rect.y <= y < rect.y + rect.height:
                 self._choose("" if key == self._chosen else key)
@@ -338,15 +418,9 @@ class RqtGraphPane(WindowPane[RqtGraph]):
             self.touch()
 
     def _show_chosen(self) -> None:
-        """Scroll so that the chosen box is in sight."""
+        """Pan so that the chosen box is in sight."""
         if self._chosen:
-            _, rect = self._picture.boxes[self._chosen]
-            left, top = rect.x + self._left, rect.y + self._top
-            right, bottom = (
-                left + rect.width - self.inner_width,
-                top + rect.height - self.inner_height + self._switch_rows(),
-            )
-            self._scroll(max(0, right) + min(0, left), max(0, bottom) + min(0, top))
+            self._view.reveal(self._picture.boxes[self._chosen][1])
 
     def _ask_filter(self, option: str) -> None:
         """Ask for a filter as the fields of the real window take them."""
@@ -379,20 +453,61 @@ class RqtGraphPane(WindowPane[RqtGraph]):
         self.ask(texts(title), "rosgraph.dot", sure, note=texts(note))
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._scroll(0, 2)
         event.stop()
+        self._zoom(1, event.x - 1, event.y - 1)
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._scroll(0, -2)
         event.stop()
+        self._zoom(-1, event.x - 1, event.y - 1)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        self._dragged = False
+        if (
+            event.button == 1
+            and self.is_inside(event)
+            and event.y <= self._view.rows
+            and self.hit(event.x, event.y) is None
+        ):
+            self._drag = (event.x, event.y)
+            self.capture_mouse()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        if self._drag is not None and (event.x, event.y) != self._drag:
+            before, self._drag = self._drag, (event.x, event.y)
+            self._dragged = True
+            self._pan(before[0] - event.x, before[1] - event.y)
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        if self._drag is not None:
+            self._drag = None
+            self.release_mouse()
 
     def _change(self, options: Options) -> None:
         self.graph.change_options(options)
         self.pull(self._counted_now)
 
-    def _scroll(self, columns: int, rows: int) -> None:
-        x = min(max(0, self._offset[0] + columns), max(0, self._picture.width - self.inner_width))
-        y = min(max(0, self._offset[1] + rows), max(0, self._picture.height - self.inner_height + self._switch_rows()))
-        if (x, y) != self._offset:
-            self._offset = (x, y)
-            self.touch()
+    def _pan(self, columns: int, rows: int) -> None:
+        """Move over the picture."""
+        self._leave_fit()
+        self._view.pan(columns, rows)
+        self._redraw()
+
+    def _zoom(self, step: int, column: int, row: int) -> None:
+        """Go to a smaller form (1) or a larger one (-1); what is at this cell of the window stays there."""
+        columns, rows = self._view.columns, self._view.rows
+        form = self._forms.next(self._form, step, columns, rows)
+        if form != self._form:
+            self._leave_fit()
+            self._form, self._pulses = form, {}
+            self._picture = self._forms.picture(form, columns, rows)
+            self._view.zoom_to(self._picture, column, row)
+            self._redraw()
+
+    def _leave_fit(self) -> None:
+        """From now on the user decides what is seen."""
+        if self.graph.options.fit:
+            self._change(replace(self.graph.options, fit=False))
+
+    def _redraw(self) -> None:
+        self._paint()
+        self.touch()

@@ -4,22 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.geometry import Region
 
+from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_plot.model.axis import label, limits, seen, ticks
 from day6_tui.core.ros.programs.rqt_plot.model.lines import polyline
 from day6_tui.core.ros.programs.rqt_plot.model.plot import Curve, Plot
 from day6_tui.core.session.display import Window
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.canvas import Canvas, Mark, new_canvas
 from day6_tui.tui.cells import cell_len, clip, fit
-from day6_tui.tui.colours import background_of, pixel_style
+from day6_tui.tui.colours import background_of, foreground_of, pixel_style
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+
+if TYPE_CHECKING:
+    from day6_tui.tui.pixels.pictures import Pictures
 
 FRAME_SECONDS = 0.1
 """How often the curves are drawn: faster costs more than it shows."""
@@ -33,6 +39,12 @@ SHAPES = "*+ox#@%&"
 """Characters for the curves where there are no pixels."""
 
 MOST_LEGEND = 6
+
+LOW = 12
+"""In a window with fewer lines the legend has one, of the chosen curve: the picture needs the others."""
+
+RANGE_WIDTH = 20
+"""Columns for the visible range behind a value."""
 
 
 class _View(NamedTuple):
@@ -62,7 +74,13 @@ class RqtPlotPane(WindowPane[Plot]):
     # -- places --------------------------------------------------------------------------------------------------------
 
     def _legend_rows(self) -> int:
-        return max(1, min(len(self.plot.curves), MOST_LEGEND, max(1, self.inner_height // 3)))
+        most = MOST_LEGEND if self.inner_height >= LOW else 1
+        return max(1, min(len(self.plot.curves), most, self.inner_height // 3))
+
+    def _first_in_legend(self) -> int:
+        """The index of the curve on the legend's first line: the chosen one is always on it."""
+        rows = self._legend_rows()
+        return max(0, min(self._chosen - rows + 1, len(self.plot.curves) - rows))
 
     def _picture(self) -> tuple[int, int]:
         """Columns and rows of the picture between the axes."""
@@ -96,7 +114,8 @@ class RqtPlotPane(WindowPane[Plot]):
 
     def _edges(self, columns: int) -> tuple[float, float]:
         """The times at the left and right edge; they move by whole cells, so that characters wander without changing."""
-        cell = self.plot.span / columns
+        pictures = self.look.pixels
+        cell = self.plot.span / (columns * pictures.cell(*self._picture())[0] if pictures is not None else columns)
         end = math.ceil(self.plot.now() / cell) * cell
         return end - self.plot.span, end
 
@@ -115,6 +134,9 @@ class RqtPlotPane(WindowPane[Plot]):
                 pieces.append((curve, times[first:last], values[first:last]))
                 self._spans[curve.path] = (min(values[first:last]), max(values[first:last]))
         self._view = self._fitted(start, end, rows)
+        if self.look.pixels is not None:
+            self._show_pixels(self.look.pixels, columns, rows, pieces)
+            return
         sprites: dict[int, int] = {}
         marks: dict[tuple[int, int], Mark] = {}
         for curve, times, values in pieces:
@@ -126,6 +148,38 @@ class RqtPlotPane(WindowPane[Plot]):
                     sprites[y * canvas.width + x] = colour
         canvas.set_sprites(sprites)
         canvas.set_marks(marks)
+
+    def _show_pixels(
+        self, pictures: Pictures, columns: int, rows: int, pieces: list[tuple[Curve, list[float], list[float]]]
+    ) -> None:
+        """Draw in real pixels."""
+        from day6_tui.tui.windows.plot_pixels import paint_plot
+
+        view, colours = self._view, self.look.colours
+        if not self.plot.curves:
+            pictures.drop(self)
+            return
+        cell = pictures.cell(columns, rows)
+        width, height = columns * cell[0], rows * cell[1]
+        across, down = (width - 1) / (view.end - view.start), (height - 1) / (view.high - view.low)
+        curves = [
+            (
+                self._colour(curve),
+                [((x - view.start) * across, (view.high - y) * down) for x, y in zip(times, values, strict=True)],
+            )
+            for curve, times, values in pieces
+        ]
+        middle = cell[0] / 2
+        grid = foreground_of(colours.frame), [(column * cell[0]) + middle for column in self._time_ticks(columns)]
+        levels = [(view.high - value) * down for value in self._levels()]
+        pixels = paint_plot((width, height), background_of(self.background), (*grid, levels), curves)
+        place = Region(self.inner_offset + LABEL_WIDTH + 2, self.inner_offset, columns, rows)
+        pictures.show(self, place, cell, pixels)
+
+    def _levels(self) -> list[float]:
+        """The values of the ticks."""
+        view = self._view
+        return [view.low + number * view.step for number in range(round((view.high - view.low) / view.step) + 1)]
 
     def _fitted(self, start: float, end: float, rows: int) -> _View:
         """The limits for the visible values, at round numbers, so that they rarely change."""
@@ -185,9 +239,7 @@ class RqtPlotPane(WindowPane[Plot]):
         colours, canvas, view = self.look.colours, self._canvas, self._view
         assert canvas is not None
         down = (rows * canvas.down - 1) / (view.high - view.low)
-        count = round((view.high - view.low) / view.step)
-        values = [view.low + number * view.step for number in range(count + 1)]
-        here = [value for value in values if round((view.high - value) * down) // canvas.down == row]
+        here = [value for value in self._levels() if round((view.high - value) * down) // canvas.down == row]
         text = label(here[0], view.step) if here else ""
         edge = ("┤" if here else self.look.glyphs.border.vertical) if self.look.glyphs.unicode else "+" if here else "|"
         axis = [
@@ -197,6 +249,8 @@ class RqtPlotPane(WindowPane[Plot]):
         if not self.plot.curves and row == rows // 2:
             hint = clip(self.look.texts("plot.none"), columns, self.look.glyphs.ellipsis)
             return [*axis, Segment(hint, colours.muted)]
+        if self.look.pixels is not None:
+            return [*axis, Segment(" " * columns, self.background)]
         return [*axis, *canvas.line(row)]
 
     def _time_ticks(self, columns: int) -> dict[int, str]:
@@ -226,11 +280,11 @@ class RqtPlotPane(WindowPane[Plot]):
         return [Segment("".join(cells), self.look.colours.muted)]
 
     def _legend_line(self, line: int, width: int) -> list[Segment]:
-        curves, rows = self.plot.curves, self._legend_rows()
+        curves = self.plot.curves
         if not curves:
             message = clip(self.plot.message, width - 1, self.look.glyphs.ellipsis)
             return [Segment(" " + message, self.look.colours.warning)] if message else []
-        first = max(0, min(self._chosen - rows + 1, len(curves) - rows))
+        first = self._first_in_legend()
         if first + line >= len(curves):
             return []
         curve = curves[first + line]
@@ -238,27 +292,28 @@ class RqtPlotPane(WindowPane[Plot]):
         on = first + line == self._chosen
         swatch = "━━" if glyphs.unicode and glyphs.canvas != "cell" else SHAPES[curve.number % len(SHAPES)] * 2
         longest = max(cell_len(each.path) for each in curves)
-        name_width = max(8, min(longest, width - 38))
-        text, style = self._value_of(curve)
+        ranged = width >= 56
+        name_width = max(8, min(longest, width - 18 - (RANGE_WIDTH if ranged else 0)))
+        text, style = self._value_of(curve, ranged)
         return [
             Segment(f"{glyphs.marker if on else ' '} ", colours.accent),
             Segment(swatch, self._curve_style(curve)),
             Segment(
-                " " + fit(curve.path, name_width, glyphs.ellipsis),
+                " " + fit(elide(one_line(curve.path), name_width, glyphs.ellipsis), name_width),
                 colours.choice if on and self.has_focus else colours.topic,
             ),
             Segment(" " + clip(text, max(0, width - name_width - 7), glyphs.ellipsis), style),
         ]
 
-    def _value_of(self, curve: Curve) -> tuple[str, Style]:
-        """The text after a curve's name: its newest value and visible range, or why there is none."""
+    def _value_of(self, curve: Curve, ranged: bool) -> tuple[str, Style]:
+        """The text after a curve's name: its newest value, its visible range if there is room, or why there is none."""
         colours, texts = self.look.colours, self.look.texts
         if curve.problem:
             return curve.problem, colours.warning
         if curve.last is None:
             return texts("plot.quiet" if curve.topic else "plot.waiting"), colours.muted
         text = f"{curve.last:>11.5g}"
-        if curve.path in self._spans:
+        if ranged and curve.path in self._spans:
             low, high = self._spans[curve.path]
             text += f"   {low:.4g} {'…' if self.look.glyphs.unicode else '..'} {high:.4g}"
         return text, colours.strong
@@ -266,6 +321,8 @@ class RqtPlotPane(WindowPane[Plot]):
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours
         pieces = [Piece(f" {texts('plot.seconds', count=f'{self.plot.span:g}')} ", colours.muted)]
+        if (count := len(self.plot.curves)) > self._legend_rows():
+            pieces.append(Piece(f" {self._chosen + 1}/{count} ", colours.muted))
         if self.plot.paused_at is not None:
             pieces.append(Piece(f" {self.look.glyphs.paused} {texts('plot.paused')} ", colours.hint))
         if self.plot.message and self.plot.curves:
@@ -285,6 +342,12 @@ class RqtPlotPane(WindowPane[Plot]):
                 ("c", texts("plot.clear")),
             ]
         return hints
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        arrows = "↑ ↓" if self.look.glyphs.unicode else "up down"
+        fine = [("g", texts("plot.fine"))] if self.look.glyphs.canvas in ("half", "braille") else []
+        return [(arrows, texts("plot.curve")), *fine]
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
@@ -341,8 +404,9 @@ class RqtPlotPane(WindowPane[Plot]):
     def on_click(self, event: events.Click) -> None:
         super().on_click(event)
         line = event.y - self.inner_offset - self._picture()[1] - 2
-        if 0 <= line < len(self.plot.curves):
-            self._chosen = line
+        first = self._first_in_legend()
+        if 0 <= line < self._legend_rows() and first + line < len(self.plot.curves):
+            self._chosen = first + line
             self.touch()
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:

@@ -1,6 +1,6 @@
 """The RViz window: the Displays panel on the left, the 3-D view on the right, a status bar below.
 
-The panel's lines are a `Tree`, the picture is a `View3D`, the text below it a `StatusBar`; this module puts them together and
+The panel is a `DisplaysPanel`, the picture a `View3D`, the text below it a `StatusBar`; this module puts them together and
 handles keys and mouse.
 """
 
@@ -16,18 +16,20 @@ from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
 from day6_tui.core.ros.programs.rviz2.model.status import OK
-from day6_tui.core.ros.programs.rviz2.model.views import NOMINAL_HEIGHT, VIEWS
+from day6_tui.core.ros.programs.rviz2.model.views import VIEWS
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import fit
+from day6_tui.tui.cells import cell_len, fit
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.rviz import dialogs, panel
+from day6_tui.tui.windows.rviz import dialogs
+from day6_tui.tui.windows.rviz.displays import DisplaysPanel
+from day6_tui.tui.windows.rviz.dragging import Dragging
+from day6_tui.tui.windows.rviz.extent import extent
+from day6_tui.tui.windows.rviz.offer import Offer
+from day6_tui.tui.windows.rviz.sizes import NARROW, Division, divide
 from day6_tui.tui.windows.rviz.status_bar import StatusBar, in_ascii
-from day6_tui.tui.windows.rviz.tree import Tree
 from day6_tui.tui.windows.rviz.view import View3D
-
-NARROWEST_PANEL, WIDEST_PANEL, NARROWEST_VIEW = 30, 56, 24
 
 TURN = 0.1309
 """Radians an arrow key turns the view: 7.5 degrees."""
@@ -36,8 +38,8 @@ SHIFT = 0.06
 """Fraction of the picture's height by which Shift and an arrow key pan it."""
 
 _ARROWS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
-_BUTTONS = {1: "left", 2: "middle", 3: "right"}
-_END = 1_000_000
+_FOLDS = {"▸": "◂", "»": "«", ">": "<"}
+"""The arrow that opens -> the one that folds."""
 
 
 class RVizPane(WindowPane[RViz]):
@@ -47,16 +49,18 @@ class RVizPane(WindowPane[RViz]):
         super().__init__(window, look)
         self.rviz = window.model
         self.view = View3D(self.rviz, look)
-        self.displays = Tree(self.rviz)
-        self.status_bar = StatusBar(self.rviz, self.displays, self.view, look)
-        self.on_panel = True
-        """Whether the keys go to the panel; else to the view."""
-        self.panel_open = True
-        self._shown_lines: dict[int, tuple[object, ...]] = {}
+        self.panel = DisplaysPanel(self)
+        self.status_bar = StatusBar(self.rviz, self.panel.tree, self.view, look)
+        self.offer = Offer(self.rviz)
+        self._dragging = Dragging(self.view)
+        only_grid = all(display.type == "Grid" for display in self.rviz.displays)
+        self._panel_open = {"wide": True, "narrow": only_grid}
+        """Whether the panel is open, in windows of either kind: in a narrow one a robot that is there comes first."""
+        self._panel_keys = True
+        """Whether the keys go to the panel, if it is open; else to the view."""
         self._shown_frame: tuple[str, ...] = ()
         self._used = False
         """Whether the view was turned; until then, the status bar says that RViz is ready."""
-        self._drag: tuple[str, bool, bool, int, int] | None = None
 
     # -- geometry ------------------------------------------------------------------------------------------------------
 
@@ -70,19 +74,27 @@ class RVizPane(WindowPane[RViz]):
         return max(0, self.inner_height - self.word_lines)
 
     @property
-    def panel_width(self) -> int:
-        """Columns of the panel, 0 while it is folded away."""
-        width = self.inner_width
-        if not self.panel_open:
-            return 0
-        wanted = max(NARROWEST_PANEL, min(WIDEST_PANEL, width * 2 // 5))
-        return wanted if width - wanted - 1 >= NARROWEST_VIEW else width
+    def _kind(self) -> str:
+        return "narrow" if self.inner_width < NARROW else "wide"
 
     @property
-    def view_left(self) -> int:
-        """The first column of the view, which is hidden if the panel takes all the space."""
-        width = self.panel_width
-        return width + 1 if width else 0
+    def panel_open(self) -> bool:
+        """Whether the panel is not folded away."""
+        return self._panel_open[self._kind]
+
+    @panel_open.setter
+    def panel_open(self, on: bool) -> None:
+        self._panel_open[self._kind] = on
+
+    @property
+    def on_panel(self) -> bool:
+        """Whether the keys go to the panel; else to the view."""
+        return self._panel_keys and self.panel_open
+
+    @property
+    def division(self) -> Division:
+        """How the columns are divided."""
+        return divide(self.inner_width, panel_open=self.panel_open)
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
@@ -94,9 +106,8 @@ class RVizPane(WindowPane[RViz]):
         super().restyle()
 
     def _lay_out(self) -> None:
-        columns = max(0, self.inner_width - self.view_left)
-        self.view.resize(columns, self.body_height)
-        self.displays.fit(self.body_height)
+        self.view.resize(self.division.view, self.body_height)
+        self.panel.fit(self.body_height)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -104,9 +115,13 @@ class RVizPane(WindowPane[RViz]):
         if not self.inner_width or not self.body_height:
             return False
         self._lay_out()
-        left = self.view_left
+        left = self.division.view_left
         spans, due = self.view.pull(now)
-        self._pull_panel()
+        self.view.show(self, left + self.inner_offset, self.inner_offset)
+        if changed := self.panel.changed(active=self._panel_active):
+            self.touch_lines(changed)
+        if self.offer.pull(self.view.aspect):
+            self.touch_lines([self.body_height - 1])
         if spans:
             self.touch_spans([(row, first + left, end + left) for row, first, end in spans])
         due = self._pull_words(now) or due
@@ -116,32 +131,13 @@ class RVizPane(WindowPane[RViz]):
             self.touch_frame()
         return due
 
-    def _pull_panel(self) -> None:
-        self.displays.follow()
-        if not self.panel_width:
-            return
-        changed = []
-        for row in range(self.body_height):
-            state = self._line_state(row)
-            if self._shown_lines.get(row) != state:
-                self._shown_lines[row] = state
-                changed.append(row)
-        if changed:
-            self.touch_lines(changed)
-
-    def _line_state(self, row: int) -> tuple[object, ...]:
-        """What a row of the panel looks like depends on this."""
-        line = self.displays.line(row)
-        if line is None:
-            return ()
-        prop = line.prop
-        display = prop.statuses.level if isinstance(prop, Display) else 0
-        focused = self.on_panel and self.has_focus
-        chosen = prop is self.displays.prop
-        return (prop, line.depth, prop.name, prop.value, prop.expanded, line.can_open, display, chosen, focused)
+    @property
+    def _panel_active(self) -> bool:
+        """Whether the panel has the keyboard."""
+        return self.on_panel and self.has_focus
 
     def _pull_words(self, now: float) -> bool:
-        on_panel = self.on_panel and self.has_focus and bool(self.panel_width)
+        on_panel = self._panel_active
         changed, due = self.status_bar.pull(now, self.inner_width - 2, self.word_lines, on_panel=on_panel)
         if changed:
             self.touch_lines(range(self.body_height, self.inner_height))
@@ -157,15 +153,27 @@ class RVizPane(WindowPane[RViz]):
         colours = self.look.colours
         statuses = self.rviz.statuses
         style = colours.muted if statuses.level == OK else colours.warning
-        star = "*" if self.rviz.modified else ""
-        pieces = [
-            Piece(star + " ", colours.muted),
-            Piece(f"Fixed Frame {self.rviz.fixed_frame} ", style, self._to_fixed),
-        ]
+        pieces = [Piece("* " if self.rviz.modified else " ", colours.muted)]
+        if not self.panel_open:
+            pieces += [
+                Piece(f" {self.look.glyphs.chevron} Displays ", colours.key, self.toggle_panel),
+                Piece(" ", colours.muted),
+            ]
+        pieces.append(Piece(f"Fixed Frame {self.rviz.fixed_frame} ", style, self._to_fixed))
         return [*super().title(), *pieces]
 
+    def close(self) -> None:
+        """Close the window; RViz asks first whether to save what was changed."""
+        if self.rviz.modified:
+            dialogs.leave(self)
+        else:
+            self.window.close_by_user()
+
+    def loses_at_the_end(self) -> str:
+        return self.look.texts("rviz.unsaved") if self.rviz.modified else ""
+
     def _to_fixed(self) -> None:
-        self.panel_open = self.on_panel = True
+        self._to_panel()
         self.choose(self.rviz.fixed)
         self.edit()
 
@@ -184,25 +192,34 @@ class RVizPane(WindowPane[RViz]):
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         if y >= self.body_height:
             return self._words_line(y - self.body_height, width)
-        if not self.displays.lines:
-            self.displays.refresh()
         self._lay_out()
-        segments: list[Segment] = []
-        if panel_width := self.panel_width:
-            line = self.displays.line(y)
-            if line is not None:
-                focused, chosen = self.on_panel and self.has_focus, line.prop is self.displays.prop
-                segments += panel.segments_of(line, panel_width, self.look, chosen, focused)
-            else:
-                segments.append(Segment(" " * panel_width, self.background))
-            if panel_width < width:
-                style = (
-                    self.look.colours.frame_focus if self.has_focus and not self.on_panel else self.look.colours.frame
-                )
-                segments.append(Segment(self.look.glyphs.border.vertical, style))
+        columns = self.division.panel
+        segments = self.panel.segments(y, columns, active=self._panel_active) if columns else []
+        segments.append(self._edge_cell(y, columns))
         if self.view.columns:
-            segments += self.view.line(y)
+            segments += self._offer_line(y) or self.view.line(y)
         return segments
+
+    def _edge_cell(self, y: int, column: int) -> Segment:
+        """The edge between panel and view, with an arrow in its middle that folds and unfolds the panel."""
+        colours, glyphs = self.look.colours, self.look.glyphs
+        self.add_hit(
+            y + self.inner_offset, self.inner_offset + column, self.inner_offset + column + 1, self.toggle_panel
+        )
+        if abs(y - self.body_height // 2) <= 1:
+            arrow = _FOLDS.get(glyphs.chevron, "<") if self.panel_open else glyphs.chevron
+            return Segment(arrow if y == self.body_height // 2 else " ", colours.key)
+        on_view = self.has_focus and not self.on_panel
+        return Segment(glyphs.border.vertical, colours.frame_focus if on_view else colours.frame)
+
+    def _offer_line(self, y: int) -> list[Segment]:
+        """The lowest line of the view while it offers to look at the robot."""
+        if y != self.body_height - 1 or not self.offer.open:
+            return []
+        text = fit(f" f  {self.look.texts('rviz.offer')} ", self.view.columns, self.look.glyphs.ellipsis)
+        first = self.inner_offset + self.division.view_left
+        self.add_hit(y + self.inner_offset, first, first + cell_len(text), self.focus_robot)
+        return [Segment(text, self.look.colours.choice)]
 
     def _words_line(self, line: int, width: int) -> list[Segment]:
         colours = self.look.colours
@@ -213,7 +230,7 @@ class RVizPane(WindowPane[RViz]):
 
     def choose(self, prop: Property) -> None:
         """Open the tree down to a property and choose it."""
-        self.displays.choose(prop)
+        self.panel.tree.choose(prop)
         self.status_bar.hurry()
         self.touch()
 
@@ -235,7 +252,7 @@ class RVizPane(WindowPane[RViz]):
 
     def edit(self) -> None:
         """Change the chosen property in the way that fits it."""
-        prop = self.displays.prop
+        prop = self.panel.tree.prop
         if prop is None:
             return
         if prop.kind == BOOL and not isinstance(prop, Display):
@@ -249,7 +266,7 @@ class RVizPane(WindowPane[RViz]):
         """Open or close a branch."""
         if prop.children:
             prop.expanded = on
-            self.displays.refresh()
+            self.panel.tree.refresh()
             self.look.wake()
 
     def request(self, action: Callable[[], object]) -> None:
@@ -271,14 +288,15 @@ class RVizPane(WindowPane[RViz]):
 
     def focus_robot(self) -> None:
         """Look at what there is: the robot, or everything solid."""
-        found = dialogs.extent(self.rviz.scene)
+        found = extent(self.rviz.scene)
         if found is None:
             self.show_message(self.look.texts("rviz.nothing_to_focus"))
-        else:
-            aspect = self.view.columns / max(1, self.view.rows) / 2
-            centre, radius = found
-            self.rviz.view.look_at(centre, radius / min(1.0, max(0.2, aspect)))
-            self.look.wake()
+            return
+        if self._kind == "narrow":
+            self._to_view()
+        centre, radius = found
+        self.rviz.view.look_at(centre, radius / min(1.0, max(0.2, self.view.aspect)))
+        self.look.wake()
 
     def from_above(self) -> None:
         self.rviz.view.from_above()
@@ -289,10 +307,30 @@ class RVizPane(WindowPane[RViz]):
         self.look.wake()
 
     def toggle_panel(self) -> None:
-        self.panel_open = not self.panel_open
-        self.on_panel = self.panel_open
+        """Fold the panel away, or bring it back."""
+        if self.panel_open:
+            self.panel_open = False
+            self._rearranged()
+        else:
+            self._to_panel()
+
+    def _to_panel(self) -> None:
+        self.panel_open = self._panel_keys = True
+        self.panel.buttons.chosen = None
+        self._rearranged()
+
+    def _to_view(self) -> None:
+        """Give the keys to the view; in a narrow window it gets all of it."""
+        self._panel_keys = False
+        if self._kind == "narrow":
+            self.panel_open = False
+        self._rearranged()
+
+    def _rearranged(self) -> None:
         self._lay_out()
+        self.status_bar.hurry()
         self.touch()
+        self.look.wake()
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
@@ -307,7 +345,7 @@ class RVizPane(WindowPane[RViz]):
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
-        used = self._everywhere_key(key) or (self._panel_key(key) if self.on_panel else self._view_key(key))
+        used = self._everywhere_key(key) or (self.panel.key(key) if self.on_panel else self._view_key(key))
         if used:
             event.stop()
             event.prevent_default()
@@ -340,53 +378,10 @@ class RVizPane(WindowPane[RViz]):
         return True
 
     def _other_part(self) -> None:
-        if not self.panel_open:
-            self.panel_open = True
-            self.on_panel = True
+        if self.on_panel:
+            self._to_view()
         else:
-            self.on_panel = not self.on_panel
-            if self.panel_width == self.inner_width:
-                self.panel_open = self.on_panel
-        self.status_bar.hurry()
-        self.touch()
-
-    def _panel_key(self, key: str) -> bool:
-        page = max(1, self.body_height - 1)
-        steps = {"up": -1, "down": 1, "pageup": -page, "pagedown": page, "home": -_END, "end": _END}
-        prop = self.displays.prop
-        if key in steps:
-            self.displays.move(steps[key])
-            self.status_bar.hurry()
-            return True
-        if prop is None:
-            return False
-        display = self.displays.display
-        if key == "right":
-            self.open_branch(prop, True)
-        elif key == "left":
-            self._close_or_up(prop)
-        elif key == "enter":
-            self.edit()
-        elif key == "space":
-            if prop.kind == BOOL:
-                self.toggle(prop)
-        elif display is not None and key in ("ctrl+x", "delete"):
-            self.request(partial(self.rviz.remove_display, display))
-        elif display is not None and key == "ctrl+d":
-            self.request(partial(self.rviz.duplicate_display, display))
-        elif display is not None and key == "ctrl+r":
-            dialogs.rename(self, display)
-        elif display is not None and key in ("shift+up", "shift+down"):
-            self.request(partial(self.rviz.move_display, display, -1 if key == "shift+up" else 1))
-        else:
-            return False
-        return True
-
-    def _close_or_up(self, prop: Property) -> None:
-        if prop.expanded and prop.children:
-            self.open_branch(prop, False)
-        elif prop.parent is not None and prop.parent.parent is not None:
-            self.choose(prop.parent)
+            self._to_panel()
 
     def _view_key(self, key: str) -> bool:
         view = self.rviz.view
@@ -402,8 +397,8 @@ class RVizPane(WindowPane[RViz]):
             self._zoom(1 if key == "pageup" else -1)
         elif key == "home":
             view.zero()
-        elif key == "escape" and self.panel_open:
-            self.on_panel = True
+        elif key == "escape":
+            self._to_panel()
         else:
             return False
         return True
@@ -418,44 +413,28 @@ class RVizPane(WindowPane[RViz]):
 
     def _in_view(self, event: events.MouseEvent) -> bool:
         x, y = self._cell(event)
-        return self.view_left <= x < self.inner_width and 0 <= y < self.body_height and bool(self.view.columns)
+        return self.division.view_left <= x < self.inner_width and 0 <= y < self.body_height
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        button = _BUTTONS.get(event.button)
-        if button is None or not self._in_view(event):
+        if not self._in_view(event) or not self._dragging.begin(event):
             return
         event.stop()
         if not self.has_focus:
             self.focus(scroll_visible=False)
-        self.on_panel = False
+        self._panel_keys = False
         self._used = True
-        self._drag = (button, bool(event.shift), bool(event.ctrl), event.screen_x, event.screen_y)
-        self.view.dragging = True
         self.capture_mouse()
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
-        if self._drag is None:
-            return
-        event.stop()
-        button, shift, control, x, y = self._drag
-        self._drag = (button, shift, control, event.screen_x, event.screen_y)
-        # The height of the picture is 600 pixels to RViz's rules; a cell is half as wide as high.
-        step = NOMINAL_HEIGHT / max(1, self.view.rows)
-        dx, dy = (event.screen_x - x) * step / 2, (event.screen_y - y) * step
-        aspect = self.view.columns / max(1, self.view.rows) / 2
-        if control and button == "left":
-            # The way the article pans the picture.
-            button, shift = "middle", False
-        elif control and button == "middle":
-            button = "left"
-        self.rviz.view.drag(button, shift, dx, dy, aspect)
-        self.look.wake()
+        if self._dragging.held:
+            event.stop()
+            self._dragging.move(event, self.rviz.view)
+            self.look.wake()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
-        if self._drag is not None:
+        if self._dragging.held:
             event.stop()
-            self._drag = None
-            self.view.dragging = False
+            self._dragging.end()
             self.release_mouse()
             self.look.wake()
 
@@ -470,25 +449,15 @@ class RVizPane(WindowPane[RViz]):
         if self._in_view(event):
             self.rviz.view.wheel(notches, bool(event.shift))
         else:
-            self.displays.scroll(-3 * notches)
+            self.panel.tree.scroll(-3 * notches)
         self.look.wake()
 
     def on_click(self, event: events.Click) -> None:
         x, y = self._cell(event)
-        if not (0 <= x < self.panel_width and 0 <= y < self.body_height):
-            super().on_click(event)
-            return
+        width = self.division.panel
+        if self.hit(event.x, event.y) is not None or not (0 <= x < width and 0 <= y < self.body_height):
+            return  # to Pane
         event.stop()
-        self.on_panel = True
-        line = self.displays.line(y)
-        if line is None:
-            return
-        self.displays.chosen = self.displays.top + y
-        zone = panel.zones(line, self.panel_width)
-        if line.can_open and zone.opener <= x <= zone.opener + 1:
-            self.open_branch(line.prop, not line.prop.expanded)
-        elif zone.box is not None and zone.box <= x < zone.box + 3:
-            self.toggle(line.prop)
-        elif x >= zone.value or event.chain > 1:
-            self.edit()
+        self._panel_keys = True
+        self.panel.click(x, y, width, double=event.chain > 1)
         self.look.wake()

@@ -1,239 +1,293 @@
-"""The topic monitor's window: the list of topics, and below it the details of the chosen one."""
+"""The topic monitor's window: a tree of the topics with type, bandwidth, rate and value, as in rqt_topic."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from rich.segment import Segment
 from textual import events
+from textual.app import ComposeResult
+from textual.widget import Widget
 
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip, fit
+from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.topic_tree import Branch, Path, Row, TopicTree
 
 if TYPE_CHECKING:
-    from day6_tui.core.ros.programs.rqt_topic.model import Topic, TopicMonitor
+    from day6_tui.core.ros.programs.rqt_topic.model import Endpoint, Topic, TopicMonitor
 
+SORTS = ("topic", "type", "bandwidth", "hz")
+"""The columns by which topics can be sorted."""
 
-RATE_WIDTH, BANDWIDTH_WIDTH, BARS_WIDTH = 9, 10, 12
-MOST_MESSAGE_LINES = 400
-MESSAGE_SECONDS = 0.2
-"""How often the text of the newest message is made: faster it could not be read."""
+BARS_WIDTH = 12
 
-Line = list[Segment]
+RESTS = 20
+"""A message that took long to read is read again after this many times as long: the window stays quick."""
 
 
 class TopicsPane(WindowPane["TopicMonitor"]):
-    """Draws `TopicMonitor.topics`; keeps which topic is chosen."""
+    """Draws the frame and the head of the table; the lines, the cursor and what is open belong to the tree."""
 
     def __init__(self, window: Window[TopicMonitor], look: Look) -> None:
         super().__init__(window, look)
-        self.chosen = ""
-        """The name of the chosen topic: it stays chosen when others come and go."""
-        self._shown: list[Line] = []
-        self._version = -1
-        self._message: tuple[str, list[str]] = ("", [])
-        self._message_at = -1.0
-        self._count = -1
+        self.table = TopicTree(self, look)
+        self._sort, self._reverse = "topic", False
+        self._filter = ""
+        self._shown: tuple[object, ...] = ()
+        """What the tree was last filled for."""
+        self._topics: list[Topic] = []
+        """The topics that pass the filter, sorted."""
+        self._messages: dict[str, tuple[int, Any]] = {}
+        """The newest message that was read of a topic, and how many had come until then."""
+        self._due: dict[str, float] = {}
 
-    # -- frames --------------------------------------------------------------------------------------------------------
+    def compose(self) -> ComposeResult:
+        yield self.table
 
-    def pull(self, now: float) -> bool:
-        topic = self._topic()
-        fresh = topic is not None and topic.monitored and topic.count != self._count
-        if self.model.version == self._version and not fresh and self._shown:
-            return False
-        if fresh and now - self._message_at < MESSAGE_SECONDS and self._shown and self.model.version == self._version:
-            return True
-        self._version = self.model.version
-        if topic is not None and topic.monitored:
-            self._message_at = now
-            self._count = topic.count
-            self._message = (topic.name, _message_lines(self.model.last_message(topic.name)))
-        self._show()
-        return False
+    @property
+    def focus_target(self) -> Widget:
+        return self.table if self.table.is_attached else self
 
-    def _show(self) -> None:
-        """Build all lines and touch those that differ."""
-        before, self._shown = self._shown, self._build(self.inner_width, self.inner_height)
-        if len(before) != len(self._shown):
-            self.touch()
-        else:
-            self.touch_lines(
-                line for line, (old, new) in enumerate(zip(before, self._shown, strict=True)) if old != new
-            )
+    def focus(self, scroll_visible: bool = True) -> TopicsPane:
+        self.table.focus(scroll_visible)
+        return self
 
-    def _topic(self) -> Topic | None:
-        topics = self.model.topics
-        return next((topic for topic in topics if topic.name == self.chosen), topics[0] if topics else None)
+    # -- frame ---------------------------------------------------------------------------------------------------------
 
-    def _index(self) -> int:
-        return next((index for index, topic in enumerate(self.model.topics) if topic.name == self.chosen), 0)
-
-    # -- building ------------------------------------------------------------------------------------------------------
-
-    def _build(self, width: int, height: int) -> list[Line]:
-        topics = self.model.topics
-        if not topics:
-            return [[Segment(" " + self.look.texts("topics.none"), self.look.colours.muted)], *([[]] * (height - 1))]
-        head = 1 if height > 8 else 0
-        room = self._room(height)
-        first = max(0, min(self._index() - room // 2, len(topics) - room))
-        lines = [self._head(width)] * head
-        lines += [self._topic_line(topic, width) for topic in topics[first : first + room]]
-        self._first = first - head
-        topic = self._topic()
-        if height > head + room + 1 and topic is not None:
-            lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
-            lines += self._details(topic, width)
-        return lines[:height] + [[]] * (height - len(lines))
-
-    _first = 0
-    """The index of the topic that the first line would show."""
-
-    def _room(self, height: int) -> int:
-        """Lines for topics in a window of this height."""
-        return max(1, min(len(self.model.topics), height // 2 if height > 8 else height))
-
-    def _head(self, width: int) -> Line:
-        texts = self.look.texts
-        tail = (
-            f"{texts('topics.columns.publishers')} {self.look.glyphs.chevron} {texts('topics.columns.subscriptions')} "
-        )
-        name = fit("     " + texts("topics.columns.topic"), max(0, width - cell_len(tail)))
-        return [Segment(name, self.look.colours.muted), Segment(tail, self.look.colours.muted)]
-
-    def _topic_line(self, topic: Topic, width: int) -> Line:
-        colours = self.look.colours
-        on = topic is self._topic()
-        box = "[x]" if topic.monitored else "[ ]"
-        numbers = f"{len(topic.publishers):>3} {self.look.glyphs.chevron} {len(topic.subscriptions):<3}"
-        tail = numbers
-        bars = ""
-        if topic.monitored:
-            tail = f"{_rate(topic.rate):>{RATE_WIDTH}} {_bandwidth(topic.bandwidth):>{BANDWIDTH_WIDTH}} "
-            bars = _sparkline(topic.bars, BARS_WIDTH, self.look.glyphs.bars)
-        name_width = max(8, width - cell_len(tail) - cell_len(bars) - 6)
-        name = fit(topic.name, name_width, self.look.glyphs.ellipsis)
-        style = colours.choice if on and self.has_focus else None
-        return [
-            Segment(f" {box} ", style or (colours.publisher if topic.monitored else colours.muted)),
-            Segment(name, style or (colours.strong if on else colours.topic)),
-            Segment(" " + tail, style or colours.text),
-            Segment(bars, style or colours.publisher),
-        ]
-
-    def _details(self, topic: Topic, width: int) -> list[Line]:
-        texts, colours = self.look.texts, self.look.colours
-        lines: list[Line] = [
-            [
-                Segment(f" {topic.name} ", colours.topic),
-                Segment(clip(" ".join(topic.types), width, self.look.glyphs.ellipsis), colours.accent),
-            ]
-        ]
-        for key, ends, style in (
-            ("topics.publishers", topic.publishers, colours.publisher),
-            ("topics.subscriptions", topic.subscriptions, colours.node),
-        ):
-            lines.append([Segment(f" {texts(key)} {len(ends)}", colours.muted)])
-            lines += [[Segment(f"   {end.node}  ", style), Segment(end.qos, colours.muted)] for end in ends]
-        if topic.problem:
-            lines.append([Segment(" " + clip(topic.problem, width - 1, self.look.glyphs.ellipsis), colours.warning)])
-        elif not topic.monitored:
-            lines.append([Segment(" " + texts("topics.quiet"), colours.muted)])
-        elif self._message[0] != topic.name or not self._message[1]:
-            lines.append([Segment(" " + texts("topics.waiting"), colours.muted)])
-        else:
-            lines.append([Segment(f" {texts('topics.last')}", colours.muted)])
-            lines += [[Segment("   " + line, colours.text)] for line in self._message[1]]
-        return lines
+    def status(self) -> list[Piece]:
+        texts, chosen = self.look.texts, self.table.chosen
+        if chosen is None and not self._filter:
+            return []
+        names = [topic.name for topic in self._topics]
+        at = names.index(chosen.path[0]) + 1 if chosen is not None and chosen.path[0] in names else 0
+        text = f" {at}/{len(names)} "
+        if self._filter:
+            text += f"{texts('topics.filtered', text=self._filter, count=len(self.model.topics))} "
+        return [Piece(text, self.look.colours.muted)]
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if len(self._shown) != self.inner_height:
-            self._shown = self._build(width, self.inner_height)
-        return self._shown[y] if y < len(self._shown) else ()
+        return self._head() if y == 0 else ()
+
+    def _head(self) -> list[Segment]:
+        """The names of the columns; a click sorts by one."""
+        texts, full = self.look.texts, self.look.glyphs.chinese
+        x = 1
+        segments: list[Segment] = []
+        for key, width in self.table.columns._asdict().items():
+            if not width:
+                continue
+            gap = " " if segments else ""
+            name = texts(f"topics.columns.{key}")
+            if key == self._sort:
+                name += " " + (("▼" if full else "v") if self._reverse else ("▲" if full else "^"))
+            text = clip(("      " if key == "topic" else "") + name, width, self.look.glyphs.ellipsis)
+            pad = " " * (width - cell_len(text))
+            text = gap + (pad + text if key in ("bandwidth", "hz") else text + pad)
+            if key in SORTS:
+                self.add_hit(1, x, x + cell_len(text), partial(self._sort_by, key))
+            x += cell_len(text)
+            segments.append(Segment(text, self.look.colours.strong if key == self._sort else self.look.colours.muted))
+        return segments
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts, topic = self.look.texts, self._chosen_topic()
+        unicode = self.look.glyphs.unicode
+        return [
+            ("Enter", texts("topics.stop" if topic is not None and topic.monitored else "topics.listen")),
+            ("← →" if unicode else "<- ->", texts("topics.open")),
+            ("s", texts("topics.sort")),
+            ("/", texts("topics.filter")),
+        ]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        return [("S", self.look.texts("topics.reverse")), ("Esc", self.look.texts("topics.unfilter"))]
+
+    def restyle(self) -> None:
+        self._shown = ()
+        self.table.take_look(self.look)
+        super().restyle()
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
-        self._shown = []
+        self.refill()
 
-    def touch(self) -> None:
-        self._shown = []  # built when it is drawn: the focus event comes before the focus itself
-        super().touch()
+    # -- filling the tree ----------------------------------------------------------------------------------------------
 
-    def status(self) -> list[Piece]:
-        topics = self.model.topics
-        return [Piece(f" {self._index() + 1}/{len(topics)} ", self.look.colours.muted)] if topics else []
+    def pull(self, now: float) -> bool:
+        table = self.table
+        state = (self.model.version, table.scroll_offset.y, table.size, self._sort, self._reverse, self._filter)
+        if state != self._shown and table.is_attached:
+            self._shown = state
+            self._fill(now)
+        return False
+
+    def refill(self) -> None:
+        """Something was opened, or there is another size: fill the tree in the next frame."""
+        self._shown = ()
+        self.look.wake()
+
+    def _fill(self, now: float) -> None:
+        self._topics = self._sorted()
+        self.table.remark = self.look.texts("topics.no_match" if self._filter else "topics.none")
+        self._show()
+        if self._read(now):
+            self._show()
+        self.touch_lines([0])
+        self.touch_frame()
+
+    def _show(self) -> None:
+        self.table.show([self._branch(topic) for topic in self._topics])
+
+    def _sorted(self) -> list[Topic]:
+        sought = self._filter.lower()
+        topics = [each for each in self.model.topics if sought in f"{each.name} {' '.join(each.types)}".lower()]
+        if self._sort == "type":
+            topics.sort(key=lambda topic: topic.types)
+        elif self._sort in ("bandwidth", "hz"):
+            field = "rate" if self._sort == "hz" else "bandwidth"
+            topics.sort(key=lambda topic: getattr(topic, field) or 0.0)
+        return topics[::-1] if self._reverse else topics
+
+    def _read(self, now: float) -> bool:
+        """Read the newest messages of the topics in sight; return whether there was any."""
+        visible = self.table.visible_topics
+        heard = {topic.name for topic in self._topics if topic.monitored}
+        self._messages = {name: read for name, read in self._messages.items() if name in heard}
+        found = False
+        for topic in self._topics:
+            name = topic.name
+            fresh = topic.monitored and topic.count != self._messages.get(name, (0, None))[0]
+            if fresh and name in visible and now >= self._due.get(name, 0.0):
+                began = time.monotonic()
+                self._messages[name] = (topic.count, self.model.last_message(name))
+                self._due[name] = now + RESTS * (time.monotonic() - began)
+                found = True
+        return found
+
+    def _branch(self, topic: Topic) -> Branch:
+        texts, value, quiet = self.look.texts, "", True
+        message = self._messages.get(topic.name, (0, None))[1]
+        if topic.problem:
+            value = topic.problem
+        elif not topic.monitored:
+            value = texts("topics.quiet")
+        elif message is None:
+            value = texts("topics.waiting")
+        else:
+            value, quiet = self._summary(message), False
+        row = Row(
+            (topic.name,),
+            ", ".join(topic.types),
+            _bandwidth(topic.bandwidth) if topic.monitored else "",
+            _rate(topic.rate) if topic.monitored else "",
+            value,
+            topic.monitored,
+            quiet,
+        )
+        return Branch(row, partial(self._parts, topic, message))
+
+    def _parts(self, topic: Topic, message: Any) -> list[Branch]:
+        """What opening a topic shows: the fields of its message, then who is at its ends."""
+        texts, path = self.look.texts, (topic.name,)
+        parts = self._fields(path, topic.types[0] if topic.types else "", message)
+        if topic.monitored:
+            bars = _sparkline(topic.bars, BARS_WIDTH, self.look.glyphs.bars)
+            parts.append(Branch(Row((*path, texts("topics.history")), value=bars, quiet=True)))
+        for key, ends in (("topics.publishers", topic.publishers), ("topics.subscriptions", topic.subscriptions)):
+            row = Row((*path, texts(key)), value=str(len(ends)), quiet=True)
+            parts.append(Branch(row, partial(_ends, row.path, ends) if ends else None))
+        return parts
+
+    def _fields(self, path: Path, type_name: str, value: Any) -> list[Branch]:
+        from day6_tui.core.ros.programs.rqt_topic.fields import fields, has_fields
+
+        try:
+            found = fields(type_name, value)
+        except (LookupError, ValueError):
+            return []  # a type this machine does not know: listening tells so
+        return [
+            Branch(
+                Row((*path, field.name), field.type, value=self._summary(field.value)),
+                partial(self._fields, (*path, field.name), field.type, field.value)
+                if has_fields(field.type, field.value)
+                else None,
+            )
+            for field in found
+        ]
+
+    def _summary(self, value: Any) -> str:
+        from day6_tui.core.ros.programs.rqt_topic.fields import summary
+
+        return summary(value, self.table.columns.value)
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def key_hints(self) -> list[tuple[str, str]]:
-        topic = self._topic()
-        key = "topics.stop" if topic is not None and topic.monitored else "topics.listen"
-        return [("Enter", self.look.texts(key))]
+    def _chosen_topic(self) -> Topic | None:
+        chosen = self.table.chosen
+        return next((topic for topic in self._topics if chosen and topic.name == chosen.path[0]), None)
+
+    def used(self, event: events.Key) -> bool:
+        """Handle a key of this window; return False for one of the tree's."""
+        topic = self._chosen_topic()
+        if event.key in ("enter", "space"):
+            if topic is not None:
+                self.tick(topic.name)
+        elif event.character == "s":
+            self._sort_by(SORTS[(SORTS.index(self._sort) + 1) % len(SORTS)])
+        elif event.character == "S":
+            self._sort_by(self._sort)
+        elif event.character == "/":
+            self._ask_filter()
+        elif event.key == "escape" and self._filter:
+            self._filter_by("")
+        else:
+            return False
+        return True
 
     def on_key(self, event: events.Key) -> None:
-        step = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -9999, "end": 9999}.get(event.key)
-        if step is not None:
-            self._choose(self._index() + step)
-        elif event.key in ("enter", "space"):
-            self._toggle()
-        else:
-            return
-        event.stop()
-        event.prevent_default()
+        if self.used(event):
+            event.stop()
+            event.prevent_default()
 
-    def _toggle(self) -> None:
-        topic = self._topic()
-        if topic is not None:
-            self.model.toggle(topic.name)
+    def tick(self, topic: str) -> None:
+        """Listen to a topic, or stop."""
+        self.model.toggle(topic)
+        self.look.wake()
 
-    def _choose(self, index: int) -> None:
-        topics = self.model.topics
-        if topics:
-            self.chosen = topics[max(0, min(len(topics) - 1, index))].name
-            self._count = -1
-            self.touch()
-            self.look.wake()
+    def _sort_by(self, column: str) -> None:
+        """Sort by a column: the greatest number first; by the same once more: the other way round."""
+        self._reverse = not self._reverse if column == self._sort else column in ("bandwidth", "hz")
+        self._sort = column
+        self.look.wake()
 
-    def on_click(self, event: events.Click) -> None:
-        super().on_click(event)
-        head = 1 if self.inner_height > 8 else 0
-        line = event.y - 1
-        if head <= line < head + self._room(self.inner_height):
-            self._choose(self._first + line)
-            if event.x <= 4:
-                self._toggle()
+    def _ask_filter(self) -> None:
+        def taken(text: str) -> None:
+            self._filter_by(text.strip())
 
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._choose(self._index() + 1)
+        self.ask(self.look.texts("topics.filter"), self._filter, taken, note=self.look.texts("topics.filter_note"))
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._choose(self._index() - 1)
+    def _filter_by(self, text: str) -> None:
+        self._filter = text
+        self.look.wake()
 
 
-def _message_lines(message: object) -> list[str]:
-    """The message as `ros2 topic echo` prints it."""
-    if message is None:
-        return []
-    from rosidl_runtime_py.convert import message_to_yaml
-
-    text: str = message_to_yaml(message, truncate_length=64)
-    return text.rstrip("\n").split("\n")[:MOST_MESSAGE_LINES]
+def _ends(path: Path, ends: Sequence[Endpoint]) -> list[Branch]:
+    return [Branch(Row((*path, f"{end.node}"), value=end.qos)) for end in ends]
 
 
 def _rate(rate: float | None) -> str:
-    return "- Hz" if rate is None else f"{rate:.2f} Hz" if rate < 100 else f"{rate:.0f} Hz"
+    return "-" if rate is None else f"{rate:.2f}" if rate < 100 else f"{rate:.0f}"
 
 
 def _bandwidth(bandwidth: float | None) -> str:
     if bandwidth is None:
-        return "- B/s"
+        return "-"
     for unit, size in (("MB/s", 1e6), ("kB/s", 1e3)):
         if bandwidth >= size:
             return f"{bandwidth / size:.2f} {unit}"

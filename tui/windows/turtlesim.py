@@ -7,29 +7,38 @@ block of that picture.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
+from textual.geometry import Region
 
 from day6_tui.core.ros.programs.turtlesim.model import HEIGHT, SIZE, WIDTH
 from day6_tui.core.session.display import Window
 from day6_tui.tui.canvas import Canvas, Mark, new_canvas, square
-from day6_tui.tui.cells import cell_len, clip, fit
-from day6_tui.tui.colours import pixel_style
+from day6_tui.tui.cells import cell_len
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.turtle_card import Line, Pupil, side_lines
 from day6_tui.tui.windows.turtle_shapes import COATS, FLAGS, REAL_SIZE, Coat, characters, heading_step, pixels
 
 if TYPE_CHECKING:
-    from day6_tui.core.ros.programs.turtlesim.model import Scene, Simulation, Trail
+    from day6_tui.core.ros.programs.turtlesim.model import Scene, Simulation, Trail, TurtleTopics
     from day6_tui.core.ros.programs.turtlesim.model import Segment as Stroke
+    from day6_tui.tui.pixels.pictures import Pictures
+    from day6_tui.tui.windows.turtlesim_pixels import TurtlePicture
 
 
-SIDE_WIDTH = 26
-"""Columns the list of turtles takes beside the world."""
+SIDE_WIDTH = 20
+"""Columns that must be left beside the world for what is said about the turtles there."""
+
+SIDE_SECONDS = 0.1
+"""Numbers that change faster cannot be read."""
+
+PICTURE_SECONDS = 1 / 15
+"""Between two pictures of real pixels."""
 
 _RGB = 0xFFFFFF
 
@@ -48,6 +57,14 @@ class TurtleSimPane(WindowPane["Simulation"]):
         """The turtle described in the status line: the one that moved last."""
         self._names = False
         self._shown_status: list[str] = []
+        self._topics: Mapping[str, TurtleTopics] = {}
+        self._side: list[Line] = []
+        """What stands beside or below the world."""
+        self._side_at, self._side_late = -SIDE_SECONDS, False
+        """When that was made, and whether it has to be made again."""
+        self._picture: TurtlePicture | None = None
+        """The world in real pixels, where the terminal shows them."""
+        self._drawn_at = 0.0
 
     # -- geometry ------------------------------------------------------------------------------------------------------
 
@@ -59,13 +76,13 @@ class TurtleSimPane(WindowPane["Simulation"]):
             return 0, (height - rows) // 2, columns, rows
         return (width - columns) // 2, 0, columns, rows
 
-    def _list_place(self) -> tuple[int, int, int, int] | None:
-        """Column, row, width and height of the list of turtles, where there is room for one."""
+    def _side_place(self) -> tuple[int, int, int, int] | None:
+        """Column, row, width and height of what is said about the turtles, where there is room for it."""
         x, _, columns, rows = self._world_place()
         width, height = self.inner_width, self.inner_height
         if width - columns >= SIDE_WIDTH:
             return x + columns + 1, 0, width - columns - 1, height
-        if height - rows >= 2:
+        if height > rows:
             return 0, rows, width, height - rows
         return None
 
@@ -74,7 +91,7 @@ class TurtleSimPane(WindowPane["Simulation"]):
         self._canvas = None
 
     def restyle(self) -> None:
-        self._canvas = None
+        self._canvas = self._picture = None
         super().restyle()
 
     # -- frames --------------------------------------------------------------------------------------------------------
@@ -82,19 +99,61 @@ class TurtleSimPane(WindowPane["Simulation"]):
     def pull(self, now: float) -> bool:
         if not self.inner_width or not self.inner_height:
             return False
+        if (pictures := self.look.pixels) is not None:
+            return self._pull_picture(pictures, now)
         if not self._fits():
             self._take_over()
             self.touch()
             return False
         scene, trail = self.model.scene, self.model.trail
-        if scene is self._scene and (trail.generation, trail.drawn) == (self._generation, self._drawn):
+        drawn = (trail.generation, trail.drawn) == (self._generation, self._drawn)
+        if scene is self._scene and drawn and self.model.topics is self._topics and not self._side_late:
             return False
         canvas = self._take_over()
         x, y, _, _ = self._world_place()
-        compared = self._touch_texts()
+        compared = self._touch_texts(now)
         spans = [(row + y, first + x, end + x) for row, first, end in canvas.take_changes()]
         self.touch_spans(span for span in spans if span[0] not in compared)
-        return False
+        return self._side_late
+
+    def _pull_picture(self, pictures: Pictures, now: float) -> bool:
+        """The same in real pixels."""
+        scene, trail, fresh = self.model.scene, self.model.trail, self._picture is None
+        picture = self._fitting_picture(pictures)
+        if fresh or picture is not self._picture:
+            self._picture = picture
+            self.touch()
+        elif (
+            scene is self._scene
+            and (trail.generation, trail.drawn) == (self._generation, self._drawn)
+            and self.model.topics is self._topics
+            and not self._side_late
+        ):
+            return False
+        elif now - self._drawn_at < 0.9 * PICTURE_SECONDS:
+            return True
+        self._drawn_at = now
+        self._follow(scene)
+        self._scene, self._generation, self._drawn = scene, trail.generation, trail.drawn
+        x, y, columns, rows = self._world_place()
+        names = picture.names(scene) if self._names or len(scene.turtles) > 1 else []
+        self._topics = self.model.topics
+        compared = self._touch_texts(now)
+        spans = [(row + y, first + x, end + x) for row, first, end in picture.sheet.put(names)]
+        self.touch_spans(span for span in spans if span[0] not in compared)
+        place = Region(x + self.inner_offset, y + self.inner_offset, columns, rows)
+        pictures.show(self, place, picture.cell, picture.pixels(scene, trail, self._coats), picture.sheet.holes)
+        return self._side_late
+
+    def _fitting_picture(self, pictures: Pictures) -> TurtlePicture:
+        """The picture, or a new one if it has another size."""
+        from day6_tui.tui.windows.turtlesim_pixels import TurtlePicture
+
+        size = self._world_place()[2:]
+        cell, picture = pictures.cell(*size), self._picture
+        if picture is not None and (picture.columns, picture.rows, picture.cell) == (*size, cell):
+            return picture
+        return TurtlePicture(*size, cell, self.background)
 
     def _fits(self) -> bool:
         """Whether there is a canvas, of the size of the window."""
@@ -111,8 +170,10 @@ class TurtleSimPane(WindowPane["Simulation"]):
             self._follow(scene)
             self._scene = scene
             self._put_turtles(canvas, scene)
+        self._topics = self.model.topics
         if fresh:
             canvas.take_changes()
+            self._side = self._side_now()
         return canvas
 
     def _up_to_date(self, scene: Scene, trail: Trail) -> Canvas:
@@ -177,20 +238,32 @@ class TurtleSimPane(WindowPane["Simulation"]):
         canvas.set_sprites(sprites)
         canvas.set_marks(marks)
 
-    def _touch_texts(self) -> range:
-        """Compare the status line and the list of turtles with what is shown; the lines of the list, if they were compared."""
+    def _touch_texts(self, now: float) -> set[int]:
+        """Compare the status line, and what stands beside the world, with what is shown; the lines that were compared."""
         status = [piece.text for piece in self.status()]
-        if status == self._shown_status:
-            return range(0)
-        self._shown_status = status
-        self.touch_frame()
-        place = self._list_place()
+        if status != self._shown_status:
+            self._shown_status = status
+            self.touch_status()
+        self._side_late = now - self._side_at < SIDE_SECONDS
+        if self._side_late:
+            return set()
+        self._side_at = now
+        before, self._side = self._side, self._side_now()
+        place = self._side_place()
         if place is None:
-            return range(0)
-        turtles = len(self._scene.turtles) if self._scene is not None else 0
-        lines = range(place[1], min(place[1] + place[3], place[1] + 1 + turtles))
-        self.touch_lines(lines)
-        return lines
+            return set()
+        rows = max(len(before), len(self._side))
+        old, new = (lines + [[]] * (rows - len(lines)) for lines in (before, self._side))
+        changed = {place[1] + row for row in range(rows) if old[row] != new[row]}
+        self.touch_lines(sorted(changed))
+        return changed
+
+    def _side_now(self) -> list[Line]:
+        place = self._side_place()
+        if place is None or self._scene is None:
+            return []
+        pupils = [Pupil(turtle, self._flag(self._coats[turtle.name])) for turtle in self._scene.turtles]
+        return side_lines(pupils, self._followed, self._topics, place[2:], self.look)
 
     def _flag(self, coat: Coat) -> int:
         """The colour that stands for a turtle behind white characters."""
@@ -199,46 +272,24 @@ class TurtleSimPane(WindowPane["Simulation"]):
     # -- drawing -------------------------------------------------------------------------------------------------------
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        canvas = self._canvas
-        if canvas is None or not self._fits():
-            canvas = self._take_over()
         left, top, columns, rows = self._world_place()
         segments: list[Segment] = []
         if top <= y < top + rows:
-            segments = [Segment(" " * left, self.background), *canvas.line(y - top)]
-        place = self._list_place()
-        if place is not None and place[1] <= y:
+            segments = [Segment(" " * left, self.background), *self._world_line(y - top)]
+        place = self._side_place()
+        if place is not None and place[1] <= y < place[1] + len(self._side):
             used = left + columns if segments else 0
             segments.append(Segment(" " * max(0, place[0] - used), self.background))
-            segments += self._list_line(y - place[1], place[2])
+            segments += self._side[y - place[1]]
         return segments
 
-    def _list_line(self, line: int, width: int) -> list[Segment]:
-        """One turtle to a line, with its colour."""
-        turtles = self._scene.turtles if self._scene is not None else ()
-        place = self._list_place()
-        if not 0 <= line < len(turtles) or place is None:
-            return []
-        if line == place[3] - 1 and line < len(turtles) - 1:
-            return [
-                Segment(" " + self.look.texts("turtlesim.more", count=len(turtles) - line), self.look.colours.muted)
-            ]
-        turtle = turtles[line]
-        coat = self._coats[turtle.name]
-        colours = self.look.colours
-        swatch = Segment(
-            f" {(line + 1) % 10} ", colours.choice if colours.colourless else pixel_style(0xFFFFFF, self._flag(coat))
-        )
-        text = f" {turtle.name}"
-        numbers = f"  {turtle.x:5.2f} {turtle.y:5.2f} {_arrow(turtle.theta, self.look.glyphs.unicode)}"
-        if width >= 4 + cell_len(text) + len(numbers):
-            return [
-                Segment(" ", self.background),
-                swatch,
-                Segment(text, colours.strong),
-                Segment(numbers, colours.muted),
-            ]
-        return [Segment(" ", self.background), swatch, Segment(fit(clip(text, width - 4), width - 4), colours.strong)]
+    def _world_line(self, row: int) -> list[Segment]:
+        if (pictures := self.look.pixels) is not None:
+            return self._fitting_picture(pictures).sheet.line(row)
+        canvas = self._canvas
+        if canvas is None or not self._fits():
+            canvas = self._take_over()
+        return canvas.line(row)
 
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours
@@ -289,12 +340,6 @@ def _put_label(canvas: Canvas, marks: dict[tuple[int, int], Mark], name: str, co
     row = row if row >= 0 else min(canvas.rows - 1, row + 5)
     for offset, char in enumerate(name):
         marks[first + offset, row] = Mark(char, -1, canvas.background)
-
-
-def _arrow(theta: float, unicode: bool) -> str:
-    if not unicode or not math.isfinite(theta):
-        return f"{theta:5.2f}"
-    return "→↗↑↖←↙↓↘"[round(theta / (math.pi / 4)) % 8]
 
 
 def _blocks(stroke: Stroke, canvas: Canvas) -> tuple[range, range]:

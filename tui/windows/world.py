@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from textual import events
+from textual.geometry import Region
 
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import clip
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from day6_tui.core.ros.programs.day6_world.model import WorldModel, WorldSnapshot
     from day6_tui.core.ros.programs.day6_world.scenery import Scenery
     from day6_tui.core.ros.programs.remark import Remark
+    from day6_tui.tui.pixels.pictures import Pictures
+    from day6_tui.tui.windows.world_pixels import WorldPixels
 
 
 FRAME_SECONDS = 0.05
@@ -54,12 +57,17 @@ class WorldPane(WindowPane["WorldModel"]):
         self._table: list[int] = []
         self._heading = -1
         self._drag: tuple[int, int] | None = None
+        self._pixels: WorldPixels | None = None
+        """The view in real pixels, where the terminal shows them."""
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
         snapshot = self.model.snapshot()
-        if not self.inner_width or snapshot.scenery is None or (snapshot is self._snapshot and self._rows):
+        if not self.inner_width or snapshot.scenery is None:
+            return False
+        if snapshot is self._snapshot and self._rows:
+            self._touch_head()
             return False
         if self._rows and now - self._drawn_at < FRAME_SECONDS:
             return True
@@ -68,6 +76,9 @@ class WorldPane(WindowPane["WorldModel"]):
         self._take_over(snapshot, snapshot.scenery)
         if remarks_before != self._remarks or len(before) != len(self._rows):
             self.touch()
+            return False
+        if self.look.pixels is not None:
+            self._touch_head()
             return False
         per_line = 2 if self._mode() == "half" else 1
         changed = {y // per_line for y, (old, new) in enumerate(zip(before, self._rows, strict=True)) if old != new}
@@ -99,7 +110,21 @@ class WorldPane(WindowPane["WorldModel"]):
             self._view = view
         self._table = self._table or look_of(self.look.colours)
         self._heading = round(snapshot.pose[2] / (math.pi / 4)) % 8
-        self._rows = self._picture.frame(snapshot, self.model.trail)
+        if (pictures := self.look.pixels) is not None:
+            self._rows = self._rows or [bytearray()] * view.height
+            self._show_pixels(pictures, view, snapshot, scenery)
+        else:
+            self._rows = self._picture.frame(snapshot, self.model.trail)
+
+    def _show_pixels(self, pictures: Pictures, view: View, snapshot: WorldSnapshot, scenery: Scenery) -> None:
+        """Draw in real pixels."""
+        from day6_tui.tui.windows.world_pixels import WorldPixels
+
+        cell, shown = pictures.cell(view.columns, view.rows), self._pixels
+        if shown is None or (shown.view, shown.cell) != (view, cell):
+            shown = self._pixels = WorldPixels(view, cell, scenery, self._table, self.background)
+        place = Region(self.inner_offset, self.inner_offset, view.columns, view.rows)
+        pictures.show(self, place, cell, shown.pixels(snapshot, self.model.trail))
 
     def _next_view(self, snapshot: WorldSnapshot, scenery: Scenery, columns: int, rows: int) -> View:
         """The view as it was, in the size of the window; it moves along when the robot would leave it."""
@@ -130,7 +155,7 @@ class WorldPane(WindowPane["WorldModel"]):
         self._rows = []
 
     def restyle(self) -> None:
-        self._rows, self._table = [], []
+        self._rows, self._table, self._pixels = [], [], None
         super().restyle()
 
     # -- drawing -------------------------------------------------------------------------------------------------------
@@ -144,6 +169,8 @@ class WorldPane(WindowPane["WorldModel"]):
         view, colours = self._view, self.look.colours
         if view is None:
             return []
+        if y < view.rows and self._pixels is not None and self.look.pixels is not None:
+            return self._pixels.sheet.line(y)
         if y < view.rows:
             yaw = self._snapshot.pose[2] if self._snapshot is not None else 0.0
             return segments(self._rows, y, view, self._table, colours, yaw)
@@ -174,8 +201,12 @@ class WorldPane(WindowPane["WorldModel"]):
         snapshot, colours = self._snapshot, self.look.colours
         if snapshot is None:
             return []
-        rate = self.look.texts("bar.paused") if snapshot.paused else f"{snapshot.speed:g}x"
-        return [Piece(f" {snapshot.seconds:.1f} s  {rate} ", colours.node)]
+        factor = snapshot.real_time_factor
+        if snapshot.paused or self.model.is_held():
+            pace = f"  {self.look.texts('bar.paused')}"
+        else:
+            pace = "" if factor is None else f"  {self.look.texts('world.factor', factor=factor)}"
+        return [Piece(f" {snapshot.seconds:.1f} s{pace} ", colours.node)]
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
@@ -251,7 +282,7 @@ class WorldPane(WindowPane["WorldModel"]):
         self._redraw()
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        if event.button == 1 and 0 < event.y < self.extent.height - 1:
+        if event.button == 1 and self.is_inside(event):
             self._drag = (event.x, event.y)
             self.capture_mouse()
 

@@ -7,7 +7,8 @@ from day6_tui.core.shell.builtins.options import complain, complain_as_shell
 from day6_tui.core.shell.language import file_tests
 from day6_tui.core.shell.language.interpreter import shell_of
 
-_HELP = """\
+_HELP = {
+    "en": """\
 Commands of this terminal (they work as on Ubuntu):
 
   ros2 ...            nodes, topics, services, parameters, actions; ros2 --help lists all
@@ -21,7 +22,23 @@ Commands of this terminal (they work as on Ubuntu):
   jobs fg bg kill wait, COMMAND &              programs in the background
   sleep timeout date history clear exit        and more: {others}
 
-  Ctrl-C ends the running program, Ctrl-D the terminal, Tab completes, Up brings back the last line."""
+  Ctrl-C ends the running program, Ctrl-D the terminal, Tab completes, Up brings back the last line.""",
+    "zh": """\
+这个终端的命令（用法和 Ubuntu 上一样）：
+
+  ros2 ...            节点、话题、服务、参数、动作；ros2 --help 列出全部
+  ros2 run PACKAGE EXECUTABLE      运行包里的程序，例如 ros2 run turtlesim turtlesim_node
+  rqt_graph           画出谁在和谁通信
+  rviz2               机器人、坐标系和传感器数据的三维画面
+  python3 FILE        运行你自己的程序
+
+  cd ls cat pwd mkdir touch cp mv rm tree      文件夹和文件
+  echo grep head tail wc sort                  文字；A | B 把 A 的输出交给 B
+  jobs fg bg kill wait , COMMAND &             在后台运行的程序
+  sleep timeout date history clear exit        还有 {others}
+
+  Ctrl-C 结束正在运行的程序，Ctrl-D 关闭终端，Tab 补全，↑ 找回上一条命令。""",
+}
 
 
 _KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while", "until", "do", "done", "case", "esac",
@@ -30,10 +47,12 @@ _KEYWORDS = frozenset({"if", "then", "else", "elif", "fi", "for", "in", "while",
 
 async def help_(session: Session) -> int:
     from day6_tui.core.shell.commands import command_names
+    from day6_tui.urdf.explain import language_of
 
-    mentioned = set(_HELP.replace(",", " ").replace(";", " ").split())
+    text = _HELP[language_of(session.env)]
+    mentioned = set(text.replace(",", " ").replace(";", " ").split())
     others = [name for name in command_names() if name not in mentioned and name.isalpha()]
-    session.print(_HELP.replace("{others}", " ".join(others)))
+    session.print(text.replace("{others}", " ".join(others)))
     return 0
 
 
@@ -44,13 +63,13 @@ async def clear(session: Session) -> int:
 
 
 async def which(session: Session) -> int:
-    from day6_tui.core.shell.commands import place_of
+    from day6_tui.core.shell.commands import where
 
     status = 0
     for name in session.argv[1:]:
         if name.startswith("-"):
             continue
-        place = place_of(name)
+        place = where(name, shell_of(session))
         if place:
             session.print(place)
         else:
@@ -59,7 +78,7 @@ async def which(session: Session) -> int:
 
 
 async def type_(session: Session) -> int:
-    from day6_tui.core.shell.commands import SHELL_BUILTINS, place_of
+    from day6_tui.core.shell.commands import SHELL_BUILTINS, where
 
     status = 0
     for name in session.argv[1:]:
@@ -71,7 +90,7 @@ async def type_(session: Session) -> int:
             session.print(f"{name} is a function\n{shell_of(session).functions[name].source}")
         elif name in SHELL_BUILTINS:
             session.print(f"{name} is a shell builtin")
-        elif place := place_of(name):
+        elif place := where(name, shell_of(session)):
             session.print(f"{name} is {place}")
         else:
             session.print_error(f"{shell_of(session).name}: type: {name}: not found")
@@ -81,14 +100,14 @@ async def type_(session: Session) -> int:
 
 async def command(session: Session) -> int:
     """`command -v NAME` and `command NAME …`."""
-    from day6_tui.core.shell.commands import SHELL_BUILTINS, find_command, place_of
+    from day6_tui.core.shell.commands import SHELL_BUILTINS, find_command, where
 
     words = session.argv[1:]
     if not words:
         return 0
     if words[0] in ("-v", "-V"):
         own = SHELL_BUILTINS | shell_of(session).functions.keys()
-        found = [place_of(name) or (name if name in own else "") for name in words[1:]]
+        found = [where(name, shell_of(session)) or (name if name in own else "") for name in words[1:]]
         for place in found:
             if place:
                 session.print(place)
@@ -97,17 +116,18 @@ async def command(session: Session) -> int:
 
 
 async def whoami(session: Session) -> int:
-    session.print(session.env.get("USER", "student"))
+    session.print(shell_of(session).desk.user)
     return 0
 
 
 async def id_(session: Session) -> int:
     """`id`; `id -u`, `-g` and `-G` are numbers, with `-n` names."""
+    name = shell_of(session).desk.user
     letters = "".join(word[1:] for word in session.argv[1:] if word.startswith("-"))
     if set(letters) & set("ugG"):
-        session.print("student" if "n" in letters else "1000")
+        session.print(name if "n" in letters else "1000")
     else:
-        session.print("uid=1000(student) gid=1000(student) groups=1000(student)")
+        session.print(f"uid=1000({name}) gid=1000({name}) groups=1000({name})")
     return 0
 
 

@@ -22,7 +22,11 @@ async def edit(session: Session) -> int:
         return 1
     path = session.cwd / (words[0] if words else ".")
     model = Editor(
-        path if path.is_dir() else path.parent, _state_folder(), session.name, Path(session.env.get("HOME", "/"))
+        path if path.is_dir() else path.parent,
+        _state_folder(),
+        session.name,
+        Path(session.env.get("HOME", "/")),
+        session.env,
     )
     if not path.is_dir():
         try:

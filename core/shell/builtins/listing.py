@@ -10,6 +10,7 @@ from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.builtins.options import UsageError, complain, parse, reason
+from day6_tui.core.shell.language.interpreter import shell_of
 from day6_tui.core.width import text_width
 
 
@@ -171,8 +172,9 @@ def _long(
         rows.append((stat.filemode(status.st_mode), str(status.st_nlink), size, date, text))
     links = max(len(row[1]) for row in rows)
     sizes = max(len(row[2]) for row in rows)
+    user = shell_of(session).desk.user
     for mode, link, size, date, text in rows:
-        session.print(f"{mode} {link:>{links}} student student {size:>{sizes}} {date} {text}")
+        session.print(f"{mode} {link:>{links}} {user} {user} {size:>{sizes}} {date} {text}")
 
 
 def _human(size: float) -> str:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import fnmatch
 import os
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from day6_tui.core.session.session import Main, Session
-from day6_tui.core.shell.language.interpreter import shell_of
+from day6_tui.core.shell.language.interpreter import Shell, shell_of
+from day6_tui.urdf.explain import language_of
 
 
 async def sudo(session: Session) -> int:
@@ -23,22 +26,43 @@ async def sudo(session: Session) -> int:
 
 async def apt(session: Session) -> int:
     """Report for every package whether its commands exist here; nothing is downloaded."""
+    say = partial(_say, language_of(session.env))
     words = [word for word in session.argv[1:] if not word.startswith("-")]
     verb = words[0] if words else ""
     if verb == "install" and len(words) > 1:
         session.print("Reading package lists... Done")
         for name in words[1:]:
-            session.print(_about(name))
+            session.print(_about(name, shell_of(session), say))
     elif verb in ("update", "upgrade", "full-upgrade", "autoremove"):
         session.print("Reading package lists... Done\nAll packages are up to date.")
     elif verb in ("remove", "purge"):
-        session.print("Reading package lists... Done\nNothing is removed: day6-tui has no packages of its own.")
+        session.print(f"Reading package lists... Done\n{say('removed')}")
     else:
-        session.print_error(
-            f"E: Invalid operation {verb}" if verb else "apt: nothing to do: packages are not managed on this machine"
-        )
+        session.print_error(f"E: Invalid operation {verb}" if verb else f"apt: {say('nothing')}")
         return 100 if verb else 1
     return 0
+
+
+_TEXTS = {
+    "removed": (
+        "Nothing is removed: day6-tui has no packages of its own.",
+        "没有删除任何东西：day6-tui 没有自己的软件包。",
+    ),
+    "nothing": ("nothing to do: packages are not managed on this machine", "没有要做的事：这台机器不管理软件包"),
+    "stands_in": ("day6-tui stands in for ROS 2 {distro}", "这里由 day6-tui 代替 ROS 2 {distro}"),
+    "not_part": (
+        "not part of day6-tui; on a real Ubuntu this command would install it.",
+        "day6-tui 里没有它；在真正的 Ubuntu 上，这条命令会安装它。",
+    ),
+    "not_needed": ("not needed on this machine, nothing was installed.", "这台机器不需要它，什么都没有安装。"),
+    "rosdep.update": ("nothing to fetch: day6-tui works offline", "不用下载：day6-tui 不需要网络"),
+    "rosdep.init": ("rosdep is initialised", "rosdep 初始化好了"),
+}
+"""What the real tools would not say: English, Chinese."""
+
+
+def _say(language: str, key: str, **values: str) -> str:
+    return _TEXTS[key][language == "zh"].format(**values)
 
 
 _COMMANDS_OF = {
@@ -49,10 +73,10 @@ _COMMANDS_OF = {
 """Packages whose name differs from the commands they provide, all of which exist here."""
 
 
-def _about(name: str) -> str:
+def _about(name: str, shell: Shell, say: Callable[..., str]) -> str:
     """Return the outcome of `apt install NAME`."""
     from day6_tui.core.ros.distribution import DISTRO
-    from day6_tui.core.shell.commands import place_of
+    from day6_tui.core.shell.commands import where
 
     name = name.removeprefix("~n")  # how apt is told that a pattern of names follows
     if name in _COMMANDS_OF:
@@ -60,11 +84,11 @@ def _about(name: str) -> str:
     if name.startswith("ros-"):
         package = name.split("-", 2)[-1].replace("-", "_")
         if package in ("desktop", "desktop_full", "ros_base", "ros_core") or fnmatch.filter(_shipped(), package):
-            return f"{name} is already the newest version (day6-tui stands in for ROS 2 {DISTRO})."
-        return f"{name}: not part of day6-tui; on a real Ubuntu this command would install it."
-    if name.startswith("python3-colcon") or name == "python3-rosdep" or place_of(name):
+            return f"{name} is already the newest version ({say('stands_in', distro=DISTRO)})."
+        return f"{name}: {say('not_part')}"
+    if name.startswith("python3-colcon") or name == "python3-rosdep" or where(name, shell):
         return f"{name} is already the newest version."
-    return f"{name}: not needed on this machine, nothing was installed."
+    return f"{name}: {say('not_needed')}"
 
 
 def _shipped() -> set[str]:
@@ -78,7 +102,7 @@ async def rosdep(session: Session) -> int:
     words = session.argv[1:]
     verb = next((word for word in words if not word.startswith("-")), "")
     if verb in ("init", "update"):
-        session.print("nothing to fetch: day6-tui works offline" if verb == "update" else "rosdep is initialised")
+        session.print(_say(language_of(session.env), f"rosdep.{verb}"))
         return 0
     if verb != "install":
         session.print_error("Usage: rosdep [options] <command> <args>\n\nrosdep: error: Please enter a command")

@@ -165,24 +165,32 @@ async def tail(session: Session) -> int:
     return await _ends(session, first=False)
 
 
+_UNITS = {"": 1, "b": 512, "kB": 1000, "K": 1024, "KiB": 1024, "MB": 1000**2, "M": 1024**2, "MiB": 1024**2,
+          "GB": 1000**3, "G": 1024**3, "GiB": 1024**3}  # fmt: skip
+
+
 async def _ends(session: Session, *, first: bool) -> int:
     try:
-        long = {"--lines": "n", "--quiet": "q", "--follow": "f"}
-        options, names = parse(session.argv, "qvfF", "n", long, dash_number=True)
-        text = options.get("n", "10")
-        count = int(text)
+        long = {"--lines": "n", "--bytes": "c", "--quiet": "q", "--follow": "f"}
+        options, names = parse(session.argv, "qvfF", "nc", long, dash_number=True)
     except UsageError as error:
         complain(session, error)
         return 1
-    except ValueError:
-        complain(session, f"invalid number of lines: ‘{text}’")
+    in_bytes = "c" in options
+    text = options.get("c" if in_bytes else "n", "10")
+    number = re.fullmatch(r"([+-]?\d+)(\w*)", text)
+    if number is None or number[2] not in _UNITS:
+        complain(session, f"invalid number of {'bytes' if in_bytes else 'lines'}: ‘{text}’")
         return 1
+    count = int(number[1]) * _UNITS[number[2]]
     problems: list[str] = []
     for index, name in enumerate(names or ["-"]):
         if len(names) > 1 and "q" not in options and (name == "-" or os.access(session.cwd / name, os.R_OK)):
             title = "standard input" if name == "-" else name
             session.print(f"{chr(10) if index else ''}==> {title} <==")
-        if first and count >= 0:
+        if in_bytes:
+            await _some_bytes(session, name, count, text, problems, first=first)
+        elif first and count >= 0:
             await _first_lines(session, name, count, problems)
         else:
             await _last_lines(session, name, count, text, problems, first=first)
@@ -220,6 +228,35 @@ async def _last_lines(session: Session, name: str, count: int, text: str, proble
                 session.stdout.write(oldest)
     if not first:
         session.stdout.write("".join(kept))
+
+
+async def _some_bytes(session: Session, name: str, count: int, text: str, problems: list[str], *, first: bool) -> None:
+    """The same by bytes: what is left of a character that was cut is passed on as it is."""
+
+    def write(data: bytes) -> None:
+        session.stdout.write(data.decode("utf-8", "surrogateescape"))
+
+    begins_late = not first and text.startswith("+")
+    skip, left = max(0, count - 1) if begins_late else 0, count if first and count >= 0 else None
+    kept = bytearray()
+    async for _, line in lines_of(session, [name], problems, _CANNOT_OPEN):
+        data = line.encode("utf-8", "surrogateescape")
+        if left is not None:
+            write(data[:left])
+            left -= min(left, len(data))
+            if not left:
+                return
+        elif begins_late:
+            write(data[skip:])
+            skip = max(0, skip - len(data))
+        else:
+            kept += data
+            over = max(0, len(kept) - abs(count))
+            if first:  # head -c -3: all but the last three
+                write(bytes(kept[:over]))
+            del kept[:over]
+    if not first and not begins_late:
+        write(bytes(kept))
 
 
 async def _follow(session: Session, names: list[str]) -> None:

@@ -110,7 +110,7 @@ def _operand_index(argv: list[str]) -> int:
 
 
 async def date(session: Session) -> int:
-    """`date [-u] [+FORMAT]`, of the world clock."""
+    """`date [-u] [+FORMAT]`, by the real clock, like the stamps of logs."""
     words = session.argv[1:]
     utc = "-u" in words
     words = [word for word in words if word != "-u"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from day6_tui.core.shell.editing.checks import Problem, check
+from day6_tui.core.shell.editing.checks import Problem, check, language_of
 from day6_tui.core.shell.editing.file import CannotEdit, TextFile
 from day6_tui.core.shell.outside import is_outside
 
@@ -23,7 +23,9 @@ class Editor:
     on the disk as it was last read or written here; `text` what the window begins with.
     """
 
-    def __init__(self, folder: Path, state: Path, name: str, home: Path | None = None) -> None:
+    def __init__(
+        self, folder: Path, state: Path, name: str, home: Path | None = None, variables: Mapping[str, str] | None = None
+    ) -> None:
         self.folder = folder
         self.name = name
         self.file: TextFile | None = None
@@ -35,6 +37,8 @@ class Editor:
         """Incremented when another file is opened."""
         self.home = home
         """The folder that holds the lesson's files; None if every file counts as one."""
+        self._variables = variables or {}
+        """Those of the terminal that runs it: they say which packages there are."""
         self._state = state
         self._typed: deque[str] = deque()
 
@@ -120,6 +124,14 @@ class Editor:
     def check(self, text: str) -> Problem | None:
         """Return the first thing that is wrong in the text."""
         return None if self.file is None else check(self.file.path, text)
+
+    def completions(self, text: str, row: int, column: int) -> tuple[list[str], int]:
+        """Return what Tab offers at a place of the text, and the column where the word that is being typed begins."""
+        if self.file is None or language_of(self.file.path) != "python":
+            return [], column
+        from day6_tui.core.shell.editing.completion import completions
+
+        return completions(text, row, column, self._variables, self.file.path.parent)
 
     def title(self) -> str:
         """The file name to show."""

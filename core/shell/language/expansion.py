@@ -124,7 +124,7 @@ def _tilde(parts: tuple[Part, ...], shell: Shell) -> tuple[Part, ...]:
     if not isinstance(first, Text) or first.quoted or not first.text.startswith("~"):
         return parts
     user, slash, rest = first.text[1:].partition("/")
-    if user not in ("", shell.variables.get("USER", "")) or (not slash and len(parts) > 1):
+    if user not in ("", shell.desk.user) or (not slash and len(parts) > 1):
         return parts
     home = shell.variables.get("HOME", "~")
     return (Text(home, quoted=True), Text(slash + rest), *parts[1:])

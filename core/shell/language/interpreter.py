@@ -26,7 +26,7 @@ from day6_tui.core.shell.language.control_flow import DiscardLine, ExitShell, In
 from day6_tui.core.shell.language.expansion import ExpansionProblem, UnboundProblem, expand, expand_text
 from day6_tui.core.shell.language.jobs import Job, JobTable
 from day6_tui.core.shell.language.redirection import Streams, redirect
-from day6_tui.core.shell.language.shell_state import MAX_DEPTH, ShellState
+from day6_tui.core.shell.language.shell_state import MAX_DEPTH, NOT_FOUND, ShellState
 from day6_tui.core.shell.language.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
@@ -213,15 +213,15 @@ class Shell(ShellState):
             streams.stderr.write(f"[{job.number}] {programs[-1].pid}\n")
 
     async def _timed(self, node: syntax.Pipeline, streams: Streams) -> None:
-        """`time …`: how long it took, by this machine's clock, and what the processor did meanwhile."""
-        began, before = self.desk.clock.now_ns(), os.times()
+        """`time …`: how long it really took, and what the processor did meanwhile."""
+        began, before = self.desk.clock.wall_ns(), os.times()
         try:
             await self._pipeline(replace(node, timed=False), streams)
         finally:
             after = os.times()
             user = after.user + after.children_user - before.user - before.children_user
             system = after.system + after.children_system - before.system - before.children_system
-            seconds = (self.desk.clock.now_ns() - began) / 1e9
+            seconds = (self.desk.clock.wall_ns() - began) / 1e9
             for name, value in (("\nreal", seconds), ("user", user), ("sys", system)):
                 streams.stderr.write(f"{name}\t{int(value // 60)}m{value % 60:.3f}s\n")
 
@@ -304,8 +304,23 @@ class Shell(ShellState):
         program = self._start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
         program.session.defer(prepared.opened.close)
         await self._foreground(Job([program], source, tty), streams)
+        if self.status and self.interactive:
+            self._hint(prepared)
         if (end := self.wanted.pop(program.session, None)) is not None:
             raise end
+
+    def _hint(self, prepared: _Prepared) -> None:
+        """Below the message of a command that failed: a hint, if one of its words shows what is wrong for certain."""
+        argv = prepared.argv
+        missing = self.status == NOT_FOUND and "/" not in argv[0] and argv[0] not in self.functions
+        worth_a_look = missing or argv[0] == "ros2" or any(word.startswith("/home/") for word in argv)
+        if worth_a_look and prepared.streams.stderr.isatty():
+            from day6_tui.core.advice.rules import Surroundings, hint_about_command
+            from day6_tui.core.shell.commands import command_names
+
+            commands = command_names() if missing else ()
+            if hint := hint_about_command(argv, Surroundings(self.variables, self.cwd), commands):
+                prepared.streams.stderr.write(f"{hint}\n")
 
     async def _prepare(self, command: syntax.SimpleCommand, streams: Streams) -> _Prepared | None:
         """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,11 +11,9 @@ from day6_tui.core.ros.programs.rviz2.model.config import ConfigError, write_con
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.displays import TYPES
 from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC, BadValue, Property
-from day6_tui.core.ros.programs.rviz2.model.scene import Scene, placed
 from day6_tui.core.whole_file import replace_file
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt, before_replacing
-from day6_tui.urdf.model import Vector
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.rviz2 import RVizPane
@@ -92,23 +90,26 @@ def rename(pane: RVizPane, display: Display) -> None:
 # -- files -------------------------------------------------------------------------------------------------------------
 
 
-def save(pane: RVizPane) -> None:
-    """Save the configuration where it came from; the first time it becomes the user's default, as in RViz."""
+def save(pane: RVizPane, then: Callable[[], object] = lambda: None) -> None:
+    """Save the configuration where it came from; the first time it becomes the user's default, as in RViz.
+
+    `then` follows once it is saved.
+    """
     path = pane.rviz.config_file or pane.rviz.default_file
     if path is None:
-        save_as(pane)
+        save_as(pane, then)
     else:
-        _write(pane, path)
+        _write(pane, path, then)
 
 
-def save_as(pane: RVizPane) -> None:
+def save_as(pane: RVizPane, then: Callable[[], object] = lambda: None) -> None:
     """Save under a name."""
 
     def taken(text: str) -> str | None:
         name = text.strip()
         if not name:
             return pane.look.texts("rviz.bad.name")
-        _write(pane, target(name))
+        _write(pane, target(name), then)
         return None
 
     def target(text: str) -> Path:
@@ -120,7 +121,7 @@ def save_as(pane: RVizPane) -> None:
     pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.save_as"), old, sure))
 
 
-def _write(pane: RVizPane, path: Path) -> None:
+def _write(pane: RVizPane, path: Path, then: Callable[[], object]) -> None:
     rviz, texts = pane.rviz, pane.look.texts
 
     def work() -> None:
@@ -132,9 +133,22 @@ def _write(pane: RVizPane, path: Path) -> None:
         else:
             rviz.config_file, rviz.modified = path, False
             text = texts("rviz.saved", file=str(path))
+            pane.app.call_later(then)
         pane.app.call_later(pane.show_message, text, 6.0)
 
     pane.request(work)
+
+
+def leave(pane: RVizPane) -> None:
+    """RViz's question before its window is closed with changes: Save, Discard, Cancel."""
+    texts, close = pane.look.texts, pane.window.close_by_user
+    path = pane.rviz.config_file or pane.rviz.default_file
+    entries = [
+        Entry("Save", texts("rviz.leave.save", file=path.name if path is not None else "…"), lambda: save(pane, close)),
+        Entry("Discard", texts("rviz.leave.discard"), close),
+        Entry("Cancel", texts("rviz.leave.cancel"), lambda: None),
+    ]
+    pane.lay_over(Menu(pane.look, "rviz.leave.title", entries))
 
 
 def load(pane: RVizPane) -> None:
@@ -186,30 +200,3 @@ def screenshot(pane: RVizPane) -> None:
     note = pane.look.texts("rviz.picture_note")
     sure = before_replacing(pane.look, lambda text: pane.rviz.path(text.strip()), taken)
     pane.lay_over(Prompt(pane.look, pane.look.texts("rviz.picture"), "rviz.png", sure, note=note))
-
-
-def extent(scene: Scene) -> tuple[Vector, float] | None:
-    """Centre and radius of what is visible: the robot's links if there are any, else all solids and points."""
-    shapes = [shape for shape in scene.shapes if shape.name] or ([] if scene.triangles else scene.shapes)
-    low, high = [math.inf] * 3, [-math.inf] * 3
-
-    def take(centre: Vector, radius: float) -> None:
-        for axis in range(3):
-            low[axis] = min(low[axis], centre[axis] - radius)
-            high[axis] = max(high[axis], centre[axis] + radius)
-
-    for shape in shapes:
-        half = [size / 2 for size in shape.size]
-        for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
-            for sign in (1, -1):
-                corner = (sign * half[0], signs[0] * half[1], signs[1] * half[2])
-                take(placed(shape.pose, corner), 0.0)
-    for mesh in scene.triangles:
-        corners = (
-            (abs(mesh.vertices).max(axis=0) * [abs(part) for part in mesh.scale]) if len(mesh.vertices) else (0, 0, 0)
-        )
-        take(mesh.pose.xyz, float(math.dist((0, 0, 0), tuple(corners))))
-    if not all(map(math.isfinite, (*low, *high))):
-        return None
-    centre = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
-    return centre, max(1e-3, math.dist(low, high) / 2)

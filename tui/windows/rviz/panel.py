@@ -16,7 +16,7 @@ from day6_tui.tui.cells import cell_len, fit
 from day6_tui.tui.colours import Colours, background_of, pixel_style
 from day6_tui.tui.look import Look
 
-NARROWEST_VALUE = 9
+NARROWEST_VALUE = 7
 """Cells that a value has beside the longest name."""
 
 MOST_LINES = 5000
@@ -77,10 +77,10 @@ def zones(line: Line, width: int) -> Zones:
 
 
 def value_column(line: Line, width: int) -> int:
-    """Where the right column begins: a little right of the middle, further right if the name needs it and room is left."""
+    """Where the right column begins: in the middle, further right if the name needs it and room is left."""
     mark = 2 if (level := _level(line.prop)) is not None and level > OK else 0
     wanted = line.depth * 2 + 2 + mark + cell_len(line.prop.name) + 1
-    return max(10, width * 11 // 20, min(wanted, width - NARROWEST_VALUE))
+    return max(10, width // 2, min(wanted, width - NARROWEST_VALUE))
 
 
 def segments_of(line: Line, width: int, look: Look, chosen: bool, focused: bool) -> list[Segment]:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import time
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
+from textual.geometry import Region
+from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.tui.canvas import PIXELS_PER_CELL, Span
@@ -12,6 +15,10 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.render.cells import Cells, cells_of, pixel_aspect
 from day6_tui.tui.render.painter import QUALITIES, paint
 from day6_tui.tui.render.picture import Array
+
+if TYPE_CHECKING:
+    from day6_tui.tui.pixels.pictures import Pictures
+    from day6_tui.tui.windows.rviz.pixels import PixelView
 
 MOVING_SECONDS = 1 / 15
 """Seconds between two pictures of a moving robot."""
@@ -33,6 +40,8 @@ class View3D:
         self._look = look
         self.columns = self.rows = 0
         self.cells: Cells | None = None
+        self._fine: PixelView | None = None
+        """The same in real pixels, where the terminal shows them."""
         self._painted: tuple[object, ...] = ()
         self._painted_at = -10.0
         self._cost = 0.0
@@ -45,12 +54,17 @@ class View3D:
         if (columns, rows) == (self.columns, self.rows):
             return False
         self.columns, self.rows = columns, rows
-        self.cells = None
+        self.cells = self._fine = None
         return True
 
     def forget(self) -> None:
         """Paint everything anew."""
-        self.cells = None
+        self.cells = self._fine = None
+
+    @property
+    def aspect(self) -> float:
+        """The picture's width by its height; a cell is half as wide as high."""
+        return self.columns / max(1, self.rows) / 2
 
     @property
     def period(self) -> float:
@@ -72,6 +86,8 @@ class View3D:
             return [], False
         rviz = self._rviz
         state = (rviz.version, rviz.view_version, rviz.quality.value, self._look.glyphs.name, self._look.colours.name)
+        if (pictures := self._look.pixels) is not None:
+            return self._pull_pixels(pictures, state, now)
         if self.cells is not None and state == self._painted:
             return [], False
         rviz.pace = self.period
@@ -83,6 +99,35 @@ class View3D:
         if spans:
             self._times.append(now)
         return spans, False
+
+    def _pull_pixels(self, pictures: Pictures, state: tuple[object, ...], now: float) -> tuple[list[Span], bool]:
+        from day6_tui.tui.windows.rviz.pixels import PixelView
+
+        fine = self._fine
+        if fine is not None and state == self._painted:
+            done, due = fine.smooth(pictures, now)
+            return [], due or done
+        period = MOVING_SECONDS if fine is None else max(MOVING_SECONDS, fine.period)
+        self._rviz.pace = period
+        if fine is not None and now - self._painted_at < period * 0.9:
+            return [], True
+        self._painted, self._painted_at = state, now
+        self._times.append(now)
+        if fine is not None:
+            return fine.draft(pictures, now), True
+        fine = self._fine = PixelView(self._rviz, self._look, self.columns, self.rows)
+        fine.draft(pictures, now)
+        return [(row, 0, self.columns) for row in range(self.rows)], True
+
+    def show(self, pane: Widget, column: int, row: int) -> None:
+        """Hand the picture over, if it is one of real pixels: its upper left cell in the pane."""
+        if (pictures := self._look.pixels) is None:
+            return
+        if self._fine is None or not self.columns or not self.rows:
+            pictures.drop(pane)
+        else:
+            place = Region(column, row, self.columns, self.rows)
+            pictures.show(pane, place, self._fine.cell, self._fine.pixels, self._fine.sheet.holes)
 
     def _paint(self) -> Cells:
         began = time.thread_time()
@@ -97,6 +142,8 @@ class View3D:
 
     def line(self, row: int) -> list[Segment]:
         """The segments of one row."""
+        if self._look.pixels is not None:
+            return self._fine.sheet.line(row) if self._fine is not None and row < self.rows else []
         if self.cells is None:
             self.cells = self._paint()
         return self.cells.line(row) if row < self.rows else []

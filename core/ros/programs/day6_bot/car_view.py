@@ -7,6 +7,7 @@ the rule of `programs/_without_screen.py`.
 from __future__ import annotations
 
 import textwrap
+from functools import partial
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._without_screen import stays
@@ -33,7 +34,7 @@ SPEED_SECONDS = 0.5
 async def main(session: Session) -> int:
     """Follow the robot until interrupted; without a display print it once (status 1 if there is none), or stay."""
     node = session.create_node("car_view")
-    model = CarModel(node)
+    model = CarModel(node, partial(session.timer_ns, node))
     arrived = Signal()
     model.on_description = arrived.set
     session.spawn(_read_descriptions(session, model, arrived))

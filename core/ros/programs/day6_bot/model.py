@@ -17,8 +17,8 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from day6_tui.core.ros.programs.day6_bot._frames import Frames
-from day6_tui.core.ros.programs.day6_bot._joints import JointReading, JointReadings
-from day6_tui.core.ros.programs.day6_bot._status import Facts, Status, status_lines
+from day6_tui.core.ros.programs.day6_bot._joints import JointReading, JointReadings, Moment
+from day6_tui.core.ros.programs.day6_bot._status import SILENT_S, Facts, Status, status_lines
 from day6_tui.urdf.kinematics import Transform
 from day6_tui.urdf.model import MOVING_TYPES, Robot
 from day6_tui.urdf.topplan import find_wheels, steering_of
@@ -67,10 +67,14 @@ class CarSnapshot:
 
 
 class CarModel:
-    """The model of one car window. Everything but `snapshot` is for the program's thread."""
+    """The model of one car window. Everything but `snapshot` is for the program's thread.
 
-    def __init__(self, node: Node) -> None:
+    `timer_ns` is the time that timers run by; what falls silent is judged by it, so that it does not in a pause.
+    """
+
+    def __init__(self, node: Node, timer_ns: Callable[[], int]) -> None:
         self._node = node
+        self._timer_ns = timer_ns
         self._frames = Frames()
         self._readings = JointReadings()
         self._snapshot = CarSnapshot()
@@ -80,7 +84,7 @@ class CarModel:
         self._turning = frozenset[str]()
         self._wheels = 0
         self._problem = ""
-        self._last_heard_ns: int | None = None
+        self._last_heard: Moment | None = None
         self._publishers: tuple[tuple[str, str], ...] = ()
         self.waiting_description: str | None = None
         """A received description that is not read yet; `on_description` is called when there is one."""
@@ -117,24 +121,23 @@ class CarModel:
 
     def refresh(self) -> None:
         """Look at who publishes, how often, and what is missing; called a few times a second."""
-        now_ns = self._now_ns()
-        self._readings.forget_silent(now_ns)
+        now = self._now()
+        self._readings.forget_silent(now.timer_ns)
         infos = self._node.get_publishers_info_by_topic(self._joint_states)
         self._publishers = tuple(sorted((_full_name(info), info.topic_type) for info in infos))
-        self._swap(joints=self._readings.readings(self._known), rate=self._readings.rate(now_ns))
-        self._judge(now_ns)
+        self._swap(joints=self._readings.readings(self._known), rate=self._readings.rate(now.real_ns))
+        self._judge(now)
 
     def _hear_description(self, message: String) -> None:
         if message.data != self._description:
             self._description = self.waiting_description = message.data
-            self._judge(self._now_ns())
+            self._judge(self._now())
             if self.on_description is not None:
                 self.on_description()
 
     def _hear_joints(self, message: JointState) -> None:
-        now_ns = self._now_ns()
-        self._last_heard_ns = now_ns
-        self._readings.hear(list(message.name), list(message.position), now_ns, self._turning)
+        self._last_heard = now = self._now()
+        self._readings.hear(list(message.name), list(message.position), now, self._turning)
         self._swap(joints=self._readings.readings(self._known))
 
     def _hear_transforms(self, message: TFMessage) -> None:
@@ -153,13 +156,12 @@ class CarModel:
         some_appeared = transforms.keys() != self._snapshot.transforms.keys()
         self._swap(transforms=transforms)
         if some_appeared:
-            self._judge(self._now_ns())
+            self._judge(self._now())
 
-    def _judge(self, now_ns: int) -> None:
+    def _judge(self, now: Moment) -> None:
         robot = self._snapshot.robot
         links = robot.links if robot is not None else ()
         missing = [link.name for link in links if link.name not in self._snapshot.transforms]
-        silent = None if self._last_heard_ns is None else (now_ns - self._last_heard_ns) / 1e9
         facts = Facts(
             described=robot is not None,
             loading=self.waiting_description is not None,
@@ -170,12 +172,19 @@ class CarModel:
             root=robot.root if robot is not None else "",
             publishers=self._publishers,
             topic=self._joint_states,
-            heard_joints=self._readings.heard_lately(now_ns),
+            heard_joints=self._readings.heard_lately(now.timer_ns),
             rate=self._snapshot.rate,
-            silent_s=silent,
+            silent_s=self._silence(now),
             rolling=self._is_rolling(),
         )
         self._swap(status=status_lines(facts))
+
+    def _silence(self, now: Moment) -> float | None:
+        """Seconds since the last joint states; None if there were none, or the world stood still since."""
+        last = self._last_heard
+        if last is None or now.timer_ns - last.timer_ns < SILENT_S * 1e9:
+            return None
+        return (now.real_ns - last.real_ns) / 1e9
 
     def _is_rolling(self) -> bool:
         """Whether wheels turn, as far as is known."""
@@ -188,8 +197,8 @@ class CarModel:
         if any(getattr(old, name) != value for name, value in changes.items()):
             self._snapshot = replace(old, version=old.version + 1, **changes)
 
-    def _now_ns(self) -> int:
-        return int(self._node.get_clock().now().nanoseconds)
+    def _now(self) -> Moment:
+        return Moment(int(self._node.get_clock().now().nanoseconds), self._timer_ns())
 
 
 def _full_name(info: Any) -> str:

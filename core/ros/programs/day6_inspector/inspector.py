@@ -17,7 +17,7 @@ async def main(session: Session) -> int | None:
     """Watch until interrupted; without a display print the findings and end with 1 if there are errors."""
     node = session.create_node(f"_day6_inspector_{session.pid}", start_parameter_services=False)
     graph = session.graph
-    model = Inspector(node, (lambda: state_of(graph)) if graph is not None else LinkState)
+    model = Inspector(node, session.clock, (lambda: state_of(graph)) if graph is not None else LinkState)
     session.spawn(session.spin(node))
     if session.display is None:
         for _ in range(3):

@@ -21,6 +21,7 @@ from day6_tui.urdf.model import MOVING_TYPES
 from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, qos_check_compatible
 
 if TYPE_CHECKING:
+    from day6_tui.core.session.clock import WorldClock
     from rclpy.node import Node
     from rclpy.subscription import Subscription
 
@@ -29,6 +30,12 @@ JOINT_STATE = "sensor_msgs/msg/JointState"
 MEMORY = 20
 """Arrivals kept to measure a rate."""
 
+LOOKS = 21
+"""As many looks at the clock tell whether it keeps up: ten seconds of them, so that the start of a program is no finding."""
+
+LEAST_NS = 3_000_000_000
+"""Less of the world's time tells nothing."""
+
 STILL_S = 3.0
 """A topic that has been silent for so long has no rate."""
 
@@ -36,9 +43,11 @@ STILL_S = 3.0
 class Inspector:
     """The model of the window: when the findings change, `findings` is replaced as a whole and `version` incremented."""
 
-    def __init__(self, node: Node, link: Callable[[], LinkState] = LinkState) -> None:
+    def __init__(self, node: Node, clock: WorldClock, link: Callable[[], LinkState] = LinkState) -> None:
         self._node = node
+        self._clock = clock
         self._link = link
+        self._progress: deque[tuple[int, int]] = deque(maxlen=LOOKS)
         self._arrivals: deque[int] = deque(maxlen=MEMORY)
         self._joint_names: tuple[str, ...] = ()
         self._joints: frozenset[str] | None = None
@@ -107,7 +116,16 @@ class Inspector:
             heard_joints=self._joint_names if published else (),
             joints=self._joints,
             link=self._link(),
+            speed=self._clock.speed,
+            pace=self._clock.speed * self._kept(),
         )
+
+    def _kept(self) -> float:
+        """How much of the time that the world should have gone lately it did go, 0 to 1."""
+        self._progress.append((self._clock.steady_ns(), self._clock.lost_ns))
+        (began, lost_before), (now, lost) = self._progress[0], self._progress[-1]
+        due = now - began + lost - lost_before
+        return (now - began) / due if due >= LEAST_NS else 1.0
 
     def _rate(self) -> float | None:
         """Messages a second on /joint_states, None when there were too few or none lately."""

@@ -21,6 +21,9 @@ WATCHED_MOVING = ("sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage", "turtl
 """Types that are watched as movement."""
 
 SLOW_HZ = 10.0
+ENOUGH = 0.9
+"""Part of its speed that the world has to reach."""
+
 OWN_TOPICS = ("/rosout", "/parameter_events", "/tf_static", "/robot_description", "/clock")
 """Topics that are often one-sided without anything being wrong."""
 
@@ -53,6 +56,10 @@ class Facts:
     joints: frozenset[str] | None = None
     """Names of the movable joints of the robot description; None while there is none."""
     link: LinkState = field(default_factory=LinkState)
+    speed: float = 1.0
+    """World seconds per real second that the user chose."""
+    pace: float = 1.0
+    """The same as it was lately, less what this computer was too slow for."""
 
 
 class Finding(Remark):
@@ -157,6 +164,11 @@ def _slow(facts: Facts) -> Iterator[Finding]:
             yield _finding("info", "slow", topic=topic, rate=f"{rate:.1f}".rstrip("0").rstrip("."))
 
 
+def _late(facts: Facts) -> Iterator[Finding]:
+    if facts.pace < ENOUGH * facts.speed:
+        yield _finding("warning", "late", pace=f"{facts.pace:.2g}", speed=f"{facts.speed:g}")
+
+
 _SHUT = {DoorState.IN_USE: "in_use", DoorState.NO_NAME: "no_name", DoorState.FAILED: "shut"}
 _UNJOINED = {
     DoorState.NO_NAME: "no_name",
@@ -199,4 +211,4 @@ def _link(facts: Facts) -> Iterator[Finding]:
     return link_findings(facts.link)
 
 
-_RULES = (_link, _mismatched_types, _mismatched_qos, _joints, _fights, _twins, _one_sided, _slow)
+_RULES = (_link, _mismatched_types, _mismatched_qos, _joints, _fights, _twins, _one_sided, _slow, _late)

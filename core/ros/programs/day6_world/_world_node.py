@@ -21,6 +21,7 @@ from day6_tui.core.ros.programs.day6_world._sensors import Sensors
 from day6_tui.core.ros.programs.day6_world._simulation import LostGround, Simulation
 from day6_tui.core.ros.programs.day6_world.model import SPEEDS, WorldModel, WorldSnapshot
 from day6_tui.core.ros.programs.day6_world.scenery import Scenery
+from day6_tui.core.ros.programs.real_time_factor import RealTimeFactor
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 if TYPE_CHECKING:
@@ -39,10 +40,16 @@ ALIGN_NS = 1_000_000_000
 
 
 class WorldNode:
-    """The node `world`. `tick()` is one period of the machine's clock; how many steps that is depends on the speed."""
+    """The node `world`. `tick()` is one period of the machine's clock; how many steps that is depends on the speed.
 
-    def __init__(self, node: Node, scenery: Scenery) -> None:
+    `timer_ns` is the time that timers run by, `wall_ns` measures (nanoseconds).
+    """
+
+    def __init__(self, node: Node, scenery: Scenery, timer_ns: Callable[[], int], wall_ns: Callable[[], int]) -> None:
         self._node = node
+        self._timer_ns = timer_ns
+        self._wall_ns = wall_ns
+        self._pace = RealTimeFactor()
         self.model = WorldModel()
         self.waiting_description: str | None = None
         self.on_description: Callable[[], object] | None = None
@@ -158,7 +165,7 @@ class WorldNode:
             self._sideways = abs(twist.linear.y) > 0
 
     def _hear_joints(self, message: JointState) -> None:
-        now_ns = int(self._node.get_clock().now().nanoseconds)
+        now_ns = self._timer_ns()
         for index, name in enumerate(message.name):
             angle = message.position[index] if index < len(message.position) else math.nan
             speed = message.velocity[index] if index < len(message.velocity) else math.nan
@@ -191,6 +198,9 @@ class WorldNode:
             while self._due >= 1 - 1e-9:
                 self._due -= 1
                 self._step()
+            self._pace.note(self._simulation.time_ns, self._wall_ns())
+        else:
+            self._pace.forget()
         self._show()
 
     def _step(self) -> None:
@@ -310,6 +320,7 @@ class WorldNode:
             status=tuple(lines),
             paused=self._paused,
             speed=self.speed,
+            real_time_factor=self._pace.value,
         )
         if new != old:
             self._snapshot = replace(new, version=old.version + 1)

@@ -45,6 +45,9 @@ class WorldSnapshot:
     status: tuple[Status, ...] = ()
     paused: bool = False
     speed: float = 1.0
+    """What was asked for: steps for every period of the machine's own clock, whose speed is another matter."""
+    real_time_factor: float | None = None
+    """What comes of both: simulated seconds per real second, measured."""
 
     def transforms(self) -> dict[str, Transform]:
         """Return the poses of the links in the root link's frame; computed on demand, not at every step."""
@@ -82,6 +85,8 @@ class WorldModel:
         self._snapshot = WorldSnapshot()
         self._requests: list[str] = []
         self.on_request: Callable[[], object] | None = None
+        self.is_held: Callable[[], bool] = lambda: False
+        """Whether the machine's own clock is paused, and with it this world; it then shows nothing new."""
         self.wants_rays = False
         """Set by the window while it draws the lidar: then there is a scan even if nobody subscribes."""
 

@@ -8,6 +8,7 @@ and `right_wheels` (joints; found by themselves otherwise), `lidar_link`, `lidar
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs.day6_world._simulation import STEP
@@ -30,11 +31,12 @@ async def main(session: Session) -> int:
     node = session.create_node("world")
     try:
         scenery = _scenery(session, node)
-        world = WorldNode(node, scenery)
+        world = WorldNode(node, scenery, partial(session.timer_ns, node), session.clock.wall_ns)
         text = _robot_file(session, node)
     except (SceneryError, OSError) as error:
         node.get_logger().fatal(str(error))
         return 1
+    world.model.is_held = lambda: session.clock.paused
     described = Signal()
     world.on_description = described.set
     if text is not None:

@@ -16,7 +16,7 @@ BARS = 30
 
 
 class Measure:
-    """Measures messages and bytes per second of world time; call `add` for every message."""
+    """Measures messages and bytes per second; call `add` for every message."""
 
     def __init__(self) -> None:
         self._arrivals: deque[tuple[int, int]] = deque(maxlen=MOST)

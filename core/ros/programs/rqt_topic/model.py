@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.names import full_name
-from day6_tui.core.interfaces import deserialize, get_message
+from day6_tui.core.interfaces import DeserializationError, deserialize, get_message
 from day6_tui.core.ros.programs.rqt_topic._measure import Measure
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.subscription import Subscription
     from rclpy.topic_endpoint_info import TopicEndpointInfo
+
+
+MOST_BYTES = 8_000_000
+"""A larger message is counted, but not read: that would hold up the window."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +43,7 @@ class Topic:
     bandwidth: float | None = None
     bars: tuple[float, ...] = ()
     problem: str = ""
-    """Why subscribing failed, in rclpy's words."""
+    """Why subscribing or reading the newest message failed, in the words of the error."""
 
 
 class TopicMonitor:
@@ -64,10 +68,19 @@ class TopicMonitor:
             self.on_request()
 
     def last_message(self, topic: str) -> Any | None:
-        """The newest message of a monitored topic."""
+        """The newest message of a monitored topic; None if there is none, or none that can be shown (see `problem`)."""
         monitor = self._monitors.get(topic)
         data = monitor.newest if monitor is not None else None
-        return deserialize(data, monitor.type_class) if monitor is not None and data is not None else None
+        if monitor is None or data is None:
+            return None
+        monitor.problem = ""
+        try:
+            if len(data) <= MOST_BYTES:
+                return deserialize(data, monitor.type_class)
+            monitor.problem = f"{len(data)} bytes"
+        except DeserializationError as error:
+            monitor.problem = str(error)
+        return None
 
     # -- the program's side --------------------------------------------------------------------------------------------
 
@@ -123,7 +136,16 @@ class TopicMonitor:
         rates = monitor.measure.rates(now_ns)
         rate, bandwidth = rates if rates is not None else (None, None)
         return Topic(
-            name, types, publishers, subscriptions, True, monitor.measure.count, rate, bandwidth, monitor.measure.bars
+            name,
+            types,
+            publishers,
+            subscriptions,
+            True,
+            monitor.measure.count,
+            rate,
+            bandwidth,
+            monitor.measure.bars,
+            monitor.problem,
         )
 
     def _now_ns(self) -> int:
@@ -137,6 +159,7 @@ class _Monitor:
         self.type_class = get_message(type_name)
         self.measure = Measure()
         self.newest: bytes | None = None
+        self.problem = ""
         self._clock = node.get_clock()
         self.subscription: Subscription[Any] = node.create_subscription(
             self.type_class, topic, self._on_message, _qos_for(node.get_publishers_info_by_topic(topic)), raw=True

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import time
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -125,7 +126,7 @@ async def main(session: Session) -> int:
     from rclpy.duration import Duration
 
     buffer = FrameBuffer(Duration(nanoseconds=max(0, int(cache_ms)) * 1_000_000))
-    rviz = RViz(node, buffer)
+    rviz = RViz(node, buffer, partial(session.timer_ns, node), session.clock.now_ns)
     session.defer(rviz.close)
     changed = Signal()
     rviz.wake = changed.set

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from day6_tui.core.ros.programs._waiting import spin
 from day6_tui.core.ros.programs.turtle_tf2_py.frames import broadcast_carrot
+from day6_tui.core.session.clock import NANOSECONDS
 
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
@@ -17,7 +18,7 @@ async def main(session: Session) -> int:
 
     def place() -> tuple[float, float, float]:
         # Whole seconds only, as in the original: the carrot jumps from one side to the other.
-        angle = math.pi * node.get_clock().now().seconds_nanoseconds()[0]
+        angle = math.pi * (session.timer_ns(node) // NANOSECONDS)
         return 10 * math.sin(angle), 10 * math.cos(angle), 0.0
 
     broadcast_carrot(node, place)

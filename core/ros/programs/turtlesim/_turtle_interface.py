@@ -10,11 +10,14 @@ from turtlesim.msg import Color, Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
 from rclpy.task import Future
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from day6_tui.core.ros.programs.turtlesim.model import Rotation, Step, Turtle
     from rclpy.action.server import ServerGoalHandle
     from rclpy.node import Node
@@ -24,13 +27,14 @@ RESULT_ROUNDS = 3
 
 
 class TurtleInterface:
-    """Passes messages to `turtle` and publishes what its steps did.
+    """Passes messages to `turtle` and publishes what its steps did. `now_ns` tells the time the turtle moves by.
 
     Raises rclpy's InvalidTopicNameException for a turtle whose name cannot be part of a topic.
     """
 
-    def __init__(self, node: Node, turtle: Turtle) -> None:
+    def __init__(self, node: Node, turtle: Turtle, now_ns: Callable[[], int]) -> None:
         self._node = node
+        self._now_ns = now_ns
         self._turtle = turtle
         self._goal: ServerGoalHandle[Any, Any, Any] | None = None
         self._results: dict[bytes, Future[Any]] = {}
@@ -53,6 +57,13 @@ class TurtleInterface:
             handle_accepted_callback=self._rotate,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
         )
+
+    def topics(self) -> TurtleTopics:
+        """The turtle's topics, with those who publish its velocities now."""
+        command = self._commands.topic_name
+        senders = self._node.get_publishers_info_by_topic(command)
+        names = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in senders}
+        return TurtleTopics(self._poses.topic_name, command, tuple(sorted(names)))
 
     def destroy(self) -> None:
         """Take everything out of the graph."""
@@ -90,7 +101,7 @@ class TurtleInterface:
     def _command(self, twist: Twist) -> None:
         holonomic = self._node.get_parameter("holonomic").value
         aborted = self._turtle.command(
-            twist.linear.x, twist.angular.z, self._now(), linear_y=twist.linear.y if holonomic else None
+            twist.linear.x, twist.angular.z, self._now_ns(), linear_y=twist.linear.y if holonomic else None
         )
         if aborted is not None:
             self._node.get_logger().warning("Velocity command received during rotation goal. Aborting goal")
@@ -164,9 +175,6 @@ class TurtleInterface:
             executor.create_task(self._destroy_rotations_after, rounds - 1)
         else:
             self._rotations.destroy()
-
-    def _now(self) -> int:
-        return int(self._node.get_clock().now().nanoseconds)
 
 
 def _id_of(goal: ServerGoalHandle[Any, Any, Any]) -> bytes:

@@ -6,6 +6,7 @@ As in the original, one timer of 16 ms does everything: take the messages that a
 from __future__ import annotations
 
 import random
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
@@ -25,12 +26,17 @@ CHANNELS = {"background_r": "Red", "background_g": "Green", "background_b": "Blu
 
 EVENTS_QOS = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
 
+TICKS_BETWEEN_LOOKS = 16
+"""How often the graph is asked who drives the turtles."""
+
 
 class TurtleFrame:
     """The node and its world; `tick()` is one period."""
 
     def __init__(self, session: Session) -> None:
         self.node = node = create_node(session, "turtlesim")
+        # A turtle stops by the time that it moves by, not by the wall's: so a key press is 63 ticks on any machine.
+        self._now_ns = partial(session.timer_ns, node)
         # The original seeds rand() with the second it starts in.
         choice = random.Random(session.clock.now_ns() // 1_000_000_000)
         name = node.get_fully_qualified_name()
@@ -59,8 +65,14 @@ class TurtleFrame:
         interfaces = self._interfaces
         for interface in interfaces.values():
             interface.before_step()
-        for turtle, step in self.simulation.tick(self._now()):
+        for turtle, step in self.simulation.tick(self._now_ns()):
             interfaces[turtle.name].publish(step)
+
+    def look_around(self) -> None:
+        """Let the window know who drives the turtles."""
+        topics = {name: interface.topics() for name, interface in self._interfaces.items()}
+        if topics != self.simulation.topics:
+            self.simulation.topics = topics
 
     def _add_turtle(self, name: str, x: float, y: float, theta: float) -> str | None:
         simulation = self.simulation
@@ -68,8 +80,8 @@ class TurtleFrame:
         if free is None:
             return None
         x, y, theta = model.float32(x), model.float32(y), model.float32(theta)
-        turtle = simulation.create(free, x, y, theta, self._now())
-        self._interfaces[free] = TurtleInterface(self.node, turtle)
+        turtle = simulation.create(free, x, y, theta, self._now_ns())
+        self._interfaces[free] = TurtleInterface(self.node, turtle, self._now_ns)
         simulation.add(turtle)
         self.node.get_logger().info(f"Spawning turtle [{free}] at x=[{x:f}], y=[{y:f}], theta=[{theta:f}]")
         return free
@@ -110,9 +122,6 @@ class TurtleFrame:
     def _paint_background(self) -> None:
         self.simulation.set_background(*(self.node.get_parameter(name).value for name in CHANNELS))
 
-    def _now(self) -> int:
-        return int(self.node.get_clock().now().nanoseconds)
-
 
 async def main(session: Session) -> int:
     frame = TurtleFrame(session)
@@ -120,9 +129,11 @@ async def main(session: Session) -> int:
     display = session.display
     window = None if display is None else display.open("turtlesim", "TurtleSim", frame.simulation)
     try:
-        async for _ in session.every(model.TICK):
+        async for tick in session.every(model.TICK):
             session.spin_some()
             frame.tick()
+            if window is not None and tick % TICKS_BETWEEN_LOOKS == 0:
+                frame.look_around()
     except InvalidTopicNameException as error:
         # A turtle spawned by a name that no topic can have.
         abort(session, "rclcpp::exceptions::InvalidTopicNameError", str(error))

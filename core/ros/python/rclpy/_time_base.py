@@ -9,13 +9,13 @@ from typing import Protocol
 
 
 class TimeBase(Protocol):
-    """What a context needs to tell the time; core/session passes the world clock."""
+    """What a context needs to tell the time; in day6-tui core/session/clock.py, which says who reads which."""
 
     def now_ns(self) -> int:
-        """Nanoseconds since 1970 (ROS and system time)."""
+        """Nanoseconds since 1970 (ROS and system time): what is stamped and measured."""
 
     def steady_ns(self) -> int:
-        """Nanoseconds since some fixed moment, never going back."""
+        """Nanoseconds since some fixed moment, never going back: what timers and waits run by."""
 
 
 class MachineTime:

@@ -20,13 +20,21 @@ VERSION = "0.36.1"
 """The version of ros2cli whose behaviour and texts these are."""
 
 
+_NO_VERSION = {
+    "en": "note: the ros2 of a real installation has no --version, it prints its usage",
+    "zh": "说明：真正安装的 ros2 没有 --version，它只会打印用法",
+}
+
+
 async def run_command(session: Session) -> int:
     """Parse `session.argv` and run the verb; exit statuses as ros2cli's: 2 for Ctrl-C, 1 for a reported failure."""
     environment.activate()
     argv = session.argv[1:]
     if argv == ["--version"]:
         session.print(f"ros2 {VERSION} (day6-tui)")
-        session.print_error("note: the ros2 of a real installation has no --version, it prints its usage")
+        from day6_tui.urdf.explain import language_of
+
+        session.print_error(_NO_VERSION[language_of(session.env)])
         return 0
     try:
         args = build_parser(session, argv).parse_args(argv)

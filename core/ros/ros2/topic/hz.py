@@ -12,8 +12,9 @@ from day6_tui.core.ros.ros2.cli.node import direct_node
 from day6_tui.core.ros.ros2.cli.options import add_discovery_options, completed, positive_int
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from day6_tui.core.session.session import Session
-    from rclpy.clock import Clock
 
 SUMMARY = "Print the average publishing rate to screen"
 WINDOW = 10000
@@ -51,17 +52,15 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 async def main(session: Session, args: Namespace) -> None:
     from day6_tui.core.ros.ros2.topic._types import wait_for_class
-    from rclpy.clock import Clock
-    from rclpy.clock_type import ClockType
     from rclpy.executors import ExternalShutdownException
     from rclpy.qos import qos_profile_sensor_data
 
     node = await direct_node(session, args)
-    clock = Clock(clock_type=ClockType.SYSTEM_TIME) if args.use_wtime else node.get_clock()
+    now_ns = session.clock.now_ns if args.use_wtime else lambda: int(node.get_clock().now().nanoseconds)
     meters: dict[str, _Meter] = {}
     for topic in args.topic_name:
         kind = await wait_for_class(session, node, topic)
-        meters[topic] = _Meter(session, clock, args.window_size)
+        meters[topic] = _Meter(session, now_ns, args.window_size)
         receive = partial(_receive, meters[topic], args.filter_expr)
         node.create_subscription(kind, topic, receive, qos_profile_sensor_data)
         if len(args.topic_name) > 1:
@@ -101,11 +100,11 @@ class Rate(NamedTuple):
 
 
 class _Meter:
-    """Measures the periods between messages of one topic, in nanoseconds of a clock."""
+    """Measures the periods between messages of one topic; `now_ns` is the clock (nanoseconds)."""
 
-    def __init__(self, session: Session, clock: Clock, window: int) -> None:
+    def __init__(self, session: Session, now_ns: Callable[[], int], window: int) -> None:
         self.session = session
-        self.clock = clock
+        self.now_ns = now_ns
         self.window = window
         self.first = -1
         self.last = 0
@@ -113,7 +112,7 @@ class _Meter:
         self.periods: list[int] = []
 
     def count(self) -> None:
-        now = self.clock.now().nanoseconds
+        now = self.now_ns()
         if now == 0:
             if self.periods:
                 self.session.print("time has reset, resetting counters")

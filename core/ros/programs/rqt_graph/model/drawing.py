@@ -28,7 +28,8 @@ class Glyphs:
     lines: str
     round_corners: str
     square_corners: str
-    sides: str
+    slanted: bool
+    """Whether the round corners are slashes: they join the sides one column further out."""
     right: str
     left: str
     up: str
@@ -46,18 +47,23 @@ class Glyphs:
         return self.lines[_NORTH | _SOUTH]
 
 
-UNICODE = Glyphs(_BOX_LINES, "╭╮╰╯", "┌┐└┘", "()", "▶", "◀", "▲", "▼", "●")
-CONSOLE = Glyphs(_BOX_LINES, "┌┐└┘", "┌┐└┘", "()", ">", "<", "^", "v", "*")
+UNICODE = Glyphs(_BOX_LINES, "╭╮╰╯", "┌┐└┘", False, "▶", "◀", "▲", "▼", "●")
+CONSOLE = Glyphs(_BOX_LINES, "/\\\\/", "┌┐└┘", True, ">", "<", "^", "v", "*")
 """The plain Linux console: its fonts lack round corners and triangles."""
-ASCII = Glyphs(" |-+|||+-+-+++++", "/\\\\/", "++++", "()", ">", "<", "^", "v", "*")
+ASCII = Glyphs(" |-+|||+-+-+++++", "/\\\\/", "++++", True, ">", "<", "^", "v", "*")
 
 
 @dataclass
 class Canvas:
-    """A grid of cells, each one character and a style; a wide character is followed by an empty cell."""
+    """A grid of cells, each one character and a style; a wide character is followed by an empty cell.
+
+    Its first cell is the cell (`left`, `top`) of what is drawn on it.
+    """
 
     width: int
     height: int
+    left: int = 0
+    top: int = 0
     text: list[list[str]] = field(init=False)
     style: list[list[str]] = field(init=False)
 
@@ -67,6 +73,7 @@ class Canvas:
 
     def put(self, x: int, y: int, text: str, style: str) -> None:
         """Write text from a cell to the right; what does not fit is cut."""
+        x, y = x - self.left, y - self.top
         if not 0 <= y < self.height:
             return
         for character in text:
@@ -78,6 +85,17 @@ class Canvas:
                     self.text[y][x + 1] = ""
                     self.style[y][x + 1] = style
             x += cells
+
+    def copy(self) -> Canvas:
+        """Return a canvas with the same cells."""
+        copy = Canvas(0, 0, self.left, self.top)
+        copy.width, copy.height = self.width, self.height
+        copy.text, copy.style = [row[:] for row in self.text], [row[:] for row in self.style]
+        return copy
+
+    def shows(self, x: int, y: int) -> bool:
+        """Whether a cell of what is drawn lies on the canvas."""
+        return 0 <= x - self.left < self.width and 0 <= y - self.top < self.height
 
     def rows(self) -> list[list[Run]]:
         """Return the rows as runs of one style each."""
@@ -98,12 +116,18 @@ def measure(text: str) -> int:
     return sum(map(char_width, text))
 
 
-def draw(picture: Picture, glyphs: Glyphs, warnings: Iterable[str] = (), highlight: Highlight | None = None) -> Canvas:
-    """Draw frames, boxes and edges.
+def draw(
+    picture: Picture,
+    glyphs: Glyphs,
+    warnings: Iterable[str] = (),
+    highlight: Highlight | None = None,
+    part: Rect | None = None,
+) -> Canvas:
+    """Draw frames, boxes and edges; of a picture larger than the window only the `part` that is seen.
 
     What has its key in `warnings` is drawn in the warning style; with a `highlight` the rest of the picture is faded.
     """
-    canvas = Canvas(picture.width, picture.height)
+    canvas = Canvas(part.width, part.height, part.x, part.y) if part else Canvas(picture.width, picture.height)
     marked = set(warnings)
     for name, rect in picture.clusters:
         _draw_frame(canvas, name, rect, glyphs)
@@ -118,7 +142,10 @@ def draw(picture: Picture, glyphs: Glyphs, warnings: Iterable[str] = (), highlig
             canvas.put(*route.label_at, route.edge.label, label)
         if route.cells:
             canvas.put(*route.cells[-1], _arrow(route, glyphs), style)
-    for box, rect in picture.boxes.values():
+    # The highlighted one last: in an overview boxes can lie on each other.
+    for box, rect in sorted(
+        picture.boxes.values(), key=lambda each: highlight is not None and each[0].key == highlight.key
+    ):
         style = highlight.box(box.key) if highlight else "warning" if box.key in marked else box.shape
         _draw_box(canvas, box, rect, glyphs, style)
     return canvas
@@ -128,18 +155,18 @@ class Highlight:
     """What belongs to one box: the edges that arrive and leave, and the boxes at their other ends."""
 
     def __init__(self, key: str, edges: Iterable[Edge]) -> None:
-        self._key = key
+        self.key = key
         edges = list(edges)
         self._before = {edge.start for edge in edges if edge.end == key}
         self._after = {edge.end for edge in edges if edge.start == key}
 
     def edge(self, edge: Edge) -> str:
         """Return the style of an edge."""
-        return "outgoing" if edge.start == self._key else "incoming" if edge.end == self._key else "faded"
+        return "outgoing" if edge.start == self.key else "incoming" if edge.end == self.key else "faded"
 
     def box(self, key: str) -> str:
         """Return the style of a box."""
-        if key == self._key:
+        if key == self.key:
             return "chosen"
         return "outgoing" if key in self._after else "incoming" if key in self._before else "faded"
 
@@ -148,7 +175,7 @@ def draw_pulse(canvas: Canvas, route: Route, progress: float, glyphs: Glyphs) ->
     """Put a pulse on an edge; `progress` runs from 0 (start) to 1 (end)."""
     if route.cells:
         x, y = route.cells[min(int(progress * len(route.cells)), len(route.cells) - 1)]
-        if canvas.text[y][x]:
+        if canvas.shows(x, y) and canvas.text[y - canvas.top][x - canvas.left]:
             canvas.put(x, y, glyphs.pulse, "pulse")
 
 
@@ -176,7 +203,8 @@ def _draw_lines(canvas: Canvas, routes: Iterable[Route], glyphs: Glyphs, style: 
             if len(route.cells) > 1 and route.cells[end][1] == route.cells[beside][1]:
                 masks[route.cells[end]] = masks.get(route.cells[end], 0) | _EAST | _WEST
     for (x, y), mask in masks.items():
-        canvas.put(x, y, glyphs.lines[mask], style)
+        if canvas.shows(x, y):
+            canvas.put(x, y, glyphs.lines[mask], style)
 
 
 def _arrow(route: Route, glyphs: Glyphs) -> str:
@@ -192,17 +220,26 @@ def _draw_box(canvas: Canvas, box: Box, rect: Rect, glyphs: Glyphs, style: str) 
     round_shape = box.shape == "node"
     x, y, width, height = rect.x, rect.y, rect.width, rect.height
     if height == 1:
-        left, right = tuple(glyphs.sides if round_shape else "[]")
-        canvas.put(x, y, f"{left} {box.lines[0]} {right}", style)
+        left, right = ("( ", " )") if round_shape else ("[ ", " ]")
+        framed = measure(box.lines[0]) + 4 <= width
+        canvas.put(x, y, f"{left}{box.lines[0]}{right}" if framed else box.lines[0], style)
         return
     corners = glyphs.round_corners if round_shape else glyphs.square_corners
-    inset = 1 if round_shape else 0
+    slanted = round_shape and glyphs.slanted
+    inset = 1 if slanted else 0
     bar = glyphs.across * (width - 2 - 2 * inset)
     canvas.put(x + inset, y, corners[0] + bar + corners[1], style)
     canvas.put(x + inset, y + height - 1, corners[2] + bar + corners[3], style)
-    sides = glyphs.sides if round_shape else glyphs.upright * 2
-    for row in range(y + 1, y + height - 1):
-        canvas.put(x, row, sides[0] + " " * (width - 2) + sides[1], style)
+    for row in range(1, height - 1):
+        left, right = _slanted_sides(row, height) if slanted else (glyphs.upright, glyphs.upright)
+        canvas.put(x, y + row, left + " " * (width - 2) + right, style)
     first = y + 1 + (height - 2 - len(box.lines)) // 2
     for index, line in enumerate(box.lines):
         canvas.put(x + (width - measure(line)) // 2, first + index, line, style)
+
+
+def _slanted_sides(row: int, height: int) -> tuple[str, str]:
+    """The sides of an ellipse made of ASCII characters: they continue the slashes of its corners."""
+    if height == 3:
+        return "(", ")"
+    return ("/", "\\") if row == 1 else ("\\", "/") if row == height - 2 else ("|", "|")

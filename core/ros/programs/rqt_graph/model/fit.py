@@ -1,59 +1,173 @@
-"""Choosing the roomiest picture that fits a window."""
+"""The forms in which a graph can be drawn, from everything in full to an overview, and the roomiest that fits a window."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import groupby
+from typing import NamedTuple
 
+from day6_tui.core.elide import elide
 from day6_tui.core.ros.programs.rqt_graph.model.drawing import measure
 from day6_tui.core.ros.programs.rqt_graph.model.layout import layout
-from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge, Picture
+from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Cell, Edge, Picture, Rect, Route
 
-_ATTEMPTS = ((True, 0), (True, 26), (True, 16), (False, 0), (False, 26), (False, 16), (False, 11))
-"""What is tried in turn: frames around boxes or not, and the longest label (0: any)."""
+
+class Form(NamedTuple):
+    """How a graph is drawn: boxes with a frame above and below or on one line, the longest topic and node name (0: any)."""
+
+    roomy: bool
+    topic: int = 0
+    node: int = 0
+    labels: bool = True
+
+
+FORMS = (
+    Form(True),
+    Form(True, 26),
+    Form(True, 26, 26),
+    Form(True, 16, 26),
+    Form(True, 16, 16),
+    Form(False),
+    Form(False, 26),
+    Form(False, 26, 26),
+    Form(False, 16, 26),
+    Form(False, 11, 16),
+    Form(False, 11, 16, labels=False),
+)
+"""From the largest picture to the smallest, as a user zooms out."""
+
+_LEAST_ROOMY = max(form for form, (roomy, *_) in enumerate(FORMS) if roomy)
 
 _LARGE = 60
-"""From this many boxes on only the smallest form is tried: none fits a terminal, and layouts take time."""
+"""From this many boxes on only the smallest form is tried: no other fits a terminal, and layouts take time."""
+
+
+OVERVIEW = len(FORMS)
+"""The form after the last one: the smallest picture drawn smaller still, as far as the window needs it."""
+
+
+class Forms:
+    """The pictures of one graph, each laid out when it is first wanted. The boxes around namespaces are in all of them."""
+
+    def __init__(self, boxes: Sequence[Box], edges: Sequence[Edge], ellipsis: str = "…") -> None:
+        self._boxes, self._edges, self._ellipsis = boxes, edges, ellipsis
+        self._pictures: dict[int, Picture] = {}
+
+    def picture(self, form: int, width: int, height: int) -> Picture:
+        """The graph in one of FORMS, or in OVERVIEW for a window of `width` x `height` cells."""
+        if form == OVERVIEW:
+            # Boxes keep their frames while there are rows enough.
+            roomy = len(self._boxes) < _LARGE and self.picture(_LEAST_ROOMY, width, height).height <= height
+            base = _LEAST_ROOMY if roomy else OVERVIEW - 1
+            return overview(self.picture(base, width, height), width, height, self._ellipsis)
+        if form not in self._pictures:
+            self._pictures[form] = _formed(self._boxes, self._edges, FORMS[form], self._ellipsis)
+        return self._pictures[form]
+
+    def best(self, width: int, height: int) -> int:
+        """The first form that fits the window."""
+        for form in range(len(FORMS)) if len(self._boxes) < _LARGE else (OVERVIEW - 1,):
+            if self._fits(form, width, height):
+                return form
+        return OVERVIEW
+
+    def next(self, form: int, step: int, width: int, height: int) -> int:
+        """The next smaller (step 1) or larger (-1) form that looks different; the same one if there is none."""
+        last = OVERVIEW - 1 if self._fits(OVERVIEW - 1, width, height) else OVERVIEW
+        now = self._size(form, width, height)
+        others = range(form + step, last + 1 if step > 0 else -1, step)
+        return next((other for other in others if self._size(other, width, height) != now), form)
+
+    def _fits(self, form: int, width: int, height: int) -> bool:
+        across, down = self._size(form, width, height)
+        return across <= width and down <= height
+
+    def _size(self, form: int, width: int, height: int) -> tuple[int, int]:
+        picture = self.picture(form, width, height)
+        return picture.width, picture.height
 
 
 def fitted(boxes: Sequence[Box], edges: Sequence[Edge], width: int, height: int, *, ellipsis: str = "…") -> Picture:
-    """Lay out a graph for a window of `width` x `height` cells.
-
-    Long labels are shortened in their middle, then frames go, then the boxes around namespaces. When nothing fits, the
-    smallest attempt is returned and the window scrolls.
-    """
-    smallest: Picture | None = None
-    for roomy, longest in _ATTEMPTS if len(boxes) < _LARGE else _ATTEMPTS[-1:]:
-        shortened = [replace(edge, label=elide(edge.label, longest, ellipsis)) for edge in edges] if longest else edges
-        picture = layout(list(boxes), list(shortened), measure, roomy=roomy)
-        if picture.width <= width and picture.height <= height:
-            return picture
-        if smallest is None or picture.width * picture.height < smallest.width * smallest.height:
-            smallest = picture
-    assert smallest is not None
-    if any(box.cluster for box in boxes):
-        bare = fitted([replace(box, cluster="") for box in boxes], edges, width, height, ellipsis=ellipsis)
-        if bare.width <= width and bare.height <= height:
-            return bare
-    return smallest
+    """Lay out a graph in the roomiest form that fits `width` x `height` cells, else in the smallest that can be read."""
+    forms = Forms(boxes, edges, ellipsis)
+    return forms.picture(min(forms.best(width, height), OVERVIEW - 1), width, height)
 
 
 def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> Picture:
-    """Lay out a graph with everything in full; the window scrolls."""
-    return layout(list(boxes), list(edges), measure)
+    """Lay out a graph with everything in full."""
+    return _formed(boxes, edges, FORMS[0], "")
 
 
-def elide(name: str, longest: int, ellipsis: str) -> str:
-    """Shorten a topic name to `longest` cells: its first and last parts stay, the middle becomes an ellipsis."""
-    if measure(name) <= longest:
-        return name
-    parts = name.split("/")
-    for kept in range(len(parts) - 2, 0, -1):
-        short = "/".join([*parts[:2], ellipsis, *parts[-kept:]])
-        if kept < len(parts) - 2 and measure(short) <= longest:
-            return short
-    for kept in range(len(parts) - 1, 0, -1):
-        short = "/".join([ellipsis, *parts[-kept:]])
-        if measure(short) <= longest:
-            return short
-    return ellipsis + name[len(name) - longest + len(ellipsis) :]
+def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture:
+    """Lay out a graph in one form; names that are too long for it are shortened in their middle."""
+    if form.node:
+        boxes = [replace(box, lines=tuple(elide(line, form.node, ellipsis) for line in box.lines)) for box in boxes]
+    if form.topic:
+        edges = [replace(edge, label=elide(edge.label, form.topic, ellipsis) * form.labels) for edge in edges]
+    return layout(list(boxes), list(edges), measure, roomy=form.roomy)
+
+
+def overview(picture: Picture, width: int, height: int, ellipsis: str = "…") -> Picture:
+    """The whole picture drawn smaller, into `width` x `height` cells: of the names stays what has room, else a mark.
+
+    Where rows must go, boxes are expected to have a single one.
+    """
+    frames, rects = [rect for _, rect in picture.clusters], [rect for _, rect in picture.boxes.values()]
+    # What is dropped first is what only edges run through.
+    sides = {rect.x for rect in frames} | {rect.x + rect.width - 1 for rect in frames}
+    # Where edges begin and end, arrows included.
+    sides |= {column for route in picture.routes for column, _ in (*route.cells[:2], *route.cells[-2:])}
+    names = {column for rect in rects for column in range(rect.x, rect.x + rect.width)}
+    tops, bottoms = {rect.y for rect in (*frames, *rects)}, {rect.y + rect.height - 1 for rect in (*frames, *rects)}
+    columns = _shrunk(picture.width, width, sides, names)
+    rows = _shrunk(picture.height, height, tops, bottoms)
+
+    def place(x: int, y: int) -> Cell:
+        return columns[x], rows[y]
+
+    def shrunk(rect: Rect) -> Rect:
+        left, top = place(rect.x, rect.y)
+        right, bottom = place(rect.x + rect.width - 1, rect.y + rect.height - 1)
+        return Rect(left, top, right - left + 1, bottom - top + 1)
+
+    boxes = {}
+    for key, (box, rect) in picture.boxes.items():
+        small = shrunk(rect)
+        if 1 < rect.height == small.height and small.width > 6:
+            lines = tuple(elide(line, small.width - 4, ellipsis) for line in box.lines)
+        else:
+            small, lines = replace(small, height=1), (_short_name(box, small.width, ellipsis),)
+        boxes[key] = (replace(box, lines=lines), small)
+    routes = tuple(
+        Route(route.edge, tuple(cell for cell, _ in groupby(place(*cell) for cell in route.cells)), None)
+        for route in picture.routes
+    )
+    clusters = tuple((name, shrunk(rect)) for name, rect in picture.clusters)
+    return Picture(min(width, picture.width), min(height, picture.height), boxes, routes, clusters)
+
+
+def _shrunk(size: int, room: int, *kept: set[int]) -> list[int]:
+    """Where each of `size` lines comes to lie in `room`: those kept first have one of their own as long as there is room."""
+    share = dict.fromkeys(range(size), 0.0)
+    left = min(size, room)
+    told: set[int] = set()
+    for lines in (*kept, set(share)):
+        lines = lines - told
+        told |= lines
+        share.update(dict.fromkeys(lines, min(1.0, left / max(1, len(lines)))))
+        left = max(0, left - len(lines))
+    places, before = [], 1e-9
+    for line in range(size):
+        places.append(min(int(before), max(0, room - 1)))
+        before += share[line]
+    return places
+
+
+def _short_name(box: Box, width: int, ellipsis: str) -> str:
+    """The name of a box in `width` cells: with its frame, without, or a mark where there is no room for any of it."""
+    if measure(box.lines[0]) <= width:
+        return box.lines[0]
+    if width < 4:
+        return ("o" if box.shape == "node" else "#") * min(width, 1)
+    return elide(box.lines[0].rpartition("/")[2], width, ellipsis)

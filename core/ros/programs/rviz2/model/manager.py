@@ -6,7 +6,6 @@ All of it lives on the program's thread, where `tick` follows what changed. A us
 
 from __future__ import annotations
 
-import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -48,10 +47,17 @@ MeshReader = Callable[[str, bool, Callable[[Any], None]], None]
 
 
 class RViz:
-    """One RViz. `log` writes a line of level 'info', 'warn' or 'error' as the logger rviz2."""
+    """One RViz.
 
-    def __init__(self, node: Node, buffer: FrameBuffer) -> None:
+    `timer_ns` is the time that timers run by, by which things in the picture grow old; `system_ns` is the machine's.
+    """
+
+    def __init__(
+        self, node: Node, buffer: FrameBuffer, timer_ns: Callable[[], int], system_ns: Callable[[], int]
+    ) -> None:
         self.node = node
+        self.timer_ns = timer_ns
+        self._system_ns = system_ns
         self.frames = Frames(buffer)
         self.scene = Scene()
         self.version = 0
@@ -129,6 +135,7 @@ class RViz:
         return [child for child in self.root.children if isinstance(child, Display)]
 
     def now_ns(self) -> int:
+        """ROS time, for what is measured."""
         return int(self.node.get_clock().now().nanoseconds)
 
     def frame_names(self) -> list[str]:
@@ -325,7 +332,7 @@ class RViz:
         return True
 
     def _tell_time(self) -> None:
-        ros, wall = self.now_ns(), time.time_ns()
+        ros, wall = self.now_ns(), self._system_ns()
         if self._began is None:
             self._began = (ros, wall)
         numbers = (ros, ros - self._began[0], wall, wall - self._began[1])

@@ -44,6 +44,9 @@ class Lines:
     pose: Transform = IDENTITY
     width: float = 0.0
     """Metres; 0 is one pixel."""
+    lattice: bool = False
+    """A grid of one colour in a plane: segments of two directions by turns, each direction in equal steps. A painter may leave
+    out lines that come so close that nobody could tell them apart."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,6 +9,7 @@ from day6_tui.core.ros.programs.turtlesim.model.simulation import (
     KINDS,
     Scene,
     Simulation,
+    TurtleTopics,
     TurtleView,
 )
 from day6_tui.core.ros.programs.turtlesim.model.square import Square
@@ -33,6 +34,7 @@ __all__ = [
     "Step",
     "Trail",
     "Turtle",
+    "TurtleTopics",
     "TurtleView",
     "float32",
 ]

@@ -41,6 +41,14 @@ class TurtleView(NamedTuple):
     angular_velocity: float
 
 
+class TurtleTopics(NamedTuple):
+    """The full names of a turtle's topics, and the nodes that publish its velocities."""
+
+    pose: str
+    cmd_vel: str
+    senders: tuple[str, ...]
+
+
 class Scene(NamedTuple):
     """One whole picture but for the trail: the turtles in drawing order, and red, green, blue of the background."""
 
@@ -61,6 +69,8 @@ class Simulation:
         self.turtles: dict[str, Turtle] = {}  # kept in the order of names: std::map's, in which turtles move and draw
         self.background = DEFAULT_BACKGROUND
         self.scene = Scene((), DEFAULT_BACKGROUND)
+        self.topics: dict[str, TurtleTopics] = {}
+        """By the turtles' names; replaced by a new one when it changes."""
         self._choose = choose
         self._counter = 0
         self._started = False

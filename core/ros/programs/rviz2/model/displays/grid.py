@@ -87,7 +87,9 @@ class GridDisplay(Display):
                     vertices += [self._in_plane(u, v, low), self._in_plane(u, v, high)]
         red, green, blue = self.colour.value
         width = self.width.value if self.style.value == "Billboards" else 0.0
-        return Lines(vertices, [(red / 255, green / 255, blue / 255, self.alpha.value)], pose, width)
+        return Lines(
+            vertices, [(red / 255, green / 255, blue / 255, self.alpha.value)], pose, width, lattice=levels == 0
+        )
 
     def _in_plane(self, u: float, v: float, normal: float) -> Vector:
         plane = self.plane.value

@@ -87,7 +87,7 @@ class Markers:
         self.display.drop_status(_line(key))
         if key not in self._markers and len(self._markers) >= MOST_MARKERS:
             del self._markers[next(iter(self._markers))]
-        entry = self._markers[key] = _Marker(marker, self.display.rviz.now_ns())
+        entry = self._markers[key] = _Marker(marker, self.display.rviz.timer_ns())
         self._place(key, entry)
         if marker.type == MESH:
             self._read_mesh(key, entry)
@@ -149,7 +149,7 @@ class Markers:
 
     def refresh(self) -> None:
         """Let old markers end, and those move that are locked to their frames."""
-        now_ns = self.display.rviz.now_ns()
+        now_ns = self.display.rviz.timer_ns()
         for key, entry in list(self._markers.items()):
             if entry.ends_ns is not None and now_ns >= entry.ends_ns:
                 self._delete(key)

@@ -108,7 +108,7 @@ class PointsDisplay(FilteredDisplay):
         """Keep a cloud: points in its own frame (N x 3), that frame's pose, channels, colours and what these came from."""
         self.drop_status("Message")
         self._choose(names)
-        self._clouds.append(Cloud(self.rviz.now_ns(), own, _moved(own, pose), channels, colours, names))
+        self._clouds.append(Cloud(self.rviz.timer_ns(), own, _moved(own, pose), channels, colours, names))
         while len(self._clouds) > 1 and sum(len(each.own) for each in self._clouds) > MOST_KEPT:
             self._clouds.popleft()
         shown = list(self._clouds) if self.decay.value else [self._clouds[-1]]
@@ -139,7 +139,7 @@ class PointsDisplay(FilteredDisplay):
     def draw(self, scene: Scene) -> None:
         if not self._clouds:
             return
-        oldest = self.rviz.now_ns() - int(self.decay.value * 1e9)
+        oldest = self.rviz.timer_ns() - int(self.decay.value * 1e9)
         while len(self._clouds) > 1 and (not self.decay.value or self._clouds[0].received_ns < oldest):
             self._clouds.popleft()
         looks = tuple(each.value for top in self.children if top is not self.statuses for each in top.walk())

@@ -141,7 +141,7 @@ class RobotModelDisplay(TopicDisplay):
     def refresh(self) -> None:
         super().refresh()
         robot = self.parts.robot
-        now_ns = self.rviz.now_ns()
+        now_ns = self.rviz.timer_ns()
         if robot is None or (self.interval.value >= 0.0001 and now_ns - self._updated_ns < self.interval.value * 1e9):
             return
         self._updated_ns = now_ns

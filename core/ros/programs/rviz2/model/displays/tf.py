@@ -108,7 +108,7 @@ class TFDisplay(Display):
         self._forget(set())
 
     def refresh(self) -> None:
-        now_ns = self.rviz.now_ns()
+        now_ns = self.rviz.timer_ns()
         if self.interval.value >= 0.0001 and now_ns - self._updated_ns <= self.interval.value * 1e9:
             return
         self._updated_ns = now_ns
@@ -162,11 +162,11 @@ class TFDisplay(Display):
     def fading(self) -> bool:
         """Whether a frame is growing old, so that the picture changes without news."""
         third = self.timeout.value / 3
-        now_ns = self.rviz.now_ns()
+        now_ns = self.rviz.timer_ns()
         return any(frame.pose is not None and (now_ns - frame.heard_ns) / 1e9 > third for frame in self.frames.values())
 
     def draw(self, scene: Scene) -> None:
-        now_ns = self.rviz.now_ns()
+        now_ns = self.rviz.timer_ns()
         scale = self.scale.value
         for frame in self.frames.values():
             if frame.pose is None or not frame.enabled.value:

@@ -1,0 +1,238 @@
+"""The rules: from a fault and the machine around it to a hint."""
+
+from __future__ import annotations
+
+import re
+import sys
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+from day6_tui.core.advice import known
+from day6_tui.core.advice.fault import Fault, fault_in
+from day6_tui.core.advice.texts import PATTERNS, TEXTS
+from day6_tui.urdf.explain import Hint, hints_wanted, language_of
+
+CLOSE = 0.75
+"""How alike two names are of which one is taken for a slip of the other (difflib's ratio)."""
+
+SHORTEST = 4
+"""Letters of a command that can be taken for another's slip."""
+
+CLOSE_AMONG_FEW = 0.6
+
+_FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
+"""Packages whose types are seldom meant."""
+
+_PIP = {"cv2": "opencv-python", "serial": "pyserial", "PIL": "pillow", "sklearn": "scikit-learn", "yaml": "pyyaml"} | {
+    name: name for name in ("matplotlib", "numpy", "pandas", "pygame", "requests", "scipy", "transforms3d")
+}
+"""Python packages that lessons use: module -> what pip calls it."""
+
+_PUNCTUATION = {"“": '"', "”": '"', "‘": "'", "’": "'", "。": ".", "、": ",", "【": "[", "】": "]", "《": "<", "》": ">",
+                "—": "-", "–": "-", "−": "-", "×": "*", "÷": "/", "…": "..."}  # fmt: skip
+"""Characters whose counterpart in code Unicode does not know."""
+
+_SAMPLES = {
+    "Node": "from rclpy.node import Node",
+    "LaunchDescription": "from launch import LaunchDescription",
+    "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",
+    "glob": "from glob import glob",
+}
+"""Names that the lessons' programs import, and how."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where the program ran: its variables, its folder, and whether a launch file or colcon started it."""
+
+    variables: Mapping[str, str]
+    cwd: Path
+    launch: bool = False
+
+
+def hint_below(output: str, around: Surroundings) -> str:
+    """Return the line to print below a program's output, '' if there is nothing certain to say."""
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    fault = fault_in(output)
+    text = _explain(fault, around, language) if fault is not None else _of_a_tool(output, language)
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+def hint_about_command(argv: list[str], around: Surroundings, commands: Iterable[str] = ()) -> str:
+    """Return the same for a command that failed: a path below a home that is not here, a package that is not sourced.
+
+    `commands`: if it does not exist, those that do.
+    """
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    text = next((text for word in argv[1:] if (text := _home(word, "home", around, language))), "")
+    if not text and argv[:2] in (["ros2", "run"], ["ros2", "launch"]):
+        package = next((word for word in argv[2:] if not word.startswith("-")), "")
+        text = _of_the_workspace(package, around, language)
+    near = get_close_matches(argv[0], list(commands), 1, CLOSE) if len(argv[0]) >= SHORTEST else []
+    if not text and near and near[0] != argv[0]:
+        text = _say("command.near", language, name=argv[0], near=near[0])
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+def hint_about_folder(packages: int, around: Surroundings) -> str:
+    """Return the same for a build in the wrong folder: in `src`, or where no packages are."""
+    home = Path(around.variables.get("HOME", "/"))
+    if not hints_wanted(around.variables):
+        return ""
+    language, text = language_of(around.variables), ""
+    if packages and around.cwd.name == "src":
+        text = _say("folder.src", language, workspace=around.cwd.parent)
+    elif not packages and around.cwd != home / "ros2_ws" and any((home / "ros2_ws" / "src").glob("*/package.xml")):
+        text = _say("folder.nothing", language)
+    return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+def _say(key: str, language: str, **values: object) -> str:
+    return TEXTS[key][language == "zh"].format(**values)
+
+
+def _explain(fault: Fault, around: Surroundings, language: str) -> str:
+    rule = _RULES.get(fault.kind)
+    return (rule(fault, around, language) if rule is not None else "") or _by_pattern(
+        f"{fault.kind}: {fault.message}", fault.line, language
+    )
+
+
+def _of_a_tool(output: str, language: str) -> str:
+    """What setuptools says without an exception."""
+    return next((text for line in output.splitlines() if (text := _by_pattern(line, 0, language, "error"))), "")
+
+
+def _by_pattern(text: str, line: int, language: str, beginning: str = "") -> str:
+    for pattern, english, chinese in PATTERNS:
+        match = re.match(pattern, text) if pattern.startswith(beginning) else None
+        if match is not None:
+            return (chinese if language == "zh" else english).format(*match.groups(), line=line)
+    return ""
+
+
+# -- files ---------------------------------------------------------------------------------------------------------------
+
+
+def _no_file(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.search(r"No such file or directory: '(/home/[^']*)'", fault.message)
+    return _home(found[1], "home.launch" if around.launch else "home.python", around, language) if found else ""
+
+
+def _home(word: str, key: str, around: Surroundings, language: str) -> str:
+    """A path below /home/SOMEBODY that is not here, while the same path below the real home, or its beginning, is."""
+    found = re.match(r"/home/[^/]+((?:/[^/]+)*)/?$", word)
+    home = Path(around.variables.get("HOME", "/"))
+    if found is None or Path(word).exists():
+        return ""
+    rest = found[1]
+    if rest and not (home / rest.split("/")[1]).exists():
+        return ""
+    return _say(key, language, wrong=word.removesuffix(rest) or word, home=home, right=f"~{rest}", rest=rest)
+
+
+# -- modules and names -----------------------------------------------------------------------------------------------------
+
+
+def _no_module(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"No module named '([\w.]+)'", fault.message)
+    if found is None:
+        return ""
+    whole = found[1]
+    outer, _, last = whole.rpartition(".")
+    if outer:
+        near = get_close_matches(last, known.parts_of(outer, around.variables), 1, CLOSE_AMONG_FEW)
+        return _say("module.near", language, name=whole, near=f"{outer}.{near[0]}") if near else ""
+    if text := _of_the_workspace(whole, around, language):
+        return text
+    if whole in _PIP:
+        return _say("module.pip", language, name=whole, package=_PIP[whole])
+    near = get_close_matches(whole, known.modules(around.variables), 1, CLOSE)
+    return _say("module.near", language, name=whole, near=near[0]) if near else ""
+
+
+def _of_the_workspace(package: str, around: Surroundings, language: str) -> str:
+    """Whether a package was built and not sourced, or not even built."""
+    if not package.isidentifier():
+        return ""
+    built = known.built_package(package, around.variables, around.cwd)
+    if built is not None:
+        return _say("not_sourced", language, name=package, setup=built / "setup.bash")
+    source = known.source_package(package, around.variables, around.cwd)
+    if source is not None:
+        return _say("not_built", language, name=package, folder=source[0], workspace=source[1])
+    return ""
+
+
+def _no_import(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", fault.message)
+    if found is None:
+        return ""
+    near = get_close_matches(found[1], known.names_of(found[2], around.variables), 1, CLOSE)
+    return _say("import.near", language, name=found[1], module=found[2], near=near[0]) if near else ""
+
+
+def _no_name(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"name '(\w+)' is not defined(?:. Did you mean: '(\w+)')?", fault.message)
+    if found is None:
+        return ""
+    name, near = found[1], found[2]
+    line = _SAMPLES.get(name, "")
+    if not line:
+        homes = [home for home in known.types_called(name, around.variables) if not home.startswith(_FOR_EXAMPLES)]
+        if len({home.partition("/")[0] for home in homes}) == 1:
+            line = f"from {homes[0].replace('/', '.').rpartition('.')[0]} import {name}"
+        elif name in sys.stdlib_module_names or name == "rclpy":
+            line = f"import {name}"
+    if line:
+        return _say("name.import", language, name=name, line=line)
+    return _say("name.near", language, name=name, near=near) if near else ""
+
+
+def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"'(\w+)' object has no attribute '(\w+)'", fault.message)
+    if found is None:
+        return ""
+    kind, name = found[1], found[2]
+    if name.startswith("_") and "rclpy" in Path(fault.file).parts:
+        return _say("no_super", language, kind=kind)
+    layouts = known.fields_of(kind, around.variables)
+    if not layouts or any(fields != layouts[0][1] for _, fields in layouts):
+        return ""
+    fields = layouts[0][1]
+    close = get_close_matches(name, fields, 1, CLOSE)
+    near = _say("field.near", language, near=close[0]).rstrip("?？") if close else ""
+    return _say("field", language, type=kind, name=name, near=near, fields=", ".join(fields))
+
+
+# -- syntax ----------------------------------------------------------------------------------------------------------------
+
+
+def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
+    found = re.match(r"invalid (?:non-printable )?character (?:'(.)' )?\(?U\+([0-9A-F]+)\)?", fault.message)
+    if found is None:
+        return ""
+    wrong = chr(int(found[2], 16))
+    right = _PUNCTUATION.get(wrong) or unicodedata.normalize("NFKC", wrong)
+    if right.isspace():
+        return _say("odd_blank", language, line=fault.line)
+    if right == wrong or not right.isascii():
+        return ""
+    return _say("chinese", language, line=fault.line, wrong=wrong, right=right)
+
+
+_RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
+    "FileNotFoundError": _no_file,
+    "ModuleNotFoundError": _no_module,
+    "ImportError": _no_import,
+    "NameError": _no_name,
+    "AttributeError": _no_attribute,
+    "SyntaxError": _syntax,
+}

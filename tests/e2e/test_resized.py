@@ -1,0 +1,38 @@
+"""A terminal window that is dragged narrower and wider: the text in the desktop's terminal is wrapped anew and comes back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from place import Place
+
+PROMPT = "student@day6:~$"
+PRINTED = "0123456789" * 15
+TYPED = "echo " + "typed" * 20
+
+
+def test_what_was_printed_and_what_is_being_typed_is_wrapped_anew_and_comes_back(place: Place) -> None:
+    with place.desktop("--scene", "empty", columns=100, rows=30) as screen:
+        screen.wait(PROMPT)
+        screen.press("F8")  # the terminal alone
+        screen.wait_gone("No window is open")
+        screen.line("clear; python3 -c \"print('0123456789' * 15)\"")
+        screen.wait(lambda _: PRINTED in "".join(screen.pieces()), PROMPT)
+        screen.send(TYPED)
+
+        def is_whole(_: str) -> bool:
+            text = "".join(screen.pieces())
+            return text.count(PRINTED) == 1 and text.count(TYPED) == 1 and text.count(PROMPT) == 1
+
+        screen.wait(is_whole)
+        before = screen.pieces()
+        for columns, rows in ((60, 30), (44, 24), (140, 20), (80, 24)):
+            screen.resize(columns, rows)
+            screen.wait(is_whole, PRINTED[: columns - 2])
+        screen.resize(100, 30)
+        screen.wait(lambda _: screen.pieces() == before)
+        screen.press("Ctrl-U")
+        screen.line("echo do''ne")
+        screen.wait_lines("done")
+        assert PRINTED in "".join(screen.pieces())

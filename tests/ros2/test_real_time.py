@@ -1,0 +1,105 @@
+"""What is measured and stamped on a running desk is real, although programs move by the world's time."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from rcl_interfaces.msg import Log
+from turtlesim.msg import Pose
+from waiting import until
+
+from day6_tui.core.session.clock import WorldClock
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import Captured, TextInput
+from day6_tui.core.shell.desk import Desk
+from day6_tui.core.shell.language.redirection import Streams
+from rclpy.qos import qos_profile_sensor_data
+
+LINE = re.compile(r"\[INFO\] \[(\d+)\.(\d{9})\] \[turtlesim\]: (.*)")
+
+
+class RunningDesk:
+    """A desk paced by the wall, and a node of the test's own on it."""
+
+    def __init__(self, home: Path) -> None:
+        self.desk = Desk(home, domain_id=0, join_link=False, clock=WorldClock(), display=False)
+        self.node = None
+
+        async def watch(session: Session) -> None:
+            self.node = session.create_node("watcher")
+            await session.spin(self.node)
+
+        self._start(["watcher"], watch)
+        self.until(lambda: self.node is not None)
+
+    def _start(self, words, main) -> Streams:
+        streams = Streams(TextInput(""), Captured(), Captured())
+        self.desk.start_program(words, main, streams, env=self.desk.environment(), cwd=self.desk.home)
+        return streams
+
+    def ros2(self, *words: str) -> Streams:
+        """Start `ros2 WORDS…`; returns its streams."""
+        from day6_tui.core.ros import ros2
+
+        return self._start(["ros2", *words], ros2.main)
+
+    def until(self, condition) -> None:
+        until(lambda: self.desk.scheduler.run(condition, 0.01), every=0)
+
+
+@pytest.fixture
+def running(tmp_path: Path) -> Iterator[RunningDesk]:
+    made = RunningDesk(tmp_path / "home")
+    yield made
+    made.desk.close()
+
+
+def test_hz_tells_how_often_messages_really_came_and_that_they_were_not_all_alike(running):
+    arrivals = []
+    running.ros2("run", "turtlesim", "turtlesim_node")
+    hear = lambda _: arrivals.append(time.monotonic())  # noqa: E731
+    running.node.create_subscription(Pose, "/turtle1/pose", hear, qos_profile_sensor_data)
+    hz = running.ros2("topic", "hz", "/turtle1/pose")
+    running.until(lambda: "window" in hz.stdout.text)
+    report = re.search(r"rate: (\S+)\n.* std dev: (\S+)s window: (\d+)", hz.stdout.text)
+    rate, deviation, window = (float(word) for word in report.groups())
+    periods = [after - before for before, after in pairwise(arrivals[-int(window) - 1 :])]
+    assert rate == pytest.approx(len(periods) / sum(periods), rel=0.1)
+    assert deviation > 0
+
+
+def test_lines_of_a_log_have_the_time_at_which_they_were_written(running):
+    logged = []
+    running.node.create_subscription(Log, "/rosout", logged.append, 100)
+    before = time.time_ns()
+    turtlesim = running.ros2("run", "turtlesim", "turtlesim_node")
+    running.until(lambda: len(logged) >= 2)
+    lines = LINE.findall(turtlesim.stderr.text)
+    stamps = [int(seconds) * 10**9 + int(rest) for seconds, rest, _ in lines]
+    assert [text.split()[0] for _, _, text in lines] == ["Starting", "Spawning"]
+    assert before <= stamps[0] < stamps[1] <= time.time_ns()
+    assert [(each.stamp.sec, each.stamp.nanosec) for each in logged] == [divmod(stamp, 10**9) for stamp in stamps]
+
+
+def test_bw_and_delay_go_by_the_real_clock_in_a_world_of_half_speed(running):
+    running.desk.set_speed(0.5)
+    arrivals = []
+    running.ros2("run", "day6_bot", "wheel_spinner")
+    from sensor_msgs.msg import JointState
+
+    hear = lambda message: arrivals.append((time.time(), message.header.stamp))  # noqa: E731
+    running.node.create_subscription(JointState, "/joint_states", hear, qos_profile_sensor_data)
+    bw = running.ros2("topic", "bw", "/joint_states", "--window", "10000")
+    delay = running.ros2("topic", "delay", "/joint_states")
+    running.until(lambda: "messages" in bw.stdout.text and "average" in delay.stdout.text)
+    speed, count, size = re.search(r"(\S+) KB/s from (\d+) .*\n.* mean: (\S+) KB", bw.stdout.text).groups()
+    span = arrivals[-1][0] - arrivals[-int(count)][0]
+    assert float(speed) / float(size) == pytest.approx(int(count) / span, rel=0.15)
+    mean = float(re.search(r"average delay: (\S+)\n", delay.stdout.text)[1])
+    assert 0 <= mean < 0.5
+    assert all(0 <= came - (stamp.sec + stamp.nanosec / 1e9) < 0.5 for came, stamp in arrivals)

@@ -1,0 +1,76 @@
+"""Walks through the RViz window: keys and clicks at a stepped desktop, and what is on its screen."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rviz_machine import RVizMachine
+
+
+class Walk:
+    """Presses keys at the window and lets the machine answer."""
+
+    def __init__(self, machine: RVizMachine, app: Any, pilot: Any) -> None:
+        self.machine, self.app, self.pilot = machine, app, pilot
+
+    @property
+    def pane(self) -> Any:
+        """The window that has the keys; the newest one while a dialog has them."""
+        focused = self.app.desktop.focused_pane
+        return focused if hasattr(focused, "rviz") else list(self.app.desktop.panes.values())[-1]
+
+    async def press(self, *keys: str) -> None:
+        for key in keys:
+            await self.pilot.press(key)
+        await self.settle()
+
+    async def type(self, text: str) -> None:
+        await self.press(*({" ": "space", "/": "slash", "_": "underscore", ".": "full_stop"}.get(c, c) for c in text))
+
+    async def settle(self) -> None:
+        from screens import step
+
+        self.machine.settle()
+        await step(self.app, self.pilot)
+
+    def screen(self) -> str:
+        from screens import screen_text
+
+        return screen_text(self.app)
+
+    def line(self, name: str) -> str:
+        return next(line for line in self.screen().splitlines() if name in line)
+
+
+@asynccontextmanager
+async def walking(
+    machine: RVizMachine,
+    width: int = 120,
+    height: int = 40,
+    *,
+    args: tuple[str, ...] = (),
+    lang: str = "en",
+    **options: Any,
+) -> AsyncIterator[Walk]:
+    from fakes import FakeDesk
+    from screens import opened
+
+    machine.open(*args)
+    desk = FakeDesk()
+    desk.display = machine.display
+    async with opened(desk, width, height, scene="empty", lang=lang, **options) as (app, pilot):
+        walk = Walk(machine, app, pilot)
+        await walk.press("f3", "f8")
+        yield walk
+
+
+def run(walk: Any) -> None:
+    asyncio.run(walk)
+
+
+def mouse(pane: Any, kind: type, x: int, y: int, button: int, shift: bool, ctrl: bool) -> Any:
+    return kind(pane, x, y, 0, 0, button, shift, False, ctrl, x, y)

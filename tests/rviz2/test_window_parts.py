@@ -1,0 +1,358 @@
+"""How the RViz window shares its room: the Displays panel with its buttons, the edge that folds it, the offer to look closer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from rviz_walk import Walk, mouse, run, walking
+from textual import events
+
+from day6_tui.tui.windows.rviz.sizes import NARROWEST_PANEL, NARROWEST_VIEW, divide
+from day6_tui.urdf import shipped_model
+
+if TYPE_CHECKING:
+    from rviz_machine import RVizMachine
+
+HALF_OF_120 = (62, 20)
+"""A desktop in which the enlarged window is as wide as half of one of 120 columns."""
+
+
+# -- the panel and the view --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("width", range(1, 160, 3))
+def test_panel_and_view_share_all_columns_and_neither_starves(width: int) -> None:
+    panel, left, view = divide(width, panel_open=True)
+    assert panel < left and left + view == max(width, left)
+    assert view == 0 or (panel >= NARROWEST_PANEL and view >= NARROWEST_VIEW)
+    if view:
+        assert panel <= view or width < 60
+    assert divide(width, panel_open=False).view == width - 1
+
+
+def test_a_key_and_a_click_fold_the_panel_and_bring_it_back(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine, 80, 24) as at:
+            assert "Cell" not in at.screen() and "Frame Rate" in at.screen() and at.pane.view.columns >= 46
+            await at.press("d")
+            assert "Frame Rate" not in at.screen() and at.pane.view.columns == 77
+            await at.press("tab")
+            assert "Frame Rate" in at.screen() and at.pane.on_panel
+            middle = at.pane.body_height // 2 + 1
+            assert at.screen().count("◂") == 1
+            await at.pilot.click(at.pane, offset=(at.pane.division.panel + 1, middle))
+            await at.settle()
+            assert "Frame Rate" not in at.screen() and "▸ Displays" in at.screen()
+            await at.pilot.click(at.pane, offset=(1, middle))
+            await at.settle()
+            assert "Frame Rate" in at.screen() and "▸ Displays" not in at.screen()
+
+    run(walk())
+
+
+def test_in_a_narrow_window_the_view_gets_all_of_it_while_it_is_used(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine, *HALF_OF_120) as at:
+            assert "Frame Rate" in at.screen() and at.pane.view.columns == 60 - 1 - at.pane.division.panel
+            await at.press("tab")
+            assert "Frame Rate" not in at.screen() and at.pane.view.columns == 59
+            line = at.screen().split("\n")[at.pane.region.y]
+            await at.pilot.click(offset=(line.index("▸ Displays") + 2, at.pane.region.y))
+            await at.settle()
+            assert "Frame Rate" in at.screen() and at.pane.on_panel
+
+    run(walk())
+
+
+def test_in_a_very_narrow_window_they_take_turns(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine, 46, 20) as at:
+            assert "Global Options" in at.screen() and at.pane.view.columns == 0
+            await at.press("tab")
+            assert "Global Options" not in at.screen() and at.pane.view.columns == 43
+            await at.press("escape")
+            assert "Global Options" in at.screen()
+
+    run(walk())
+
+
+@pytest.mark.parametrize(("width", "panel"), [(62, False), (100, True)])
+def test_a_saved_view_of_a_robot_opens_with_the_picture_in_a_narrow_window(
+    machine: RVizMachine, tmp_path: Path, width: int, panel: bool
+) -> None:
+    async def walk() -> None:
+        file = tmp_path / "robot.rviz"
+        file.write_text(
+            "Visualization Manager:\n  Displays:\n    - {Class: rviz_default_plugins/RobotModel, Name: RobotModel}\n",
+            encoding="utf-8",
+        )
+        async with walking(machine, width, 20, args=("-d", str(file))) as at:
+            assert ("Frame Rate" in at.screen()) is panel
+
+    run(walk())
+
+
+# -- the buttons -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("width", "height"), [(120, 40), (80, 24), HALF_OF_120])
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+def test_the_four_buttons_are_at_the_lower_left(machine: RVizMachine, width: int, height: int, glyphs: str) -> None:
+    async def walk() -> None:
+        async with walking(machine, width, height, glyphs=glyphs) as at:
+            row = at.line("Duplicate")[1:].split("│")[0].split("|")[0].split("<")[0].split("◂")[0]
+            assert [word for word in row.split() if "^" not in word] == ["Add", "Duplicate", "Remove", "Rename"]
+            assert ("^X" in row) is (width == 120)
+            assert at.screen().splitlines().index(at.line("Duplicate")) == at.pane.body_height + 1
+
+    run(walk())
+
+
+async def _click_button(at: Walk, name: str) -> None:
+    row = at.line("Duplicate")
+    await at.pilot.click(at.pane, offset=(row.index(name) + 1, at.pane.body_height))
+    await at.settle()
+
+
+def test_the_buttons_are_clicked(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            names = lambda: [display.name for display in machine.rviz.displays]  # noqa: E731
+            await _click_button(at, "Remove")  # nothing to remove: Global Options is chosen
+            assert names() == ["Grid"]
+            await _click_button(at, "Add")
+            await at.type("axes")
+            await at.press("enter")
+            await at.settle()
+            assert names() == ["Grid", "Axes"] and at.pane.panel.tree.display is machine.rviz.displays[1]
+            await _click_button(at, "Duplicate")
+            assert names() == ["Grid", "Axes", "Axes"]
+            await _click_button(at, "Rename")
+            await at.press("ctrl+u")
+            await at.type("mine")
+            await at.press("enter")
+            assert names() == ["Grid", "mine", "Axes"]
+            await _click_button(at, "Remove")
+            assert names() == ["Grid", "Axes"]
+
+    run(walk())
+
+
+def test_the_buttons_are_below_the_last_line_for_keys(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            machine.add("Axes")
+            await at.settle()
+            await at.press("end", "down")
+            assert at.pane.panel.buttons.chosen == 0
+            await at.press("enter")
+            assert "by topic" in at.screen() or "RobotModel" in at.screen()
+            await at.press("escape")
+            await at.press("up")
+            assert at.pane.panel.buttons.chosen is None
+            at.pane.choose(machine.rviz.displays[1])
+            await at.press("left", "end", "down", "right", "right", "enter")
+            assert len(machine.rviz.displays) == 2  # the last line belongs to no display: nothing to remove
+            await at.press("up")
+
+    run(walk())
+
+
+# -- the Add dialog ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("typed", ["robot", "robotmodel", "model", "Robot"])
+def test_robot_means_a_robot_model(machine: RVizMachine, lang: str, typed: str) -> None:
+    async def walk() -> None:
+        from nav_msgs.msg import Odometry
+
+        machine.node.create_publisher(Odometry, "/robot/odom", 10)
+        machine.describe(shipped_model().read_text(encoding="utf-8"))
+        async with walking(machine, lang=lang) as at:
+            await at.press("ctrl+n")
+            await at.type(typed)
+            await at.press("enter")
+            await at.settle()
+            assert [display.type for display in machine.rviz.displays] == ["Grid", "RobotModel"]
+
+    run(walk())
+
+
+# -- looking closer ----------------------------------------------------------------------------------------------------
+
+OFFER = "see the robot up close"
+
+
+async def _with_the_car(at: Walk, machine: RVizMachine) -> Any:
+    machine.start("robot_state_publisher", "robot_state_publisher", str(shipped_model()))
+    machine.settle()
+    machine.fix("base_link")
+    robot = machine.add("RobotModel", "/robot_description")
+    machine.until(lambda: robot.status("URDF") is not None)
+    await at.settle()
+    return robot
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24), HALF_OF_120])
+def test_a_robot_that_comes_is_far_away_and_f_is_offered_until_it_was_pressed(
+    machine: RVizMachine, size: tuple[int, int]
+) -> None:
+    async def walk() -> None:
+        async with walking(machine, *size) as at:
+            assert OFFER not in at.screen()
+            await _with_the_car(at, machine)
+            assert f"f  {OFFER}" in at.screen()
+            assert _blue_cells(at) < 12
+            await at.press("f")
+            assert OFFER not in at.screen()
+            assert _blue_cells(at) > 60
+            await at.press("z")
+            assert OFFER not in at.screen()
+
+    run(walk())
+
+
+def _blue_cells(at: Walk) -> int:
+    cells = at.pane.view.cells
+    return sum(1 for row in cells.back for colour in row if int(colour) & 255 > 2 * (int(colour) >> 16))
+
+
+def test_the_offer_goes_when_the_camera_moves_and_a_click_takes_it(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await _with_the_car(at, machine)
+            row = next(y for y, line in enumerate(at.screen().splitlines()) if OFFER in line)
+            await at.pilot.click(at.pane, offset=(at.screen().splitlines()[row].index(OFFER), row - 1))
+            await at.settle()
+            assert OFFER not in at.screen() and machine.rviz.view.child("Distance").value < 2.0
+
+    run(walk())
+
+    async def moved() -> None:
+        async with walking(machine) as at:
+            machine.fix("base_link")
+            machine.add("RobotModel", "/robot_description")
+            machine.until(lambda: machine.rviz.scene.shapes)
+            await at.settle()
+            assert OFFER in at.screen()
+            await at.press("minus")
+            assert OFFER not in at.screen()
+
+    run(moved())
+
+
+def test_a_large_robot_and_a_wrong_fixed_frame_are_offered_nothing(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            box = '<visual><geometry><box size="4 4 2"/></geometry></visual>'
+            robot = f'<robot name="r"><link name="base_link">{box}</link></robot>'
+            machine.transform("map", "odom")
+            machine.robot(robot)
+            await at.settle()
+            assert machine.rviz.displays[-1].status("URDF") == ("Ok", "URDF parsed OK") and OFFER not in at.screen()
+            machine.fix("base_link")
+            machine.transform("map", "base_link")
+            await at.settle()
+            assert OFFER not in at.screen()
+
+    run(walk())
+
+
+# -- closing -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def changed(machine: RVizMachine, tmp_path: Any) -> Any:
+    """What RViz keeps by default is in a folder of the test; `await changed(at)` changes the view."""
+
+    async def change(at: Walk) -> Any:
+        machine.rviz.default_file = tmp_path / "default.rviz"
+        at.pane.set(machine.rviz.fixed, "odom")
+        await at.settle()
+        assert "*" in at.screen().splitlines()[1]
+        return machine.rviz.default_file
+
+    return change
+
+
+async def _close(at: Walk) -> None:
+    row = at.screen().splitlines()[1]
+    await at.pilot.click(at.pane, offset=(row.rindex("×"), 0))
+    await at.settle()
+
+
+def test_a_window_without_changes_closes_at_once(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await _close(at)
+            assert not machine.display.windows
+
+    run(walk())
+
+
+@pytest.mark.parametrize(
+    ("answer", "open_then", "saved"), [("save", False, True), ("discard", False, False), ("cancel", True, False)]
+)
+def test_a_changed_view_asks_before_it_closes(
+    machine: RVizMachine, changed: Any, answer: str, open_then: bool, saved: bool
+) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            file = await changed(at)
+            await _close(at)
+            assert (
+                "There are unsaved changes" in at.screen() and "default.rviz" in at.screen() and machine.display.windows
+            )
+            await at.type(answer)
+            await at.press("enter")
+            await at.settle()
+            assert bool(machine.display.windows) is open_then
+            assert file.is_file() is saved
+            if saved:
+                assert "Fixed Frame: odom" in file.read_text(encoding="utf-8")
+
+    run(walk())
+
+
+def test_what_cannot_be_saved_keeps_the_window_open(machine: RVizMachine, changed: Any) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            file = await changed(at)
+            file.mkdir()
+            await _close(at)
+            await at.press("enter")
+            await at.settle()
+            assert machine.display.windows and "default.rviz could not be saved" in at.screen()
+
+    run(walk())
+
+
+def test_the_desktop_asks_before_it_ends_with_a_changed_view(machine: RVizMachine, changed: Any) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            assert at.app.leaving.lost() == []
+            await changed(at)
+            await at.press("ctrl+q")
+            assert "Something would be lost" in at.screen() and "RViz" in at.screen()
+            await at.press("escape", "ctrl+s")
+            await at.settle()
+            assert at.app.leaving.lost() == []
+
+    run(walk())
+
+
+def test_the_mouse_turns_the_view_beside_the_edge_and_the_edge_turns_nothing(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            edge = at.pane.division.panel + 1
+            for x, turned in ((edge, False), (edge + 1, True)):
+                yaw = machine.rviz.view.child("Yaw").value
+                for kind, column in ((events.MouseDown, x), (events.MouseMove, x + 8), (events.MouseUp, x + 8)):
+                    at.pane.post_message(mouse(at.pane, kind, column, 5, 1, False, False))
+                    await at.pilot.pause()
+                assert (machine.rviz.view.child("Yaw").value != yaw) is turned
+
+    run(walk())

@@ -1,0 +1,171 @@
+"""Layouts that are saved and loaded, and the desktop that comes back as it was left, on the real machine."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from screens import screen_text
+from test_real_desk import opened, until
+
+from day6_tui.tui.layouts import build, describe
+from day6_tui.tui.splits import Tree
+
+
+def session_file(home: Path) -> Path:
+    return home / ".config" / "day6-tui" / "session.json"
+
+
+def trees() -> list[Tree]:
+    flat, nested, one = Tree(), Tree(), Tree()
+    for key, side in ((1, "right"), (2, "right"), (3, "tab")):
+        flat.add(key, key - 1 or None, side)
+    for key, side in ((1, "right"), (2, "below"), (3, "right"), (4, "below")):
+        nested.add(key, key - 1 or None, side)
+    one.add(1)
+    return [flat, nested, one]
+
+
+@pytest.mark.parametrize("tree", trees())
+def test_a_layout_is_the_same_after_json(tree: Tree) -> None:
+    written = json.loads(json.dumps(describe(tree, str)))
+    again = build(written, int)
+    assert describe(again, str) == describe(tree, str)
+
+
+@pytest.mark.parametrize("missing", [1, 2, 3, 4])
+def test_what_is_missing_is_closed_up(missing: int) -> None:
+    tree = trees()[1]
+    again = build(describe(tree, str), lambda role: int(role) if role != str(missing) else None)
+    assert sorted(again.keys) == [key for key in (1, 2, 3, 4) if key != missing]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "null",
+        "[]",
+        "{}",
+        '{"version": 99}',
+        '{"version": 1}',
+        "\x00\xff",
+        '{"version": 1, "layout": ' + '{"across": true, "parts": [' * 5000,
+        '{"version": 1, "time": 1.0, "layout": {"stack": 3}, "terminals": []}',
+        '{"version": 1, "time": 1.0, "layout": null, "terminals": [{"folder": 1, "text": "", "commands": []}]}',
+        '{"version": 1, "time": 1.0, "layout": {"across": true, "parts": [], "shares": [NaN]}, "terminals": "x"}',
+    ],
+)
+async def test_a_session_that_cannot_be_understood_is_told_and_stays(tmp_path, text) -> None:
+    file = session_file(tmp_path)
+    file.parent.mkdir(parents=True)
+    file.write_text(text, encoding="latin-1")
+    before = file.read_bytes()
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        assert "session.json" in screen_text(app)
+        app.session.save()
+    assert file.read_bytes() == before
+
+
+async def test_the_desktop_comes_back_as_it_was_left(tmp_path) -> None:
+    (tmp_path / "work").mkdir()
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        first = app.terminals.panes[0]
+        first.view.terminal.run_line("cd work; echo '\x16\x1b[31mred\x16\x1b[0m'; echo $((6 * 7)) is the answer")
+        await until(app, pilot, lambda: "42 is the answer" in screen_text(app))
+        await pilot.press("alt+minus")
+        app.terminals.panes[1].view.terminal.run_line("ros2 run turtlesim turtlesim_node")
+        await until(app, pilot, lambda: app.desktop.panes)
+        app.desktop.focus_pane(first)
+        layout = app.arranging.described()
+        app.exit()
+    saved = json.loads(session_file(tmp_path).read_text())
+    assert saved["terminals"][1]["commands"] == ["ros2 run turtlesim turtlesim_node"]
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "Start them again?" in screen_text(app))
+        assert len(app.terminals.panes) == 2 and app.desktop.focused_pane is app.terminals.panes[0]
+        assert "turtlesim_node" in screen_text(app)
+        await pilot.press("y")
+        await until(app, pilot, lambda: app.desktop.panes)
+        await until(app, pilot, lambda: app.arranging.described() == layout)
+        await until(app, pilot, lambda: "student@day6:~/work$" in screen_text(app))
+        assert "42 is the answer" in screen_text(app) and "[from 20" in screen_text(app)
+
+
+async def test_saying_no_leaves_the_terminals_at_their_prompts(tmp_path) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        app.terminals.panes[0].view.terminal.run_line("sleep 1000")
+        await until(app, pilot, lambda: app.terminals.panes[0].view.terminal.busy)
+        app.exit()
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "sleep 1000" in screen_text(app) and "Start them again?" in screen_text(app))
+        await pilot.press("escape")
+        await until(app, pilot, lambda: app.terminals.panes[0].view.at_prompt)
+        assert not app.terminals.panes[0].view.terminal.busy
+
+
+async def test_one_idle_terminal_is_no_session(tmp_path) -> None:
+    for _ in range(2):
+        async with opened(tmp_path) as (app, pilot):
+            await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+            assert app.screen.focused is app.welcome
+            app.exit()
+
+
+async def _named(app: Any, pilot: Any, name: str) -> None:
+    app.actions["layout.save"]()
+    await pilot.pause()
+    await pilot.press(*name, "enter")
+    await pilot.pause()
+
+
+async def test_a_layout_is_saved_under_a_name_and_comes_back(tmp_path) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        await pilot.press("alt+backslash", "alt+minus")
+        layout = app.arranging.described()
+        await _named(app, pilot, "mine")
+        app.actions["layout.presenter"]()
+        assert app.arranging.described() != layout
+        app.actions["layout.load"]()
+        await pilot.pause()
+        await pilot.press(*"mine", "enter")
+        await pilot.pause()
+        assert app.arranging.described() == layout
+
+
+async def test_a_foreign_file_of_layouts_is_told_and_never_overwritten(tmp_path) -> None:
+    file = session_file(tmp_path).with_name("layouts.json")
+    file.parent.mkdir(parents=True)
+    file.write_text('{"version": 99, "layouts": {"precious": 1}}')
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        await _named(app, pilot, "mine")
+        await until(app, pilot, lambda: "not a file of layouts" in screen_text(app))
+        await pilot.press("escape")
+        app.actions["layout.load"]()
+        await until(app, pilot, lambda: "Layout: four terminals" in screen_text(app))
+    assert "precious" in file.read_text()
+
+
+async def test_the_ready_layouts(tmp_path) -> None:
+    async with opened(tmp_path, 120, 40, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        app.terminals.panes[0].view.terminal.run_line("ros2 run turtlesim turtlesim_node")
+        await until(app, pilot, lambda: app.desktop.panes)
+        app.actions["layout.four"]()
+        await pilot.pause()
+        assert len(app.terminals.panes) == 4 and len(app.desktop.shown()) == 5
+        app.actions["layout.presenter"]()
+        await pilot.pause()
+        places = {pane.slot: pane.region for pane in app.desktop.shown()}
+        picture = next(iter(app.desktop.panes.values()))
+        assert len(places) == 2 and places[picture.slot].width > 80
+        app.actions["layout.lesson"]()
+        await pilot.pause()
+        assert len(app.desktop.shown()) >= 4 and app.desktop.is_shown(picture)

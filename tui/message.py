@@ -1,0 +1,62 @@
+"""Texts to read over the panes: an error, and the log of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.widget import Widget
+
+from day6_tui.core.session.harmless import one_line
+from day6_tui.tui.look import Look
+from day6_tui.tui.modal import Modal, lines_of
+
+
+class ErrorModal(Modal):
+    """Shows an error: in plain words, and in the catalogue's or the real tool's own."""
+
+    BINDINGS = [Binding("enter,q,space", "close", show=False)]
+
+    def __init__(self, look: Look, text: str) -> None:
+        super().__init__(look, look.texts("error.title"), look.texts("error.continue"))
+        self._text = text
+
+    def inside(self) -> ComposeResult:
+        from textual.containers import VerticalScroll
+        from textual.content import Content
+        from textual.widgets import Button, Static
+
+        self._scroll = VerticalScroll(Static(Content("\n").join(lines_of(self._text)), classes="text"))
+        self._scroll.can_focus = False
+        yield self._scroll
+        self._button = Button(self.look.texts("error.close"), compact=True)
+        yield self._button
+
+    @property
+    def keyboard(self) -> Widget:
+        return self._button
+
+    def on_button_pressed(self) -> None:
+        self.close()
+
+
+class LogModal(Modal):
+    """What a program has written, with the newest lines at the end."""
+
+    BINDINGS = [Binding("enter,q", "close", show=False)]
+
+    def __init__(self, look: Look, title: str, lines: Sequence[str]) -> None:
+        super().__init__(look, title, look.texts("help.keys"))
+        self._lines = lines
+
+    def inside(self) -> ComposeResult:
+        from textual.widgets import Log
+
+        self._log_view = Log()
+        self._log_view.write_lines([one_line(line.replace("\t", "    ")) for line in self._lines])
+        yield self._log_view
+
+    @property
+    def keyboard(self) -> Widget:
+        return self._log_view
