@@ -30,6 +30,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.driver import Driver
 from textual.filter import LineFilter
+from textual.geometry import Size
 from textual.message import Message
 from textual.screen import Screen
 
@@ -51,7 +52,7 @@ from day6_tui.tui.locale import Texts, detect
 from day6_tui.tui.look import Look
 from day6_tui.tui.looks import Looks
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.notices import HINT_SECONDS, Notices
+from day6_tui.tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.tui.options import Options
 from day6_tui.tui.pixels.app import PictureApp
 from day6_tui.tui.poor_terminals import filters_for
@@ -87,7 +88,6 @@ SAVE_SECONDS = 20.0
 
 DOOR_SECONDS = 1.0
 """Seconds between checks of the connections to other machines, if there are any."""
-NOTICE_SECONDS = 10.0
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library costs 50 ms of CPU time and 11 MB."""
 
@@ -122,6 +122,11 @@ class DeskScreen(Screen[None]):
 
     BLANK = True
     ALLOW_SELECT = False  # terminals have their own selection; Textual's fails on a widget that is just being removed
+
+    def _refresh_layout(self, size: Size | None = None, scroll: bool = False) -> None:
+        """Lay the panes out. Textual 8.2 then stops its timer, also when something else still waits for it."""
+        super()._refresh_layout(size, scroll)
+        self.check_idle()
 
     def _compositor_refresh(self) -> None:
         """Draw, or hand on what has changed to the modal screen through which it is seen.

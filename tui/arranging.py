@@ -13,7 +13,7 @@ from day6_tui.tui.json_file import read_object
 from day6_tui.tui.layouts import VERSION, Description, build, describe, grid, presenter, roles_in
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.notices import Notices
+from day6_tui.tui.notices import NOTICE_SECONDS, Notices
 from day6_tui.tui.placement import WIDE, arranged
 from day6_tui.tui.splits import Extent, Key
 from day6_tui.tui.terminal_pane import TerminalPane
@@ -132,7 +132,7 @@ class Arranging:
         try:
             return self.saved()
         except (OSError, ValueError) as error:
-            self._notices.show(self._complaint(error), 10.0)
+            self._notices.show(self._complaint(error), NOTICE_SECONDS)
             return None
 
     def _complaint(self, error: OSError | ValueError) -> str:

@@ -194,6 +194,7 @@ class Desktop(PaneHost):
         if not self.holds(pane):
             return
         had_keyboard = self.focused_pane is pane
+        self.close_overlay_about(pane)
         self._take_out(pane)
         pane.remove()
         if had_keyboard:
@@ -320,11 +321,16 @@ class Desktop(PaneHost):
                 if key != front and isinstance(pane, TerminalPane):
                     pane.take_size(found.places[front])
 
-    def focus_pane(self, pane: Pane) -> None:
-        """Focus a pane and bring it to the front; a modal screen over another pane is closed."""
-        self._note_focus(pane)
+    def go_to_pane(self, pane: Pane) -> None:
+        """Do what a person asked for: focus a pane, and close a modal screen over another one."""
         self.close_overlay()
-        self.give_keyboard(pane)
+        self.focus_pane(pane)
+
+    def focus_pane(self, pane: Pane) -> None:
+        """Focus a pane and bring it to the front. What a person has opened over the panes keeps the keyboard until it closes."""
+        self._note_focus(pane)
+        if self.overlay is None:
+            self.give_keyboard(pane)
 
     def bring_to_front(self, pane: Pane) -> None:
         """Show a pane that is behind another one, without giving it the keyboard."""

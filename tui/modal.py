@@ -39,6 +39,8 @@ class Modal(ModalScreen[None]):
         self.look = look
         self._heading = title
         self._keys = keys
+        self.about: Widget | None = None
+        """The pane that it asks or searches something about."""
         self._early: list[events.Event] | None = []
         """What was typed before there was anything to type it into; None once there is."""
 

@@ -32,14 +32,20 @@ class PaneHost(Container, Host):
         screen = self.app.screen
         return screen if isinstance(screen, Modal) else None
 
-    def open_overlay(self, modal: Modal) -> None:
-        """Open a modal screen in place of any other."""
+    def open_overlay(self, modal: Modal, about: Pane | None = None) -> None:
+        """Open a modal screen in place of any other; one that is about a pane closes with it."""
         self.close_overlay()
+        modal.about = about
         self.app.push_screen(modal)
 
     def close_overlay(self) -> None:
         """Close the modal screen; the pane that had the focus gets it back."""
         if (modal := self.overlay) is not None:
+            modal.close()
+
+    def close_overlay_about(self, pane: Pane) -> None:
+        """The pane goes: close the modal screen that is about it."""
+        if (modal := self.overlay) is not None and modal.about is pane:
             modal.close()
 
     def _screen_changed(self, screen: Screen[object]) -> None:

@@ -20,7 +20,7 @@ from day6_tui.tui.json_file import read_object
 from day6_tui.tui.layouts import VERSION, roles_in
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.notices import Notices
+from day6_tui.tui.notices import NOTICE_SECONDS, Notices
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminals import Terminals
 
@@ -134,7 +134,7 @@ class Session:
         except (OSError, ValueError, KeyError, TypeError) as error:
             self._foreign = not isinstance(error, OSError)
             reason = error.strerror if isinstance(error, OSError) else self._look.texts("session.foreign")
-            self._notices.show(self._look.texts("layout.unreadable", file=FILE, reason=reason), 10.0)
+            self._notices.show(self._look.texts("layout.unreadable", file=FILE, reason=reason), NOTICE_SECONDS)
             return False
         if len(left) < 2 and not any(each.commands for each in left):
             return False

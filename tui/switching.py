@@ -57,7 +57,7 @@ class Switching:
         """Through all panes, as they stand on the screen, with the tabs of each place."""
         target = self._stop(step)
         if target is not None:
-            self._desktop.focus_pane(target)
+            self._desktop.go_to_pane(target)
 
     def _stop(self, step: int) -> Pane | None:
         keys = self._desktop.split_tree.keys
@@ -77,12 +77,12 @@ class Switching:
     def go_to(self, number: int) -> None:
         """Give the pane with this number the keyboard."""
         if (pane := self._desktop.slots.get(number)) is not None:
-            self._desktop.focus_pane(pane)
+            self._desktop.go_to_pane(pane)
 
     def focus_beside(self, side: str) -> None:
         """Give the pane on this side the keyboard."""
         if (pane := self._beside(side)) is not None:
-            self._desktop.focus_pane(pane)
+            self._desktop.go_to_pane(pane)
 
     def _beside(self, side: str) -> Pane | None:
         desktop, pane = self._desktop, self._desktop.focused_pane
@@ -110,7 +110,7 @@ class Switching:
         pane, other = self._desktop.focused_pane, self._beside(side)
         if pane is not None and other is not None:
             self._desktop.split_tree.swap(pane.slot, other.slot)
-            self._desktop.focus_pane(pane)
+            self._desktop.go_to_pane(pane)
 
     def resize(self, side: str) -> None:
         """Move the border of the focused pane that lies in this direction, or else the one behind it, that way."""
@@ -152,7 +152,7 @@ class Switching:
             if beside is None:
                 return
             desktop.split_tree.move(pane.slot, beside.slot, "tab")
-        desktop.focus_pane(pane)
+        desktop.go_to_pane(pane)
 
     # -- lists ---------------------------------------------------------------------------------------------------------
 

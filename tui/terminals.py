@@ -12,7 +12,7 @@ from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.held_keys import HeldKeys
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.notices import Notices
+from day6_tui.tui.notices import NOTICE_SECONDS, Notices
 from day6_tui.tui.pane import Pane
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import tab_name
@@ -76,7 +76,7 @@ class Terminals:
         try:
             terminal = desk.open_terminal(columns, rows, cwd=cwd, text=text)
         except BlockingIOError:
-            self._notices.show(self._look.texts("terminal.no_room"), 10.0)
+            self._notices.show(self._look.texts("terminal.no_room"), NOTICE_SECONDS)
             return None
         return self._show(terminal, empty, beside=beside, side=side)
 
@@ -96,7 +96,7 @@ class Terminals:
         pane = self.open(beside=beside, side=side)
         if pane is not None:
             self._desktop.enlarged = False
-            self._desktop.focus_pane(pane)
+            self._desktop.go_to_pane(pane)
 
     def close(self, pane: TerminalPane) -> None:
         """Close a terminal; ask first if something runs in it."""
@@ -109,7 +109,7 @@ class Terminals:
         what = texts("list.comma").join(map(tab_name, pane.view.terminal.running))
         end = Answer("y", texts("quit.end"), partial(self.end, pane))
         title, text = texts("terminal.close.title"), texts("terminal.close.ask", what=what)
-        self._desktop.open_overlay(Question(self._look, title, text, [end]))
+        self._desktop.open_overlay(Question(self._look, title, text, [end]), about=pane)
 
     def end(self, pane: TerminalPane) -> None:
         """Close a terminal, and end what runs in it."""
@@ -162,7 +162,7 @@ class Terminals:
 
         if (pane := self.current) is not None and pane.has_terminal:
             self._desktop.focus_pane(pane)
-            self._desktop.open_overlay(Find(self._look, pane))
+            self._desktop.open_overlay(Find(self._look, pane), about=pane)
 
     def forget_history(self) -> None:
         if self.current is not None:

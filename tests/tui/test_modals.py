@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import sys
 
 import pytest
@@ -125,6 +126,58 @@ async def test_a_palette_opened_while_the_desk_is_still_starting_stays(desk: Fak
                 break
         await step(app, pilot)
         assert isinstance(app.desktop.overlay, Menu) and desk.terminals
+
+
+async def test_the_palette_opened_while_a_scene_plays_stays_and_keeps_the_keyboard(desk: FakeDesk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
+        await pilot.press("f7")
+        await step(app, pilot)
+        assert isinstance(app.desktop.overlay, Menu)
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle()))
+        for _ in range(8):
+            await step(app, pilot)
+            desk.terminals[-1].busy = len(desk.terminals) == 3 and desk.terminals[-1].sent.endswith("\r")
+            await asyncio.sleep(0.03)
+        assert len(desk.terminals) == 3, "the scene goes on"
+        burst(app, *"zzz")
+        await step(app, pilot)
+        await step(app, pilot)
+        assert isinstance(app.desktop.overlay, Menu)
+        assert "nothing by that name" in screen_text(app)
+        await pilot.press("escape")
+        await step(app, pilot)
+        assert app.screen.focused is app.desktop.focused_pane
+
+
+async def test_the_palette_stays_when_the_pane_behind_it_goes_or_another_one_comes(desk: FakeDesk) -> None:
+    window = desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle()))
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await step(app, pilot)
+        app.desktop.go_to_pane(app.desktop.panes[window.number])
+        await pilot.press("f7")
+        await step(app, pilot)
+        window.close()
+        desk.open_terminal(80, 24)
+        await step(app, pilot)
+        await step(app, pilot)
+        assert len(app.terminals.panes) == 2 and not app.desktop.panes
+        assert isinstance(app.desktop.overlay, Menu)
+        await pilot.press("escape")
+        await step(app, pilot)
+        assert app.screen.focused is app.terminals.current
+
+
+async def test_a_question_about_a_terminal_that_ends_meanwhile_closes(desk: FakeDesk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        await pilot.press("f2")
+        await step(app, pilot)
+        asked, pane = desk.terminals[-1], app.terminals.current
+        app.terminals.find()
+        await step(app, pilot)
+        assert app.desktop.overlay is not None and app.desktop.overlay.about is pane
+        asked.closed = True
+        await step(app, pilot)
+        assert app.desktop.overlay is None and app.screen.focused is app.terminals.current
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,9 @@ import pytest
 from screens import screen_text
 from test_real_desk import opened, until
 
+from day6_tui.tui.app import Day6App
 from day6_tui.tui.layouts import build, describe
+from day6_tui.tui.settings import Settings
 from day6_tui.tui.splits import Tree
 
 
@@ -68,6 +70,17 @@ async def test_a_session_that_cannot_be_understood_is_told_and_stays(tmp_path, t
         assert "session.json" in screen_text(app)
         app.session.save()
     assert file.read_bytes() == before
+
+
+async def test_two_files_that_cannot_be_understood_are_both_told(tmp_path, monkeypatch) -> None:
+    for file in (session_file(tmp_path), Settings().path):
+        file.parent.mkdir(parents=True)
+        file.write_text("[]")
+    notified: list[str] = []
+    monkeypatch.setattr(Day6App, "notify", lambda self, message, **more: notified.append(message))
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        assert "session.json" in screen_text(app) and "settings.json" in "".join(notified)
 
 
 async def test_the_desktop_comes_back_as_it_was_left(tmp_path) -> None:

@@ -91,7 +91,7 @@ class WindowPane(Pane, Generic[Model]):
     def lay_over(self, modal: Modal) -> None:
         """Open a prompt or menu over the desktop."""
         if isinstance(self.parent, PaneHost):
-            self.parent.open_overlay(modal)
+            self.parent.open_overlay(modal, about=self)
 
 
 class BrokenPane(WindowPane[object]):
