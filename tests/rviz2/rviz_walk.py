@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+import time
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,13 @@ class Walk:
 
         self.machine.settle()
         await step(self.app, self.pilot)
+
+    async def until(self, condition: Callable[[], object]) -> None:
+        """Settle until `condition` holds: the view is drawn only a few times a second."""
+        end = time.monotonic() + 10.0
+        while not condition():
+            assert time.monotonic() < end, self.screen()
+            await self.settle()
 
     def screen(self) -> str:
         from screens import screen_text

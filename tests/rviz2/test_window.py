@@ -44,8 +44,7 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             at.pane.status_bar.hurry()
             await at.settle()
             assert "blue box base_link 0.4×0.25×0.08 m" in " ".join(at.screen().split())
-            blue = [colour for colour in _colours(at) if colour & 255 > 2 * (colour >> 16)]
-            assert len(blue) > 200
+            await at.until(lambda: sum(colour & 255 > 2 * (colour >> 16) for colour in _colours(at)) > 200)
 
     run(walk())
 

@@ -208,7 +208,7 @@ def test_a_robot_that_comes_is_far_away_and_f_is_offered_until_it_was_pressed(
             assert _blue_cells(at) < 12
             await at.press("f")
             assert OFFER not in at.screen()
-            assert _blue_cells(at) > 60
+            await at.until(lambda: _blue_cells(at) > 60)
             await at.press("z")
             assert OFFER not in at.screen()
 

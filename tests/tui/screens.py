@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Iterable
+import time
+from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import asynccontextmanager
 from typing import Any
 
 from fakes import FakeDesk
+from settled import install
 
 from day6_tui.tui.app import Day6App, make_look
 from day6_tui.tui.options import Options
+
+install()
 
 UTF8 = {"LANG": "C.UTF-8", "TERM": "xterm-256color", "COLORTERM": "truecolor"}
 
@@ -62,3 +66,11 @@ async def step(app: Day6App, pilot: Any) -> None:
     for _ in range(2):
         app.frames.step()
         await pilot.pause()
+
+
+async def step_until(app: Day6App, pilot: Any, condition: Callable[[], object]) -> None:
+    """Draw frames until `condition` holds: a flood of output is shown a few times a second."""
+    end = time.monotonic() + 10.0
+    while not condition():
+        assert time.monotonic() < end, screen_text(app)
+        await step(app, pilot)

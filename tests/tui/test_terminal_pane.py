@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from fakes import FakeTerminal
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step
+from screens import opened, screen_lines, screen_text, step, step_until
 from textual import events
 
 from day6_tui.tui.colours import colours
@@ -302,11 +302,11 @@ async def test_the_wheel_looks_back_and_a_key_returns(desk) -> None:
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.desktop.focus_pane(app.terminals.current)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
-        await step(app, pilot)
+        await step_until(app, pilot, lambda: "line 49" in screen_text(app))
         assert "line 49" in screen_text(app)
         await pilot.press("shift+pageup")
-        await step(app, pilot)
-        assert "line 49" not in screen_text(app) and "more lines below" in screen_text(app)
+        await step_until(app, pilot, lambda: "line 49" not in screen_text(app))
+        assert "more lines below" in screen_text(app)
         await pilot.press("a")
         await step(app, pilot)
         assert "line 49" in screen_text(app) and "more lines below" not in screen_text(app)
@@ -366,10 +366,10 @@ async def test_page_up_alone_looks_back_at_a_prompt_and_goes_to_a_program_that_r
     async with opened(desk, 80, 24, lang="en") as (app, pilot):
         app.desktop.focus_pane(app.terminals.current)
         desk.terminals[0].write("\n".join(f"line {n}" for n in range(50)))
-        await step(app, pilot)
+        await step_until(app, pilot, lambda: "line 49" in screen_text(app))
         await pilot.press("pageup")
-        await step(app, pilot)
-        assert "line 49" not in screen_text(app) and desk.terminals[0].sent == ""
+        await step_until(app, pilot, lambda: "line 49" not in screen_text(app))
+        assert desk.terminals[0].sent == ""
         desk.terminals[0].busy = True
         await pilot.press("pageup")
         assert desk.terminals[0].sent == "\x1b[5~"
