@@ -70,6 +70,8 @@ class Session:
         self._layout: object = None
         """The layout that windows of programs that were started again come into, and until when."""
         self._until = 0.0
+        self._views: dict[str, str] = {}
+        """What the windows showed that have not come back yet, by their roles in the layout."""
         self._state: object = None
         """What there was when it was saved last."""
         self._foreign = False
@@ -107,13 +109,14 @@ class Session:
                 continue
             text = transcript(terminal.screen, without_last=not terminal.busy)
             terminals.append({"folder": str(terminal.shell.cwd), "text": text, "commands": _commands(terminal)})
-        focused = self._desktop.focused_pane
+        focused, roles = self._desktop.focused_pane, self._arranging.roles()
         found = {
             "version": VERSION,
             "time": time.time(),
             "layout": self._arranging.described(),
             "terminals": terminals,
-            "focus": self._arranging.roles().get(focused.slot, "") if focused is not None else "",
+            "focus": roles.get(focused.slot, "") if focused is not None else "",
+            "views": {roles[pane.slot]: view for pane in self._desktop.panes.values() if (view := pane.kept_view())},
         }
         return json.dumps(found, ensure_ascii=False).encode(errors="replace")
 
@@ -130,6 +133,7 @@ class Session:
         try:
             found = _read(path)
             left = [_left(each) for each in found["terminals"]]
+            views = _views(found.get("views", {}))
             roles_in(found["layout"])
         except (OSError, ValueError, KeyError, TypeError) as error:
             self._foreign = not isinstance(error, OSError)
@@ -145,7 +149,7 @@ class Session:
             pane = self._terminals.open(cwd=each.folder if each.folder.is_dir() else None, text=each.text + mark)
             if pane is not None:
                 panes.append((pane, each.commands))
-        self._layout = found["layout"]
+        self._layout, self._views = found["layout"], views
         self._arranging.apply(self._layout)
         self._focus(str(found.get("focus", "")))
         self._offer([(pane, commands) for pane, commands in panes if commands])
@@ -178,9 +182,17 @@ class Session:
         )
 
     def place_windows(self) -> None:
-        """A window was opened: if it belongs to the layout that was left, it goes to its old place."""
-        if self._layout is not None and time.monotonic() < self._until:
-            self._arranging.apply(self._layout)
+        """A window was opened: if it belongs to the layout that was left, it goes to its old place and shows what it showed."""
+        if self._layout is None or time.monotonic() >= self._until:
+            return
+        self._arranging.apply(self._layout)
+        roles = self._arranging.roles()
+        for pane in self._desktop.panes.values():
+            if view := self._views.pop(roles[pane.slot], ""):
+                try:
+                    pane.take_view(view)
+                except ValueError as error:
+                    _log.warning("%s: its view cannot be understood: %s", roles[pane.slot], error)
 
 
 def _write(path: Path, data: bytes) -> None:
@@ -201,6 +213,12 @@ def _read(path: Path) -> Mapping[str, Any]:
     if found.get("version") != VERSION or not isinstance(found.get("time"), float):
         raise ValueError("no session")
     return found
+
+
+def _views(found: object) -> dict[str, str]:
+    if not isinstance(found, dict) or not all(isinstance(each, str) for pair in found.items() for each in pair):
+        raise ValueError("no session")
+    return dict(found)
 
 
 def _left(found: Mapping[str, Any]) -> Left:

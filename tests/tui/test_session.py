@@ -58,6 +58,7 @@ def test_what_is_missing_is_closed_up(missing: int) -> None:
         '{"version": 1, "time": 1.0, "layout": {"stack": 3}, "terminals": []}',
         '{"version": 1, "time": 1.0, "layout": null, "terminals": [{"folder": 1, "text": "", "commands": []}]}',
         '{"version": 1, "time": 1.0, "layout": {"across": true, "parts": [], "shares": [NaN]}, "terminals": "x"}',
+        '{"version": 1, "time": 1.0, "layout": {"stack": []}, "terminals": [], "views": {"rviz2 1": 7}}',
     ],
 )
 async def test_a_session_that_cannot_be_understood_is_told_and_stays(tmp_path, text) -> None:
@@ -107,6 +108,25 @@ async def test_the_desktop_comes_back_as_it_was_left(tmp_path) -> None:
         await until(app, pilot, lambda: app.arranging.described() == layout)
         await until(app, pilot, lambda: "student@day6:~/work$" in screen_text(app))
         assert "42 is the answer" in screen_text(app) and "[from 20" in screen_text(app)
+
+
+async def test_rviz_comes_back_with_what_it_showed_although_nobody_saved_it(tmp_path) -> None:
+    async with opened(tmp_path, scene="empty") as (app, pilot):
+        await until(app, pilot, lambda: "student@day6:~$" in screen_text(app))
+        app.terminals.panes[0].view.terminal.run_line("rviz2")
+        await until(app, pilot, lambda: app.desktop.panes)
+        rviz = next(iter(app.desktop.panes.values())).rviz
+        rviz.request(lambda: (rviz.add_display("RobotModel"), rviz.fixed.set("base_link"), rviz.set_view("TopDownOrtho")))
+        await until(app, pilot, lambda: rviz.view.type == "TopDownOrtho")
+        app.exit()
+    async with opened(tmp_path) as (app, pilot):
+        await until(app, pilot, lambda: "Start them again?" in screen_text(app))
+        await pilot.press("y")
+        await until(app, pilot, lambda: app.desktop.panes)
+        again = next(iter(app.desktop.panes.values())).rviz
+        await until(app, pilot, lambda: again.view.type == "TopDownOrtho")
+        assert again.fixed_frame == "base_link" and again.modified
+        assert [display.type for display in again.displays] == [display.type for display in rviz.displays]
 
 
 async def test_saying_no_leaves_the_terminals_at_their_prompts(tmp_path) -> None:

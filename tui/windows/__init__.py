@@ -82,6 +82,13 @@ class WindowPane(Pane, Generic[Model]):
         """Keep what can be kept; return what is lost if the desktop ends now, and why, or ''."""
         return ""
 
+    def kept_view(self) -> str:
+        """What the window shows and comes back with the desktop, '' if there is nothing to keep."""
+        return ""
+
+    def take_view(self, view: str) -> None:
+        """Show again what `kept_view` told. Raises ValueError for what it did not."""
+
     def ask(self, title: str, value: str, taken: Callable[[str], str | None], *, note: str = "") -> None:
         """Ask for a line of text: `taken` gets it and returns what is wrong with it, or None."""
         from day6_tui.tui.prompt import Prompt

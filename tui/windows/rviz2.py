@@ -6,12 +6,15 @@ handles keys and mouse.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable
 from functools import partial
+from pathlib import Path
 
 from rich.segment import Segment
 from textual import events
 
+from day6_tui.core.ros.programs.rviz2.model.config import write_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
@@ -171,6 +174,24 @@ class RVizPane(WindowPane[RViz]):
 
     def loses_at_the_end(self) -> str:
         return self.look.texts("rviz.unsaved") if self.rviz.modified else ""
+
+    def kept_view(self) -> str:
+        rviz = self.rviz
+        kept = {"config": write_config(rviz.save()), "file": str(rviz.config_file or ""), "modified": rviz.modified}
+        return json.dumps(kept, ensure_ascii=False)
+
+    def take_view(self, view: str) -> None:
+        kept = json.loads(view)
+        if not isinstance(kept, dict) or not isinstance(kept.get("config"), str) or not isinstance(kept.get("file"), str):
+            raise ValueError("no view of RViz")
+        rviz, file = self.rviz, kept["file"]
+        config = rviz.check_text(kept["config"])
+
+        def load() -> None:
+            rviz.load_config(config, Path(file) if file else None)
+            rviz.modified = kept.get("modified") is True
+
+        self.request(load)
 
     def _to_fixed(self) -> None:
         self._to_panel()
