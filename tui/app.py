@@ -46,7 +46,7 @@ from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.guidance import Guidance
 from day6_tui.tui.key_line import KeyLine
-from day6_tui.tui.keyboard import BadInput, leave, sturdy
+from day6_tui.tui.keyboard import leave, sturdy
 from day6_tui.tui.leaving import Leaving
 from day6_tui.tui.locale import Texts, detect
 from day6_tui.tui.look import Look
@@ -62,6 +62,7 @@ from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import TYPED, PersonMessage, survive
 from day6_tui.tui.switching import Switching
 from day6_tui.tui.terminal_pane import ARROWS, TerminalPane
+from day6_tui.tui.terminal_trouble import TerminalTrouble
 from day6_tui.tui.terminals import Terminals
 from day6_tui.tui.themes import NAMES
 from day6_tui.tui.top_line import TopLine
@@ -352,8 +353,7 @@ class Day6App(PictureApp):
     def action_help_quit(self) -> None:
         """Ctrl-C that no pane handles does nothing (Textual would explain how to quit)."""
 
-    def on_bad_input(self, event: BadInput) -> None:
-        """The terminal uses another encoding than the desktop, so what is typed cannot be decoded."""
+    def on_terminal_trouble(self, event: TerminalTrouble) -> None:
         self.notices.show(self.look.texts(event.key), HINT_SECONDS)
 
     def on_cursor_position(self, event: events.CursorPosition) -> None:

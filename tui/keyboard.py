@@ -46,20 +46,6 @@ for _key in "1234567890-=":
     cast("dict[str, object]", ANSI_SEQUENCES_KEYS).pop(f"\x1b{_key}", None)
 
 
-class BadInput(Message):
-    """The terminal sent bytes that are not UTF-8."""
-
-    def __init__(self, gbk: bool) -> None:
-        super().__init__()
-        self.gbk = gbk
-        """Whether it looks like Chinese in GBK."""
-
-    @property
-    def key(self) -> str:
-        """The catalogue key of the text that says what to do about it."""
-        return "input.gbk" if self.gbk else "input.not_utf8"
-
-
 def sturdy(driver: type[Driver]) -> type[Driver]:
     """Return the driver that survives bad input, in place of Textual's own on Linux and macOS."""
     if driver.__name__ != "LinuxDriver":

@@ -19,9 +19,10 @@ try:
 except ImportError:  # Windows: Textual has another driver there, and this one is not used
     from textual.driver import Driver as LinuxDriver  # type: ignore[assignment]
 
-from day6_tui.tui.keyboard import BadInput, InputDecoder, KeyboardParser, is_possible
+from day6_tui.tui.keyboard import InputDecoder, KeyboardParser, is_possible
 from day6_tui.tui.pixels.app import PictureApp, leave_pictures
 from day6_tui.tui.pixels.ask import Answered
+from day6_tui.tui.terminal_trouble import TerminalTrouble
 
 if TYPE_CHECKING:
     from day6_tui.tui.pixels.pictures import Pictures
@@ -110,7 +111,7 @@ class TerminalDriver(LinuxDriver):
     def _report(self, fault: str) -> None:
         if fault not in self._reported:
             self._reported |= {fault}
-            self.send_message(BadInput(fault == "gbk"))
+            self.send_message(TerminalTrouble("input.gbk" if fault == "gbk" else "input.not_utf8"))
 
     def _output_is_gone(self) -> bool:
         writer = self._writer_thread

@@ -41,7 +41,7 @@ from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.departure import give_back
 from day6_tui.tui.frames import Frames
-from day6_tui.tui.keyboard import BadInput, leave, sturdy
+from day6_tui.tui.keyboard import leave, sturdy
 from day6_tui.tui.look import Look
 from day6_tui.tui.looks import Looks
 from day6_tui.tui.notices import HINT_SECONDS
@@ -53,6 +53,7 @@ from day6_tui.tui.poor_terminals import filters_for
 from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import survive
 from day6_tui.tui.tabs import Tab, tab_pieces
+from day6_tui.tui.terminal_trouble import TerminalTrouble
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
 chops.install()
@@ -242,8 +243,7 @@ class WindowApp(PictureApp):
     async def on_event(self, event: events.Event) -> None:
         await survive(self, event, super().on_event(event))
 
-    def on_bad_input(self, event: BadInput) -> None:
-        """The terminal uses another encoding than this program, so what is typed cannot be decoded."""
+    def on_terminal_trouble(self, event: TerminalTrouble) -> None:
         self._hint, self._hint_until = self.look.texts(event.key), time.monotonic() + HINT_SECONDS
         self.frames.wake()
 

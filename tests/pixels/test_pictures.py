@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from fakes import FakeDesk, FakeSimulation, turtle
 from pixel_terminal import CELL, PixelTerminal
-from screens import opened, step
+from screens import opened, screen_text, step
 from textual.app import App
 
 from day6_tui.tui.app import Day6App
@@ -37,7 +37,12 @@ class Stage:
         """Whether the terminal answers later."""
         self.written: list[str] = []
         app.look.pictures = self.pictures = Pictures(
-            app.look, {}, self._write, changed=app._pictures_changed, clock=lambda: self.now
+            app.look,
+            {},
+            self._write,
+            changed=app._pictures_changed,
+            given_up=app._too_slow,
+            clock=lambda: self.now,
         )
         self.pictures.wanted = True
         self.pictures.use(Ability(kind, CELL))
@@ -259,6 +264,7 @@ def test_a_slow_terminal_gets_coarser_pictures_and_at_last_characters(monkeypatc
             cells.append(stage.pictures.cell(40, 20))
         assert cells[0] == CELL and cells[4] < CELL
         assert stage.app.look.glyphs.name == "half"
+        assert "characters draw the pictures now" in screen_text(stage.app)
 
     play(SIXEL, monkeypatch, scenes)
 

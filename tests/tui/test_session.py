@@ -116,7 +116,9 @@ async def test_rviz_comes_back_with_what_it_showed_although_nobody_saved_it(tmp_
         app.terminals.panes[0].view.terminal.run_line("rviz2")
         await until(app, pilot, lambda: app.desktop.panes)
         rviz = next(iter(app.desktop.panes.values())).rviz
-        rviz.request(lambda: (rviz.add_display("RobotModel"), rviz.fixed.set("base_link"), rviz.set_view("TopDownOrtho")))
+        rviz.request(
+            lambda: (rviz.add_display("RobotModel"), rviz.fixed.set("base_link"), rviz.set_view("TopDownOrtho"))
+        )
         await until(app, pilot, lambda: rviz.view.type == "TopDownOrtho")
         app.exit()
     async with opened(tmp_path) as (app, pilot):

@@ -120,6 +120,7 @@ TEXTS = {
     "terminal.stubborn": "它不理会 Ctrl-C。按 Ctrl-\\ 可以结束它；或者先按 Ctrl-Z，再输入 kill -9 %%",
     "input.gbk": "你的终端发送的是 GBK 而不是 UTF-8：请把终端编码设为 UTF-8（PuTTY：Window > Translation）",
     "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
+    "pixels.slow": "这条连接传送像素图太慢，已改用字符来画",
     "terminal.hint": "{keys}只在这个终端里有用：点一下这里，或按 {key}",
     "terminal.arrows": "{keys}只在终端 {number}（遥控）里有用：按 {key} 切换过去",
     "terminal.not_arrows": "这个程序不用方向键驾驶，要用{keys}",

@@ -14,6 +14,7 @@ from textual.app import App
 from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS, PIXELS, terminal_environ
 from day6_tui.tui.pixels.ask import SIXEL, WINDOWS_TERMINAL_CELL, Ability, Answered, may_be_asked
 from day6_tui.tui.pixels.pictures import Pictures
+from day6_tui.tui.terminal_trouble import TerminalTrouble
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -39,7 +40,9 @@ class PictureApp(App[None]):
         look, environ = self.look, terminal_environ()
         if self.is_headless or look.colours.colourless or look.glyphs.name not in (PIXELS, *CANVASES[:2]):
             return
-        look.pictures = pictures = Pictures(look, environ, self._write_picture, changed=self._pictures_changed)
+        look.pictures = pictures = Pictures(
+            look, environ, self._write_picture, changed=self._pictures_changed, given_up=self._too_slow
+        )
         pictures.wanted = glyphs in (None, "", "auto", PIXELS)
         if sys.platform != "win32":
             if may_be_asked(environ):
@@ -93,6 +96,9 @@ class PictureApp(App[None]):
         for start in range(0, len(text), size):
             driver.write(text[start : start + size])
         driver.flush()
+
+    def _too_slow(self) -> None:
+        self.post_message(TerminalTrouble("pixels.slow"))
 
     def _pictures_changed(self) -> None:
         from day6_tui.tui.looks import redraw

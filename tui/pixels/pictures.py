@@ -79,6 +79,7 @@ class Pictures:
         write: Callable[[str], object],
         *,
         changed: Callable[[], object],
+        given_up: Callable[[], object] = lambda: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._look = look
@@ -86,6 +87,8 @@ class Pictures:
         self._write = write
         self._changed = changed
         """Called when pictures can be shown from now on, or no longer."""
+        self._given_up = given_up
+        """Called when the terminal is too slow for pictures."""
         self._clock = clock
         self._inquiry: Inquiry | None = None
         self.ability: Ability | None = None
@@ -167,6 +170,7 @@ class Pictures:
         self.coarser = self._slow = 0
         self._look.glyphs = GLYPH_SETS["half"]
         self._changed()
+        self._given_up()
 
     # -- what panes ask ------------------------------------------------------------------------------------------------
 

@@ -182,7 +182,11 @@ class RVizPane(WindowPane[RViz]):
 
     def take_view(self, view: str) -> None:
         kept = json.loads(view)
-        if not isinstance(kept, dict) or not isinstance(kept.get("config"), str) or not isinstance(kept.get("file"), str):
+        if (
+            not isinstance(kept, dict)
+            or not isinstance(kept.get("config"), str)
+            or not isinstance(kept.get("file"), str)
+        ):
             raise ValueError("no view of RViz")
         rviz, file = self.rviz, kept["file"]
         config = rviz.check_text(kept["config"])
