@@ -63,6 +63,8 @@ class Scheduler:
         self._deadlines: list[tuple[int, int, Task, int]] = []
         self._order = itertools.count()
         self._tasks: set[Task] = set()
+        self._unbegun: set[Task] = set()
+        """Those whose first step has not been taken."""
         self._running: Task | None = None
         self._step_began = 0.0
         self._thread_id: int | None = None
@@ -109,6 +111,7 @@ class Scheduler:
     def spawn(self, coroutine: Coroutine[Any, Any, Any], name: str = "task") -> Task:
         """Start a task; its first step is taken in the next turn."""
         task = Task(self, coroutine, name)
+        self._unbegun.add(task)
 
         def enter() -> None:
             self._tasks.add(task)
@@ -134,6 +137,13 @@ class Scheduler:
         if thread is not None and thread is not threading.current_thread():
             thread.join(timeout)
             self._thread = None
+
+    def close(self) -> None:
+        """Stop for good: what was started too late to take a step never will."""
+        self.stop()
+        for task in tuple(self._unbegun):
+            task._coroutine.close()  # else Python complains at its end that nobody awaited it
+        self._unbegun.clear()
 
     def run(self, until: Callable[[], bool], timeout: float | None = None) -> bool:
         """Run on the caller's thread, paced by the wall, until `until()` holds; False after `timeout` wall seconds."""
@@ -292,6 +302,7 @@ class Scheduler:
         try:
             if not task._begun:
                 task._begun = True
+                self._unbegun.discard(task)
                 wait = coroutine.send(None)
             elif task._pending:
                 wait = coroutine.throw(task._pending.popleft())
@@ -334,6 +345,7 @@ class Scheduler:
         task.exception = error
         task._ticket += 1
         self._tasks.discard(task)
+        self._unbegun.discard(task)
         task.done.set()
         if task.on_done is not None:
             self._run_item(lambda: task.on_done(task) if task.on_done else None)

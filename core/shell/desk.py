@@ -304,7 +304,7 @@ class Desk:
 
             for graph in self._joined:
                 leave(graph)
-        self.scheduler.stop()
+        self.scheduler.close()
 
     def end_programs(self, programs: list[Program]) -> None:
         """End these: Ctrl-C, a second later SIGTERM, a second later SIGKILL (wall time: the world may stand still)."""

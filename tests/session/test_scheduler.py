@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
+import warnings
 
 import pytest
 
@@ -300,3 +302,20 @@ def test_what_a_program_does_after_it_wrote_is_announced_too() -> None:
 
     scheduler.spawn(editor())
     assert scheduler.run(lambda: bool(seen) and seen[-1] == ["window"], timeout=5)
+
+
+def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:
+    scheduler = Scheduler(WorldClock(wall=None, epoch_ns=0))
+
+    async def never() -> None:
+        raise AssertionError("it had no turn")
+
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        scheduler.start()
+        scheduler.stop()
+        scheduler.spawn(never())
+        scheduler.close()
+        del scheduler
+        gc.collect()
+    assert [str(each.message) for each in told] == []

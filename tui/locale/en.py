@@ -24,7 +24,7 @@ TEXTS = {
     "action.find": "Search the terminal",
     "action.clear": "Clear the terminal's scrollback",
     "action.language": "中文 / English",
-    "action.theme": "Theme: dark, light, high contrast",
+    "action.theme": "Theme: dark, light, high contrast, colour-blind",
     "action.glyphs": "Next set of characters (pixels, half, braille, cell, ascii)",
     "action.split.right": "Split: terminal on the right",
     "action.split.below": "Split: terminal below",

@@ -21,7 +21,7 @@ TEXTS = {
     "action.find": "在终端里查找",
     "action.clear": "清除终端的历史画面",
     "action.language": "English / 中文",
-    "action.theme": "配色：深色、浅色、高对比度",
+    "action.theme": "配色：深色、浅色、高对比度、色盲友好",
     "action.glyphs": "换一种画法（pixels、half、braille、cell、ascii）",
     "action.split.right": "分屏：右边开一个终端",
     "action.split.below": "分屏：下面开一个终端",
