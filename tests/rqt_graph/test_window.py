@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -13,8 +12,7 @@ from textual import events
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from fakes import FakeDesk
-from screens import opened, screen_lines, screen_text, step
+from screens import ToolWindow, screen_lines, step, use_window
 
 from day6_tui.core.graph import Graph
 from day6_tui.core.ros.programs.rqt_graph.model.content import Facts, Options
@@ -29,16 +27,8 @@ ROBOTS = Facts(
 """Four robots with chains of eight nodes: wider than any window with everything in full."""
 
 
-class _Window:
+class _Window(ToolWindow):
     """rqt_graph on a stepped desktop."""
-
-    def __init__(self, app: Any, pilot: Any, model: RqtGraph) -> None:
-        self.app, self.pilot, self.model = app, pilot, model
-        self.pane = next(iter(app.query("RqtGraphPane")))
-
-    @property
-    def text(self) -> str:
-        return screen_text(self.app)
 
     def place(self, text: str) -> tuple[int, int]:
         """Column and row of the pane at which a text stands on the screen."""
@@ -47,11 +37,6 @@ class _Window:
             if text in line[region.x : region.right]:
                 return line.index(text, region.x) - region.x, y - region.y
         raise AssertionError(f"{text!r} is not in\n{self.text}")
-
-    async def press(self, *keys: str) -> None:
-        for key in keys:
-            await self.pilot.press(key)
-        await step(self.app, self.pilot)
 
     async def to_the_start(self) -> None:
         """Pan to the upper left corner of a picture larger than the window."""
@@ -76,22 +61,10 @@ class _Window:
 def use(
     facts: Facts, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (80, 24), **options: Any
 ) -> None:
-    """Open the graph enlarged, so that it has the whole of `size`, and do something with it."""
-
-    async def run() -> None:
-        desk = FakeDesk()
-        model = RqtGraph(None, Graph(0), Path("/nowhere"))  # type: ignore[arg-type]
-        model._show(facts, Options())
-        window = desk.display.open("rqt_graph", "rqt_graph", model)
-        async with opened(desk, *size, scene="empty", lang="en", **options) as (app, pilot):
-            await step(app, pilot)
-            app.desktop.focus_pane(app.desktop.panes[window.number])
-            await step(app, pilot)
-            await pilot.press("f8")
-            await step(app, pilot)
-            await act(_Window(app, pilot, model))
-
-    asyncio.run(run())
+    """Open the graph and do something with it."""
+    model = RqtGraph(None, Graph(0), Path("/nowhere"))  # type: ignore[arg-type]
+    model._show(facts, Options())
+    use_window(("rqt_graph", "rqt_graph", model), act, size, _Window, **options)
 
 
 @pytest.mark.parametrize(("key", "moved"), [("right", (-8, 0)), ("left", (8, 0)), ("up", (0, 2)), ("down", (0, -2))])

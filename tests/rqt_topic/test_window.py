@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -14,9 +13,8 @@ from std_msgs.msg import Float64MultiArray, String
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
-from fakes import FakeDesk
 from rich.cells import cell_len
-from screens import opened, screen_lines, screen_text, step
+from screens import ToolWindow, screen_lines, step, use_window
 
 from day6_tui.core.ros.programs.rqt_topic import fields as reading
 from day6_tui.core.ros.programs.rqt_topic.model import Endpoint, Topic
@@ -50,15 +48,7 @@ class Model:
         self.toggled.append(name)
 
 
-class _Window:
-    def __init__(self, app: Any, pilot: Any, model: Model) -> None:
-        self.app, self.pilot, self.model = app, pilot, model
-        self.pane = next(iter(app.query("TopicsPane")))
-
-    @property
-    def text(self) -> str:
-        return screen_text(self.app)
-
+class _Window(ToolWindow):
     def line(self, text: str) -> str:
         """The first line of the window in which a text stands."""
         return next((line for line in screen_lines(self.app)[1:-1] if text in line), "")
@@ -66,11 +56,6 @@ class _Window:
     def order(self) -> list[str]:
         """The names of the topics, from above."""
         return [line.split("] ")[1].split()[0] for line in screen_lines(self.app) if "] /" in line]
-
-    async def press(self, *keys: str) -> None:
-        for key in keys:
-            await self.pilot.press(key)
-            await step(self.app, self.pilot)
 
     async def click(self, text: str, into: int = 0) -> None:
         lines = screen_lines(self.app)
@@ -87,20 +72,8 @@ class _Window:
 def use(
     model: Model, act: Callable[[_Window], Awaitable[None]], size: tuple[int, int] = (120, 40), **options: Any
 ) -> None:
-    """Open the topic monitor enlarged, so that it has the whole of `size`, and do something with it."""
-
-    async def run() -> None:
-        desk = FakeDesk()
-        window = desk.display.open("topics", "Topic Monitor", model)
-        async with opened(desk, *size, scene="empty", **{"lang": "en", **options}) as (app, pilot):
-            await step(app, pilot)
-            app.desktop.focus_pane(app.desktop.panes[window.number])
-            await step(app, pilot)
-            await pilot.press("f8")
-            await step(app, pilot)
-            await act(_Window(app, pilot, model))
-
-    asyncio.run(run())
+    """Open the topic monitor and do something with it."""
+    use_window(("topics", "Topic Monitor", model), act, size, _Window, **options)
 
 
 def heard() -> Model:

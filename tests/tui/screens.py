@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Callable, Iterable
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
 from contextlib import asynccontextmanager
-from typing import Any
+from typing import Any, TypeVar
 
 from fakes import FakeDesk
 from settled import install
@@ -59,6 +59,50 @@ def look_at(
             return screen_text(app)
 
     return asyncio.run(look())
+
+
+class ToolWindow:
+    """A program's window that has the whole of a stepped desktop, and the keyboard."""
+
+    def __init__(self, app: Day6App, pilot: Any, number: int) -> None:
+        self.app, self.pilot = app, pilot
+        self.pane: Any = app.desktop.panes[number]
+        self.model: Any = self.pane.window.model
+
+    @property
+    def text(self) -> str:
+        return screen_text(self.app)
+
+    async def press(self, *keys: str) -> None:
+        for key in keys:
+            await self.pilot.press(key)
+            await step(self.app, self.pilot)
+
+
+Tool = TypeVar("Tool", bound=ToolWindow)
+
+
+def use_window(
+    window: tuple[str, str, Any],
+    act: Callable[[Tool], Awaitable[None]],
+    size: tuple[int, int],
+    kind: type[Tool],
+    **options: Any,
+) -> None:
+    """Open a program's window (kind, title, model) enlarged, so that it has the whole of `size`, and do something with it."""
+
+    async def run() -> None:
+        desk = FakeDesk()
+        number = desk.display.open(*window).number
+        async with opened(desk, *size, scene="empty", **{"lang": "en", **options}) as (app, pilot):
+            await step(app, pilot)
+            app.desktop.focus_pane(app.desktop.panes[number])
+            await step(app, pilot)
+            tool = kind(app, pilot, number)
+            await tool.press("f8")
+            await act(tool)
+
+    asyncio.run(run())
 
 
 async def step(app: Day6App, pilot: Any) -> None:
