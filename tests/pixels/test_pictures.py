@@ -153,7 +153,7 @@ def test_a_moving_turtle_costs_its_own_surroundings(kind: str, monkeypatch: pyte
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_menu_over_the_picture_is_seen_and_then_the_picture_again(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_menu_covers_its_part_of_the_picture_around_which_the_turtle_goes_on(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     async def scenes(stage: Stage) -> None:
         before = stage.ground()
         await stage.pilot.press("f7")
@@ -161,12 +161,18 @@ def test_a_menu_over_the_picture_is_seen_and_then_the_picture_again(kind: str, m
         await stage.frame(turtle(x=5.3))
         overlay = stage.app.desktop.overlay
         assert overlay is not None
-        x, y, right, bottom = overlay.region.x, overlay.region.y, overlay.region.right, overlay.region.bottom
+        x, y, right, bottom = overlay.query_one("#frame").region.corners
         assert before[y:bottom, x:right].any() and not stage.ground()[y:bottom, x:right].any()
+        beside = before.copy()
+        beside[y:bottom, x:right] = False
+        assert beside.sum() > 50 and (stage.ground() & beside).sum() >= beside.sum() - 8
+        stage.written.clear()
+        await stage.frame(turtle(x=9.0 if right < before.shape[1] else 2.0))
+        assert any("\x1b_G" in text or "\x1bP" in text or "1337;File" in text for text in stage.written)
         await stage.pilot.press("escape")
         await stage.frame(turtle(x=5.4))
         await stage.frame()
-        assert stage.ground()[y:bottom, x:right].sum() >= before[y:bottom, x:right].sum() - 8
+        assert stage.ground().sum() >= before.sum() - 8
 
     play(kind, monkeypatch, scenes)
 

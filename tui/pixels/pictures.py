@@ -253,12 +253,12 @@ class Pictures:
             return []
         region = picture.place.translate(geometry.region.offset)
         seen = region.intersection(geometry.clip)
-        if not seen or screen is not pane.app.screen:
+        if not seen:
             return []
         if region != picture.region:
             picture.region, picture.sent = region, None
         holes = [hole.translate(region.offset) for hole in picture.holes]
-        return without(seen, [*_covers(screen, pane), *holes])
+        return without(seen, [*_covers(screen, pane), *_modals_over(screen), *holes])
 
     def _drawn(self, picture: _Picture, visible: list[Region]) -> str:
         from day6_tui.tui.pixels.bands import changed_cells, pieces_of
@@ -331,6 +331,13 @@ def _covers(screen: Screen[Any], pane: Widget) -> list[Region]:
                 if geometry.order > order:
                     covers.append(geometry.region)
     return covers
+
+
+def _modals_over(screen: Screen[Any]) -> list[Region]:
+    """The regions of what modal screens show over this one; around them it is seen."""
+    stack = screen.app.screen_stack
+    above = stack[stack.index(screen) + 1 :]
+    return [child.region for modal in above for child in modal.children if child.display]
 
 
 def _writer(ability: Ability) -> Writer:
