@@ -56,7 +56,7 @@ class Window:
 def test_the_turtle_is_drawn_with_pixels_and_quitting_leaves_none(place: Place, kind: str) -> None:
     with place.desktop("--scene", "turtle", columns=COLUMNS, rows=ROWS) as screen:
         window = Window(screen, kind)
-        window.until(lambda: window.ground() > 400)
+        window.until(lambda: window.ground() > 400 and "'q' to quit" in screen.look())  # every pane has its place
         whole = window.ground()
         screen.press("F7")
         window.until(lambda: window.ground() < whole / 2)

@@ -51,6 +51,15 @@ def test_sixel_without_a_known_cell_is_not_used() -> None:
     assert inquiry.ability == Ability(SIXEL, (10, 20))
 
 
+def test_in_a_browser_a_cell_is_no_whole_number_of_pixels() -> None:
+    answers = ("\x1b[6;16;8t", "\x1b[4;480;1011t")
+    for attributes, exact in (("62;4;9;22", (8.425, 16.0)), ("62;1;4;6;22", None)):
+        inquiry = Inquiry({}, (120, 30))
+        for answer in (*answers, f"\x1b[?{attributes}c"):
+            inquiry.take(answer)
+        assert inquiry.ability == Ability(SIXEL, (8, 16), exact)
+
+
 def test_the_text_area_gives_the_cell_where_the_cell_is_not_told() -> None:
     inquiry = Inquiry({}, (80, 24))
     for answer in ("\x1b[4;432;720t", "\x1b[?62;4c"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from typing import Any
@@ -153,7 +154,9 @@ def test_a_moving_turtle_costs_its_own_surroundings(kind: str, monkeypatch: pyte
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_menu_covers_its_part_of_the_picture_around_which_the_turtle_goes_on(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_menu_covers_its_part_of_the_picture_around_which_the_turtle_goes_on(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     async def scenes(stage: Stage) -> None:
         before = stage.ground()
         await stage.pilot.press("f7")
@@ -254,6 +257,21 @@ def test_nothing_more_is_written_before_the_terminal_is_ready(monkeypatch: pytes
         shell = np.argwhere(stage.terminal.has((0x2E, 0x9E, 0x5B), near=10))
         column, _, columns, _ = stage.world()
         assert abs((shell.mean(axis=0)[1] + 0.5 - column) / columns - 5.0 / 11.09) < 0.06
+
+    play(SIXEL, monkeypatch, scenes)
+
+
+def test_where_cells_are_no_whole_pixels_a_picture_is_written_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pieces would leave a line of the background at each of their edges."""
+
+    async def scenes(stage: Stage) -> None:
+        stage.pictures.use(Ability(SIXEL, CELL, (CELL[0] + 0.425, CELL[1] + 0.25)))
+        await stage.frame(turtle(x=4.0))
+        stage.written.clear()
+        await stage.frame(turtle(x=4.1))
+        _, _, columns, rows = stage.world()
+        sizes = re.findall(r"\x1bP0;1;0q\"1;1;(\d+);(\d+)", "".join(stage.written))
+        assert sizes == [(str(int(columns * (CELL[0] + 0.425))), str(int(rows * (CELL[1] + 0.25))))]
 
     play(SIXEL, monkeypatch, scenes)
 

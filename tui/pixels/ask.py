@@ -23,6 +23,9 @@ IS_READY = "\x1b[0n"
 WINDOWS_TERMINAL_CELL = (10, 20)
 """Pixels of a cell for Sixel in Windows Terminal, at any size of its letters."""
 
+XTERM_JS = frozenset({"62", "4", "9", "22"})
+"""The device attributes of xterm.js with pictures (VS Code, browsers). It rounds a cell's size, hardly that of its screen."""
+
 ANSWER = re.compile(
     r"\x1b_G[^\x1b]*\x1b\\"  # Kitty's graphics
     r"|\x1bP>\|[^\x1b]*\x1b\\"  # name and version
@@ -73,6 +76,8 @@ class Ability:
 
     protocol: str
     cell: tuple[int, int]
+    exact: tuple[float, float] | None = None
+    """The same where cells are no whole pixels, as in a browser."""
 
 
 def may_be_asked(environ: Mapping[str, str]) -> bool:
@@ -93,6 +98,8 @@ class Inquiry:
     """Width and height of the screen as the system knows them, 0 if it does not."""
     name: str = ""
     cell: tuple[int, int] | None = None
+    area: tuple[int, int] | None = None
+    """Width and height of the text area in pixels."""
     kitty: bool = False
     attributes: frozenset[str] = field(default_factory=frozenset)
     done: bool = False
@@ -117,7 +124,9 @@ class Inquiry:
         columns, rows = self.size
         if of_cell:
             self.cell = (width, height)
-        elif self.cell is None:
+            return
+        self.area = (width, height)
+        if self.cell is None:
             self.cell = (width // max(1, columns), height // max(1, rows))
 
     @property
@@ -130,4 +139,12 @@ class Inquiry:
             return Ability(KITTY, cell if known else (10, 20))
         if iterm:
             return Ability(ITERM, cell if known else (10, 20))
-        return Ability(SIXEL, cell) if "4" in self.attributes and known else None
+        return Ability(SIXEL, cell, self._exact(cell)) if "4" in self.attributes and known else None
+
+    def _exact(self, cell: tuple[int, int]) -> tuple[float, float] | None:
+        """The size of a cell where it is no whole number of pixels, else None."""
+        if self.area is None or self.attributes != XTERM_JS:
+            return None
+        exact = (self.area[0] / max(1, self.size[0]), self.area[1] / max(1, self.size[1]))
+        near = all(abs(whole - part) < 1 for whole, part in zip(cell, exact, strict=True))
+        return exact if near and exact != cell else None

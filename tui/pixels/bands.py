@@ -28,6 +28,7 @@ class Writer(Protocol):
     """Writes bands for one kind of terminal."""
 
     keeps: bool
+    seams: bool
 
     def draw(self, band: int, pixels: Array, cell: tuple[int, int], pieces: list[Piece], changed: bool) -> str: ...
 

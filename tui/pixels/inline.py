@@ -14,6 +14,9 @@ class Inline(ABC):
     keeps = False
     """Whether the terminal keeps pictures that only have to be placed again."""
 
+    seams = False
+    """Whether pieces do not meet at the edges of cells, so that a picture has to be written whole."""
+
     @abstractmethod
     def encoded(self, pixels: Array, columns: int, rows: int) -> str:
         """The sequence that draws pixels into so many cells."""

@@ -28,6 +28,7 @@ class Kitty:
 
     keeps = True
     """Whether the terminal keeps pictures that only have to be placed again."""
+    seams = False
 
     def __init__(self) -> None:
         self._images: dict[int, int] = {}

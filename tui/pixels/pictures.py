@@ -116,7 +116,8 @@ class Pictures:
         if self._writer is not None and (text := self._writer.erase_all()):
             self._write(text)
         first, self.ability = self.ability is None, ability
-        self._forget()
+        self._writer = None
+        self._pictures.clear()  # they come again, in other bands
         if first and self.wanted:
             self._look.glyphs = GLYPH_SETS[PIXELS]
         self._changed()
@@ -205,7 +206,9 @@ class Pictures:
             return
         if old is not None:
             self._erase(old)
-        rows = max(1, BAND_PIXELS // self.ability.cell[1]) if self.ability is not None else 1
+        rows = place.height
+        if self.ability is not None and self.ability.exact is None:
+            rows = max(1, BAND_PIXELS // self.ability.cell[1])
         self._pictures[pane] = picture = _Picture(place, cell, pixels, tuple(holes), self._bands, rows)
         self._bands += len(picture.bands)
 
@@ -283,7 +286,7 @@ class Pictures:
                 picture.pieces[band] = pieces
             else:
                 due = bool(stale)
-                box = Region.from_union(stale) if due else Region()
+                box = (region if writer.seams else Region.from_union(stale)) if due else Region()
                 pieces = pieces_of(region, [each.intersection(box) for each in visible if each.overlaps(box)])
             if due:
                 texts.append(writer.draw(band, pixels, picture.cell, pieces, bool(changed)))
@@ -351,4 +354,4 @@ def _writer(ability: Ability) -> Writer:
         return ITerm()
     from day6_tui.tui.pixels.sixel import Sixel
 
-    return Sixel(ability.cell)
+    return Sixel(ability.exact or ability.cell)

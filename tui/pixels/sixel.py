@@ -58,13 +58,14 @@ class Palette:
 class Sixel(Inline):
     """Writes pieces with one palette for all of them."""
 
-    def __init__(self, cell: tuple[int, int]) -> None:
+    def __init__(self, cell: tuple[float, float]) -> None:
         self._cell = cell
         """The terminal's pixels in a cell: Sixel is never scaled."""
+        self.seams = cell != (int(cell[0]), int(cell[1]))
         self._palette = Palette()
 
     def encoded(self, pixels: Array, columns: int, rows: int) -> str:
-        return encoded(_scaled(pixels, columns * self._cell[0], rows * self._cell[1]), self._palette)
+        return encoded(_scaled(pixels, int(columns * self._cell[0]), int(rows * self._cell[1])), self._palette)
 
 
 def _scaled(pixels: Array, width: int, height: int) -> Array:
