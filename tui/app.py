@@ -12,9 +12,8 @@ import logging
 import os
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -28,15 +27,10 @@ import asyncio
 from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding
-from textual.driver import Driver
-from textual.filter import LineFilter
-from textual.geometry import Size
 from textual.message import Message
-from textual.screen import Screen
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.shell.heap import keep_heap_small
-from day6_tui.core.whole_file import append_private
 from day6_tui.tui import actions, chops, departure, output
 from day6_tui.tui.arranging import Arranging
 from day6_tui.tui.bars import Bar
@@ -46,21 +40,21 @@ from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.guidance import Guidance
 from day6_tui.tui.key_line import KeyLine
-from day6_tui.tui.keyboard import leave, sturdy
+from day6_tui.tui.keyboard import leave
 from day6_tui.tui.leaving import Leaving
 from day6_tui.tui.locale import Texts, detect
+from day6_tui.tui.log_file import keep_log_off_the_screen
 from day6_tui.tui.look import Look
 from day6_tui.tui.looks import Looks
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.tui.options import Options
-from day6_tui.tui.pixels.app import PictureApp
-from day6_tui.tui.poor_terminals import filters_for
 from day6_tui.tui.scene_play import ScenePlay
 from day6_tui.tui.session import Session
 from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import TYPED, PersonMessage, survive
 from day6_tui.tui.switching import Switching
+from day6_tui.tui.terminal_app import TerminalApp
 from day6_tui.tui.terminal_pane import ARROWS, TerminalPane
 from day6_tui.tui.terminal_trouble import TerminalTrouble
 from day6_tui.tui.terminals import Terminals
@@ -92,9 +86,6 @@ DOOR_SECONDS = 1.0
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library costs 50 ms of CPU time and 11 MB."""
 
-WAITING_OUTPUT = 3
-"""Number of writes still waiting for the terminal at which the next frame is postponed."""
-
 
 def make_look(options: Options, environ: Mapping[str, str] | None = None, settings: Settings | None = None) -> Look:
     """Glyphs, colours and language for the options, what the user chose before, and the terminal.
@@ -118,32 +109,7 @@ def make_look(options: Options, environ: Mapping[str, str] | None = None, settin
     return look
 
 
-class DeskScreen(Screen[None]):
-    """Textual's screen, whose own background is never seen."""
-
-    BLANK = True
-    ALLOW_SELECT = False  # terminals have their own selection; Textual's fails on a widget that is just being removed
-
-    def _refresh_layout(self, size: Size | None = None, scroll: bool = False) -> None:
-        """Lay the panes out. Textual 8.2 then stops its timer, also when something else still waits for it."""
-        super()._refresh_layout(size, scroll)
-        self.check_idle()
-
-    def _compositor_refresh(self) -> None:
-        """Draw, or hand on what has changed to the modal screen through which it is seen.
-
-        Textual 8.2 marks this screen as changed too in that case, and so would send the same picture again and again.
-        """
-        changed = self._compositor._dirty_regions
-        if self.app.screen is self or not changed:
-            super()._compositor_refresh()
-            return
-        self.app.screen.refresh(*changed)
-        changed.clear()
-        self._dirty_widgets.clear()
-
-
-class Day6App(PictureApp):
+class Day6App(TerminalApp):
     """The desktop. `desk` may be given (tests); otherwise it is made after the first frame."""
 
     CSS = """
@@ -171,7 +137,7 @@ class Day6App(PictureApp):
         self.look = look
         fps = DEFAULT_FPS if options.fps is None else float(options.fps)
         self.frames = Frames(
-            self.draw_frame, fps, work=self.read_flood, congested=self._congested, failed=self.frame_failed
+            self.draw_frame, fps, work=self.read_flood, congested=self.is_congested, failed=self.frame_failed
         )
         look.wake = self.frames.wake
         self._titled = 0.0
@@ -209,15 +175,6 @@ class Day6App(PictureApp):
         self.top = Bar(look, TopLine(machine, desktop, registry, look, doors=options.has_doors).pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
-
-    def get_driver_class(self) -> type[Driver]:
-        return sturdy(super().get_driver_class())
-
-    def get_default_screen(self) -> Screen[Any]:
-        return DeskScreen(id="_default")
-
-    def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), *filters_for(self.look)]
 
     def compose(self) -> ComposeResult:
         yield self.top
@@ -365,11 +322,6 @@ class Day6App(PictureApp):
     async def on_unmount(self) -> None:
         self.frames.detach()
 
-    def _congested(self) -> bool:
-        writer = getattr(self._driver, "_writer_thread", None)
-        queue = getattr(writer, "_queue", None)
-        return queue is not None and queue.qsize() > WAITING_OUTPUT
-
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def read_flood(self) -> float | None:
@@ -510,30 +462,6 @@ class Day6App(PictureApp):
         pane = self.desktop.focused_pane
         if event.key in ARROWS and isinstance(pane, WindowPane) and pane.window.kind == "turtlesim":
             self.switching.tell_where_arrows_drive()
-
-
-class _LogFile(logging.FileHandler):
-    """A log readable by this user alone; it ignores a full disk, because an error must not be printed over the screen."""
-
-    def _open(self) -> TextIO:  # type: ignore[override]
-        append_private(Path(self.baseFilename), b"")
-        return open(self.baseFilename, "a", encoding=self.encoding)
-
-    def handleError(self, record: logging.LogRecord) -> None:
-        """Called instead of raising when a line could not be written."""
-
-
-def keep_log_off_the_screen(environ: Mapping[str, str] | None = None) -> None:
-    """Send our own log to the file $DAY6_LOG, or nowhere: Python's default, stderr, is the screen."""
-    file = (os.environ if environ is None else environ).get("DAY6_LOG")
-    handler: logging.Handler = logging.NullHandler()
-    if file:
-        try:
-            handler = _LogFile(file, encoding="utf-8")
-        except OSError as error:
-            print(f"day6-tui: DAY6_LOG: {file}: {error.strerror or error}", file=sys.stderr)
-    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
-    logging.getLogger().addHandler(handler)
 
 
 def run(options: Options) -> int:

@@ -12,7 +12,7 @@ import os
 import re
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -26,33 +26,30 @@ lean.import_asyncio()
 from textual import events, on
 from textual.app import App, ComposeResult
 from textual.binding import Binding
-from textual.driver import Driver
-from textual.filter import LineFilter
 from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
 from textual.layout import ArrangeResult, Layout, WidgetPlacement
-from textual.screen import Screen
 from textual.widget import Widget
 
 from day6_tui.core.session.display import Window
 from day6_tui.core.session.local import Foreground
 from day6_tui.tui import chops, output
-from day6_tui.tui.app import DEFAULT_FPS, DeskScreen, keep_log_off_the_screen, make_look
+from day6_tui.tui.app import DEFAULT_FPS, make_look
 from day6_tui.tui.bars import Bar, KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.departure import give_back
 from day6_tui.tui.frames import Frames
-from day6_tui.tui.keyboard import leave, sturdy
+from day6_tui.tui.keyboard import leave
+from day6_tui.tui.log_file import keep_log_off_the_screen
 from day6_tui.tui.look import Look
 from day6_tui.tui.looks import Looks
 from day6_tui.tui.notices import HINT_SECONDS
 from day6_tui.tui.options import Options
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.pane_host import PaneHost
-from day6_tui.tui.pixels.app import PictureApp
-from day6_tui.tui.poor_terminals import filters_for
 from day6_tui.tui.settings import Settings
 from day6_tui.tui.survival import survive
 from day6_tui.tui.tabs import Tab, tab_pieces
+from day6_tui.tui.terminal_app import TerminalApp
 from day6_tui.tui.terminal_trouble import TerminalTrouble
 from day6_tui.tui.windows import BrokenPane, WindowPane, make_window
 
@@ -159,7 +156,7 @@ class Stage(PaneHost):
         pane.focus(scroll_visible=False)
 
 
-class WindowApp(PictureApp):
+class WindowApp(TerminalApp):
     """Shows the windows of one program until it has ended."""
 
     CSS = "Screen { layout: vertical; overflow: hidden; }"
@@ -182,7 +179,7 @@ class WindowApp(PictureApp):
         super().__init__(ansi_color=not look.has_shades)
         self.foreground = foreground
         self.look = look
-        self.frames = Frames(self.draw_frame, fps, congested=self._congested, failed=self.frame_failed)
+        self.frames = Frames(self.draw_frame, fps, congested=self.is_congested, failed=self.frame_failed)
         self.look.wake = self.frames.wake
         self.stage = Stage(look)
         looks = Looks(self, look)
@@ -201,15 +198,6 @@ class WindowApp(PictureApp):
         self._version = -1
         self._presses = 0
         self._hint, self._hint_until = "", 0.0
-
-    def get_driver_class(self) -> type[Driver]:
-        return sturdy(super().get_driver_class())
-
-    def get_default_screen(self) -> Screen[Any]:
-        return DeskScreen(id="_default")
-
-    def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), *filters_for(self.look)]
 
     def compose(self) -> ComposeResult:
         yield self.stage
@@ -252,10 +240,6 @@ class WindowApp(PictureApp):
         for pane in self.stage.query(Pane):
             pane.touch()
         self.screen.refresh()
-
-    def _congested(self) -> bool:
-        queue = getattr(getattr(self._driver, "_writer_thread", None), "_queue", None)
-        return queue is not None and queue.qsize() > 3
 
     def draw_frame(self) -> bool:
         """Pull what is new into the panes; return True while something is animated."""
