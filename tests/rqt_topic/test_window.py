@@ -327,3 +327,15 @@ def test_a_type_that_is_unknown_here_can_be_opened_all_the_same() -> None:
         assert window.line("publishers")
 
     use(Model(topic("/strange", "strange_msgs/msg/Thing")), act)
+
+
+def test_a_click_on_the_first_topic_is_none_on_the_cross_of_the_frame() -> None:
+    async def act(window: _Window) -> None:
+        cross = screen_lines(window.app)[1].index("×")
+        first = next(y for y, line in enumerate(screen_lines(window.app)) if "] /" in line)
+        for x in (cross, cross - 1, cross + 1):
+            await window.pilot.click(offset=(x, first))
+            await step(window.app, window.pilot)
+        assert "/chatter" in window.text
+
+    use(heard(), act)
