@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from textual import events
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from fakes import FakeDesk
 from screens import look_at, opened, screen_lines, screen_text, step
 
+from day6_tui.core.ros.programs.rqt_console import model
 from day6_tui.core.ros.programs.rqt_console.model import Console
 
 
@@ -96,10 +99,10 @@ def test_a_click_on_a_severitys_box_leaves_it_out_and_one_on_a_message_chooses_i
             assert console.choice.levels == {30} and WALL not in screen_text(app)
             await pilot.click(offset=(3, row - 1))
             await step(app, pilot)
-            assert pane._chosen is None
+            assert pane.table.chosen is None
             await pilot.click(offset=(12, next(y for y, line in enumerate(lines) if "#1" in line)))
             await step(app, pilot)
-            assert pane._chosen.number == 1
+            assert pane.table.chosen.number == 1
 
     asyncio.run(click())
 
@@ -116,3 +119,153 @@ def test_every_size_language_and_glyph_set_is_drawn(console, language, size, gly
 
 def test_an_empty_console_says_where_messages_come_from():
     assert "/rosout" in look(Console())
+
+
+def numbers(text):
+    """The numbers of the messages in the table, from the top."""
+    return [int(found[1]) for line in text.splitlines() if (found := re.match(r"┃[ ▸] +#(\d+) ", line))]
+
+
+def in_the_window(console, drive, size=(80, 24), **options):
+    """Open the window, enlarged, and let `drive(app, pilot, pane)` use it."""
+
+    async def run() -> None:
+        desk = FakeDesk()
+        desk.display.open("rqt_console", "Console", console)
+        async with opened(desk, *size, scene="empty", lang="en", **options) as (app, pilot):
+            await step(app, pilot)
+            pane = next(iter(app.query("RqtConsolePane")))
+            pane.focus()
+            await pilot.press("f8")
+            await step(app, pilot)
+            await drive(app, pilot, pane)
+
+    asyncio.run(run())
+
+
+@pytest.fixture
+def full():
+    made = Console()
+    for number in range(1, 61):
+        made.receive(log(f"hello {number * 37 % 61:02d}", (20, 10, 40)[number % 3], ("talker", "listener")[number % 2]))
+    return made
+
+
+def test_a_click_on_a_columns_name_sorts_by_it_and_a_second_one_the_other_way_round(full):
+    async def drive(app, pilot, pane) -> None:
+        assert numbers(screen_text(app))[-1] == 60
+        for word, shown in (
+            ("Message", sorted(range(1, 61), key=lambda number: number * 37 % 61)),
+            ("Message", sorted(range(1, 61), key=lambda number: -(number * 37 % 61))),
+            ("Severity", [number for number in range(60, 0, -1) if number % 3 == 2]),  # the worst and newest first
+            ("Node", [number for number in range(1, 61) if number % 2]),
+            ("#", list(range(60 - 12, 61))),
+        ):
+            lines = screen_lines(app)
+            row = next(y for y, line in enumerate(lines) if "Message" in line and "Severity" in line)
+            await pilot.click(offset=(lines[row].index(word), row))
+            await step(app, pilot)
+            assert numbers(screen_text(app))[:12] == shown[:12]
+
+    in_the_window(full, drive)
+
+
+def test_keys_sort_by_the_next_column_and_the_other_way_round(full):
+    text = look(full, ["f8", "S"])
+    assert numbers(text)[:3] == [60, 59, 58] and "▼#" in text
+    text = look(full, ["f8", "s"])
+    assert numbers(text)[0] == 33 and "Message ▲" in text  # 33 * 37 % 61 == 1
+
+
+def test_the_newest_is_followed_until_another_message_is_chosen_or_scrolled_to(full):
+    async def drive(app, pilot, pane) -> None:
+        full.receive(log("sixty-one", 20, "talker"))
+        await step(app, pilot)
+        assert numbers(screen_text(app))[-1] == 61
+        for leave in (pilot.press("up"), pilot._post_mouse_events([events.MouseScrollUp], pane.table, (5, 5))):
+            await leave
+            await step(app, pilot)
+            before = numbers(screen_text(app))
+            full.receive(log("one more", 20, "talker"))
+            await step(app, pilot)
+            assert numbers(screen_text(app)) == before
+            await pilot.press("escape")
+            await step(app, pilot)
+            assert numbers(screen_text(app))[-1] == full.total
+
+    in_the_window(full, drive)
+
+
+def test_what_is_in_sight_stays_there_while_the_oldest_go(full, monkeypatch):
+    monkeypatch.setattr(model, "MOST", 60)
+
+    async def drive(app, pilot, pane) -> None:
+        await pilot.press("home", *["down"] * 30)
+        await step(app, pilot)
+        before = numbers(screen_text(app))
+        for _ in range(10):
+            full.receive(log("one more", 20, "talker"))
+        await step(app, pilot)
+        assert numbers(screen_text(app)) == before and pane.table.chosen.number == 31
+        await pilot.press("home")
+        await step(app, pilot)
+        assert numbers(screen_text(app))[0] == 11
+
+    in_the_window(full, drive)
+
+
+def test_a_text_is_in_force_while_it_is_typed_and_escape_takes_it_back(full):
+    async def drive(app, pilot, pane) -> None:
+        for keys, text in ((["slash", "0"], "0"), (["1"], "01"), (["escape"], ""), (["slash", "7", "enter"], "7")):
+            await pilot.press(*keys)
+            await step(app, pilot)
+            assert full.choice.text == text
+        await pilot.press("d")
+        assert full.choice.levels == {10} and "Exclude messages containing: 7" in screen_text(app)
+
+    in_the_window(full, drive, size=(120, 40))
+
+
+def test_keys_that_are_quicker_than_the_line_are_typed_into_it(full):
+    async def drive(app, pilot, pane) -> None:
+        for key in ("slash", "d", "e", "w", "enter", "n"):
+            app.post_message(events.Key(key, "/" if key == "slash" else key if len(key) == 1 else None))
+        await step(app, pilot)
+        assert full.choice.text == "dew" and not full.choice.levels and full.choice.nodes == {"talker"}
+
+    in_the_window(full, drive)
+
+
+def test_enter_and_a_double_click_show_a_message_in_full(console):
+    console.receive(log("Traceback:\n" + "\n".join(f"  frame {n}" for n in range(12)) + "\nValueError", 40, "talker"))
+    text = look(console, ["enter"])
+    assert "frame 11" in text and "ValueError" in text and "Location: talker.py:tick:7" in text
+
+    async def drive(app, pilot, pane) -> None:
+        row = next(y for y, line in enumerate(screen_lines(app)) if "#4" in line)
+        await pilot.click(offset=(20, row), times=2)
+        await step(app, pilot)
+        assert "ValueError" in screen_text(app)
+        await pilot.press("escape", "up")
+        await step(app, pilot)
+        assert pane.table.chosen.number == 3
+
+    in_the_window(console, drive)
+
+
+def test_what_programs_write_is_text_and_nothing_else(console):
+    console.receive(log("[bold red]\x1b[2J\x07 \u202eabc[/]", 30, "[node]\x1b]0;x\x07"))
+    for keys in ([], ["enter"]):
+        text = look(console, keys)
+        assert "[bold red]^[[2J^G" in text and "\x1b" not in text and "\u202e" not in text
+
+
+def test_a_click_beside_the_table_leaves_it_the_keyboard(full):
+    async def drive(app, pilot, pane) -> None:
+        row = next(y for y, line in enumerate(screen_lines(app)) if "Exclude" in line)
+        await pilot.click(offset=(5, row - 2))
+        await pilot.press("up")
+        await step(app, pilot)
+        assert pane.table.chosen.number == 59
+
+    in_the_window(full, drive)

@@ -435,6 +435,11 @@ TEXTS = {
     "console.highlight": "highlight",
     "console.node_out": "exclude node",
     "console.all": "show all",
+    "console.sort": "sort",
+    "console.reverse": "sort the other way",
+    "console.read": "read",
+    "console.done": "apply",
+    "console.undone": "as it was",
     # rqt_plot
     "plot.none": "Nothing is plotted yet: a chooses a field, e types one, like /turtle1/pose/x.",
     "plot.waiting": "waiting for the topic",

@@ -502,6 +502,11 @@ TEXTS = {
     "console.highlight": "突出显示",
     "console.node_out": "排除节点",
     "console.all": "全部显示",
+    "console.sort": "排序",
+    "console.reverse": "反过来排",
+    "console.read": "看全文",
+    "console.done": "确定",
+    "console.undone": "还原",
     # rqt_plot
     "plot.none": "还没有曲线：按 a 选一个字段，或按 e 输入，例如 /turtle1/pose/x。",
     "plot.waiting": "等待这个话题出现",

@@ -1,238 +1,140 @@
-"""The console's window: a table of log messages, the chosen one in full, and which severities are excluded."""
+"""The console's window: a table of log messages, the chosen one in full, and what is left out."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterable, Sequence
-from functools import partial
+from collections.abc import Iterable
+from pathlib import Path
 
 from rich.segment import Segment
-from rich.style import Style
-from textual import events
+from textual import events, on
+from textual.app import ComposeResult
+from textual.widget import Widget
 
-from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Console, Record
+from day6_tui.core.ros.programs.rqt_console.model import Console, Record
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.cells import cell_len, clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
-
-NUMBER_WIDTH, SEVERITY_WIDTH, STAMP_WIDTH = 6, 8, 12
-NODE_FROM, STAMP_FROM, LOCATION_FROM = 42, 70, 100
-"""Columns of the window from which there is room for node, stamp and location."""
-
-SWITCHES_WIDTH = 58
-"""Columns that the boxes need with the severities in full; in fewer they have their letters."""
+from day6_tui.tui.windows.console_line import ConsoleLine
+from day6_tui.tui.windows.console_severities import Severities
+from day6_tui.tui.windows.console_table import ConsoleTable, end_of, style_of, time_of_day, whole_time
 
 DETAIL_LINES = 4
 """Lines for the chosen message in a window that is high enough; in a lower one it has one line."""
 
 _LEVEL_OF_KEY = {"d": 10, "i": 20, "w": 30, "e": 40, "f": 50}
-_STEPS = {"down": 1, "up": -1, "pagedown": 10, "pageup": -10, "home": -(10**9), "end": 10**9}
 
 Line = list[Segment]
 
 
 class RqtConsolePane(WindowPane[Console]):
-    """Draws `Console.shown()`; keeps which message is chosen, or whether the newest is followed."""
+    """Draws the frame and the chosen message; the table, the boxes and the line to type in are widgets of their own."""
+
+    DEFAULT_CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
 
     def __init__(self, window: Window[Console], look: Look) -> None:
         super().__init__(window, look)
         self.console = window.model
-        self._chosen: Record | None = None
-        """None follows the newest message."""
-        self._first = 0
-        self._boxes: list[tuple[int, int, int]] = []
-        """First column, end and level of the boxes of the severities."""
-        self._room = 1
-        """Lines for messages."""
-        self._lines: list[Line] = []
-        self._version = -1
+        self.table = ConsoleTable(look)
+        self.severities = Severities(look)
+        self.line = ConsoleLine(look)
+        self._details: list[Line] = []
+        self._shown: tuple[object, ...] = ()
+        """What was last shown: a frame in which it is the same costs nothing."""
+        self._switched: tuple[object, ...] = ()
+
+    def compose(self) -> ComposeResult:
+        yield self.table
+        yield self.severities
+        yield self.line
+
+    @property
+    def focus_target(self) -> Widget:
+        target = self.line.field if self.line.display else self.table
+        return target if target.is_attached else self
+
+    def focus(self, scroll_visible: bool = True) -> RqtConsolePane:
+        self.table.focus(scroll_visible)
+        return self
+
+    def on_focus(self, event: events.Focus) -> None:
+        super().on_focus(event)
+        if self.focus_target is not self:
+            self.screen.set_focus(self.focus_target, scroll_visible=False)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
-        if self.console.version != self._version or len(self._lines) != self.inner_height:
-            self._version = self.console.version
-            self._show()
+        state = (self.console.version, self.extent, self.look.texts.language)
+        if state != self._shown and self.table.is_attached:
+            self._shown = state
+            console = self.console
+            self.table.remark = self.look.texts("console.filtered" if console.total else "console.none")
+            self.table.show(console.shown(), console.choice)
+            self._show_switches()
+            self._show_details()
+            self.touch_status()
         return False
 
-    def _show(self) -> None:
-        """Build all lines and touch those that differ."""
-        before, self._lines = self._lines, self._build(self.inner_width, self.inner_height)
-        if len(before) != len(self._lines):
-            super().touch()
-        else:
-            pairs = zip(before, self._lines, strict=True)
-            self.touch_lines(line for line, (old, new) in enumerate(pairs) if old != new)
-            self.touch_frame()
+    def _show_switches(self) -> None:
+        state = (self.console.choice, self.inner_width, self.look.texts.language)
+        if state != self._switched:
+            self._switched = state
+            self.severities.show(self.console.choice, self.inner_width)
 
-    def touch(self) -> None:
-        self._lines = []  # built when it is drawn: the focus event comes before the focus itself
-        super().touch()
+    def _show_details(self) -> None:
+        below = self._lines_below
+        self._details = self._describe(self.table.current, self.inner_width, below) if below else []
+        self.touch_lines(range(self.inner_height - 1 - below, self.inner_height - 1))
+
+    def restyle(self) -> None:
+        self._shown = self._switched = ()
+        self.table.take_look(self.look)
+        super().restyle()
 
     def on_resize(self, event: events.Resize) -> None:
         super().on_resize(event)
-        self._lines = []
+        self._shown = ()
+        self.table.styles.margin = (1, 1, self._lines_below, 1)
 
-    # -- building ------------------------------------------------------------------------------------------------------
+    # -- the chosen message --------------------------------------------------------------------------------------------
 
-    def _build(self, width: int, height: int) -> list[Line]:
-        if width < 10 or height < 1:
-            return [[] for _ in range(height)]
-        records = self.console.shown()
-        details = DETAIL_LINES if height >= 12 else 1 if height >= 6 else 0
-        room = self._room = max(1, height - 2 - details - (1 if details > 1 else 0))
-        chosen = self._index(records)
-        follow = self._chosen is None
-        self._first = max(0, min(self._first, len(records) - room))
-        if follow:
-            self._first = max(0, len(records) - room)
-        elif chosen < self._first or chosen >= self._first + room:
-            self._first = max(0, min(chosen - room // 2, len(records) - room))
-        lines = [self._heading(width)]
-        for index in range(self._first, self._first + room):
-            lines.append(self._row(records[index], index == chosen, width) if index < len(records) else [])
-        if not records:
-            key = "console.filtered" if self.console.total else "console.none"
-            text = clip(self.look.texts(key), width - 1, self.look.glyphs.ellipsis)
-            lines[1] = [Segment(" " + text, self.look.colours.muted)]
-        if details > 1:
-            lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
-        if details:
-            lines += self._details(records[chosen] if records else None, width, details)
-        lines.append(self._switches(width))
-        return lines[:height]
+    @property
+    def _lines_below(self) -> int:
+        """Lines between the table and the boxes, a ruled one among them if there is room."""
+        height = self.inner_height
+        return DETAIL_LINES + 1 if height >= 12 else 1 if height >= 6 else 0
 
-    def _index(self, records: Sequence[Record]) -> int:
-        """The index of the chosen message; of the next newer one if it is excluded now."""
-        if self._chosen is None:
-            return len(records) - 1
-        low, high = 0, len(records)
-        while low < high:
-            middle = (low + high) // 2
-            if records[middle].number < self._chosen.number:
-                low = middle + 1
-            else:
-                high = middle
-        return min(low, len(records) - 1)
-
-    def _widths(self, width: int) -> tuple[int, int, int, int]:
-        """Columns of message, node, stamp and location; 0 where there is no room: the message comes first."""
-        stamp = STAMP_WIDTH if width >= STAMP_FROM else 0
-        rest = width - NUMBER_WIDTH - SEVERITY_WIDTH - 2 - (stamp + 1 if stamp else 0)
-        node = max(10, min(22, rest // 4)) if width >= NODE_FROM else 0
-        location = min(36, rest // 3) if width >= LOCATION_FROM else 0
-        return max(4, rest - sum(size + 1 for size in (node, location) if size)), node, stamp, location
-
-    def _columns(self, width: int, number: str, text: str, severity: str, node: str, stamp: str, place: str) -> str:
-        message_width, node_width, stamp_width, place_width = self._widths(width)
-        dots = self.look.glyphs.ellipsis
-        parts = [
-            number.rjust(NUMBER_WIDTH - 1) + " ",
-            fit(text, message_width, dots),
-            fit(severity, SEVERITY_WIDTH, dots),
-        ]
-        if node_width:
-            parts.append(fit(node, node_width, dots))
-        if stamp_width:
-            parts.append(fit(stamp, stamp_width, dots))
-        if place_width:
-            parts.append(fit(_end_of(place, place_width, dots), place_width))
-        return " ".join(parts)
-
-    def _heading(self, width: int) -> Line:
-        texts = self.look.texts
-        keys = ("message", "severity", "node", "stamp", "location")
-        return [Segment(self._columns(width, "#", *(texts(f"console.{key}") for key in keys)), self.look.colours.muted)]
-
-    def _row(self, record: Record, chosen: bool, width: int) -> Line:
-        colours = self.look.colours
-        text = self._columns(
-            width,
-            f"#{record.number}",
-            " ".join(record.text.split()),
-            record.severity,
-            record.node,
-            _time_of_day(record.stamp_ns),
-            record.location,
-        )
-        if chosen and self.has_focus:
-            style = colours.choice
-        elif self.console.choice.highlights(record):
-            style = colours.hint
-        else:
-            style = self._style(record)
-        mark = self.look.glyphs.marker if chosen else " "
-        return [Segment(mark, style), Segment(text[1:], style)]
-
-    def _style(self, record: Record) -> Style:
-        colours = self.look.colours
-        if record.level >= 40:
-            return colours.error
-        return {10: colours.muted, 30: colours.warning}.get(record.level, colours.text)
-
-    def _details(self, record: Record | None, width: int, height: int) -> list[Line]:
-        colours, texts = self.look.colours, self.look.texts
-        if record is None:
-            return [[] for _ in range(height)]
+    def _describe(self, record: Record | None, width: int, height: int) -> list[Line]:
+        colours, texts, dots = self.look.colours, self.look.texts, self.look.glyphs.ellipsis
         if height == 1:
-            text = clip(f"{record.severity}  {' '.join(record.text.split())}", width - 2, self.look.glyphs.ellipsis)
-            return [[Segment(f" {text} ", self._style(record))]]
+            if record is None:
+                return [[]]
+            text = clip(f"{record.severity}  {' '.join(record.text.split())}", width - 2, dots)
+            return [[Segment(f" {text} ", style_of(record, self.look))]]
+        rule: Line = [Segment(self.look.glyphs.border.horizontal * width, colours.frame)]
+        if record is None:
+            return [rule, *[[]] * (height - 1)]
         head: Line = [
             Segment(f" #{record.number} ", colours.strong),
-            Segment(f"{record.severity} ", self._style(record)),
+            Segment(f"{record.severity} ", style_of(record, self.look)),
             Segment(f"{record.node}  ", colours.node),
-            Segment((_whole_time if width >= 70 else _time_of_day)(record.stamp_ns), colours.muted),
+            Segment((whole_time if width >= 70 else time_of_day)(record.stamp_ns), colours.muted),
         ]
         used = sum(cell_len(segment.text) for segment in head)
         if record.location:
             title = f"  {texts('console.location')} "
-            place = _end_of(record.location, width - used - cell_len(title), self.look.glyphs.ellipsis)
-            head.append(Segment(title + place, colours.muted))
-        lines = wrap(record.text, width - 2)
-        if len(lines) > height - 1:
-            lines = [*lines[: height - 2], clip(" ".join(lines[height - 2 :]), width - 2, self.look.glyphs.ellipsis)]
+            head.append(Segment(title + end_of(record.location, width - used - cell_len(title), dots), colours.muted))
+        lines, room = wrap(record.text, width - 2), height - 2
+        if len(lines) > room:
+            lines = [*lines[: room - 1], clip(" ".join(lines[room - 1 :]), width - 2, dots)]
         body: list[Line] = [[Segment(" " + line, colours.text)] for line in lines]
-        return [head, *body, *([[]] * (height - 1 - len(body)))]
-
-    def _switches(self, width: int) -> Line:
-        """The severities with their boxes: a ticked one is left out, as in the real window's list."""
-        colours, choice = self.look.colours, self.console.choice
-        self._boxes = []
-        line: Line = [
-            Segment(" " + self.look.texts("list.head", name=self.look.texts("console.exclude")), colours.muted)
-        ]
-        in_full = width >= SWITCHES_WIDTH
-        x = cell_len(line[0].text)
-        for key, level in _LEVEL_OF_KEY.items():
-            word, on = SEVERITIES[level] if in_full else SEVERITIES[level][:1], level in choice.levels
-            box = f"[{'x' if on else ' '}]{' ' * in_full}"
-            line.append(Segment(box, colours.muted))
-            # The letters are the keys.
-            line.append(Segment(word[: len(key)], colours.accent))
-            line.append(Segment(f"{word[len(key) :]} ", colours.strong if on else colours.text))
-            end = x + len(box) + len(word) + 1
-            self._boxes.append((x, end, level))
-            x = end
-        for title, text in (("console.containing", choice.text), ("console.highlighted", choice.highlight)):
-            if text:
-                line.append(Segment(" " + self.look.texts("list.head", name=self.look.texts(title)), colours.muted))
-                line.append(Segment(clip(text, 20, self.look.glyphs.ellipsis), colours.accent))
-        if choice.nodes:
-            line.append(
-                Segment(" " + self.look.texts("list.head", name=self.look.texts("console.nodes")), colours.muted)
-            )
-            line.append(Segment(clip(", ".join(sorted(choice.nodes)), 30, self.look.glyphs.ellipsis), colours.accent))
-        return line
+        return [rule, head, *body, *[[]] * (room - len(body))]
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if len(self._lines) != self.inner_height:
-            self._lines = self._build(width, self.inner_height)
-        if y == self.inner_height - 1:
-            for first, end, level in self._boxes:
-                self.add_hit(y + 1, first + 1, end, partial(self._toggle_level, level))
-        return self._lines[y] if y < len(self._lines) else ()
+        index = y - (self.inner_height - 1 - self._lines_below)
+        return self._details[index] if 0 <= index < len(self._details) else ()
 
     def status(self) -> list[Piece]:
         texts, colours = self.look.texts, self.look.colours
@@ -246,110 +148,99 @@ class RqtConsolePane(WindowPane[Console]):
             pieces.append(Piece(f" {self.look.glyphs.paused} {texts('console.paused')} ", colours.hint))
         return pieces
 
+    @on(ConsoleTable.Chosen)
+    def show_chosen(self, event: ConsoleTable.Chosen) -> None:
+        event.stop()
+        self._show_details()
+
+    @on(ConsoleTable.Opened)
+    def read(self, event: ConsoleTable.Opened) -> None:
+        """Show a message in full."""
+        from day6_tui.tui.windows.console_reader import ConsoleReader
+
+        event.stop()
+        if (record := self.table.current) is not None:
+            self.lay_over(ConsoleReader(self.look, record))
+
     # -- keys ----------------------------------------------------------------------------------------------------------
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        if self.line.display:
+            return [("Enter", texts("console.done")), ("Esc", texts("console.undone"))]
         return [
             ("p", texts("console.resume" if self.console.paused else "console.pause")),
             ("c", texts("console.clear")),
             ("/", texts("console.leave_out")),
             ("h", texts("console.highlight")),
-            ("n", texts("console.node_out")),
+            ("s", texts("console.sort")),
             ("a", texts("console.all")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [(" ".join(_LEVEL_OF_KEY), texts("console.exclude")), ("Esc", texts("console.newest"))]
+        return [
+            (" ".join(_LEVEL_OF_KEY), texts("console.exclude")),
+            ("n", texts("console.node_out")),
+            ("Enter", texts("console.read")),
+            ("S", texts("console.reverse")),
+            ("Esc", texts("console.newest")),
+        ]
 
     def on_key(self, event: events.Key) -> None:
+        if self.used(event):
+            event.stop()
+            event.prevent_default()
+            self.look.wake()
+
+    def used(self, event: events.Key) -> bool:
+        """Handle a key; return False for one that is none of this window's."""
         key = event.key
-        if key in _STEPS:
-            self._move(_STEPS[key])
+        if self.line.display:
+            self.line.field.post_message(events.Key(key, event.character))  # typed before the line had the keyboard
+        elif self.table.press(event):
+            pass
         elif key in _LEVEL_OF_KEY:
             self.console.toggle_level(_LEVEL_OF_KEY[key])
         elif key in ("p", "space"):
             self.console.toggle_paused()
         elif key == "c":
             self.console.clear()
-            self._chosen = None
+            self.table.chosen = None
         elif key == "a":
             self.console.show_everything()
         elif key == "n":
-            self._leave_node_out()
+            if (record := self.table.current) is not None:
+                self.console.toggle_node(record.node)
         elif key == "slash":
-            self._ask("console.containing", self.console.choice.text, self.console.exclude_text)
+            self._ask("containing", self.console.choice.text)
         elif key == "h":
-            self._ask("console.highlighted", self.console.choice.highlight, self.console.highlight)
-        elif key == "escape" and self._chosen is not None:
-            self._chosen = None
+            self._ask("highlighted", self.console.choice.highlight)
         else:
-            return
+            return False
+        return True
+
+    @on(Severities.Toggled)
+    def toggle_level(self, event: Severities.Toggled) -> None:
         event.stop()
-        event.prevent_default()
-        self._show()
+        self.console.toggle_level(event.level)
         self.look.wake()
 
-    def _toggle_level(self, level: int) -> None:
-        self.console.toggle_level(level)
-        self._show()
+    def _ask(self, purpose: str, text: str) -> None:
+        texts, key = self.look.texts, f"console.{purpose}"
+        self.severities.display = False
+        self.line.open(purpose, texts("list.head", name=texts(key)).rstrip(), texts(f"{key}.note"), text)
+
+    @on(ConsoleLine.Typed)
+    def take_text(self, event: ConsoleLine.Typed) -> None:
+        """Leave messages out, or highlight them, while the text is typed."""
+        event.stop()
+        if event.line.purpose == "containing":
+            self.console.exclude_text(event.text)
+        else:
+            self.console.highlight(event.text)
+        if event.done:
+            self.severities.display = True
+            if self.screen.focused in (event.line.field, None):
+                self.screen.set_focus(self.table, scroll_visible=False)
         self.look.wake()
-
-    def _move(self, step: int) -> None:
-        """Choose another message; behind the last one the newest is followed again."""
-        records = self.console.shown()
-        if not records:
-            return
-        place = self._index(records) + step
-        self._chosen = None if place >= len(records) - 1 else records[max(0, place)]
-
-    def _leave_node_out(self) -> None:
-        records = self.console.shown()
-        if records:
-            self.console.toggle_node(records[self._index(records)].node)
-
-    def _ask(self, title: str, value: str, give: Callable[[str], None]) -> None:
-        def taken(text: str) -> None:
-            give(text)
-            self.look.wake()
-
-        self.ask(self.look.texts(title), value, taken, note=self.look.texts(f"{title}.note"))
-
-    def on_click(self, event: events.Click) -> None:
-        super().on_click(event)
-        index = self._first + event.y - 1 - self.inner_offset
-        records = self.console.shown()
-        if 0 <= index - self._first < self._room and index < len(records):
-            self._chosen = records[index]
-            self._show()
-            self.look.wake()
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        event.stop()
-        self._move(3)
-        self._show()
-
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        event.stop()
-        self._move(-3)
-        self._show()
-
-
-def _end_of(text: str, width: int, ellipsis: str) -> str:
-    """The end of a path in at most `width` cells: its last parts say the most."""
-    while text and cell_len(text) > max(0, width):
-        text = ellipsis + text[2 if text.startswith(ellipsis) else 1 :]
-        if text == ellipsis:
-            return text if width > 0 else ""
-    return text
-
-
-def _time_of_day(stamp_ns: int) -> str:
-    local = time.localtime(stamp_ns // 1_000_000_000)
-    return f"{local.tm_hour:02d}:{local.tm_min:02d}:{local.tm_sec:02d}.{stamp_ns // 1_000_000 % 1000:03d}"
-
-
-def _whole_time(stamp_ns: int) -> str:
-    local = time.localtime(stamp_ns // 1_000_000_000)
-    return f"{local.tm_year}-{local.tm_mon:02d}-{local.tm_mday:02d} {_time_of_day(stamp_ns)}"

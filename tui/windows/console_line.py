@@ -1,0 +1,94 @@
+"""The console's line to type in: a text by which messages are left out or stand out, in force while it is typed."""
+
+from __future__ import annotations
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import Horizontal
+from textual.widgets import Static
+
+from day6_tui.tui.line import Line
+from day6_tui.tui.look import Look
+from day6_tui.tui.modal import plain
+from day6_tui.tui.survival import PersonMessage
+
+
+class ConsoleLine(Horizontal):
+    """The name of what is typed, and the line; nothing of it is seen until `open`."""
+
+    class Typed(PersonMessage):
+        """The text changed; `done` if the user is ready with it."""
+
+        def __init__(self, line: ConsoleLine, text: str, *, done: bool) -> None:
+            super().__init__()
+            self.line, self.text, self.done = line, text, done
+
+        @property
+        def control(self) -> ConsoleLine:
+            return self.line
+
+    class Field(Line):
+        """Textual's Input; Enter and Esc are its owner's."""
+
+        BINDINGS = [Binding("escape", "leave", show=False)]
+
+        async def on_key(self, event: events.Key) -> None:
+            if self.owner.display:
+                await super().on_key(event)
+            else:  # it was closed by a key before this one
+                event.stop()
+                event.prevent_default()
+                self.app.post_message(events.Key(event.key, event.character))
+
+        async def action_submit(self) -> None:
+            """Enter: what is typed stays."""
+            self.owner.leave(self.value)
+
+        def action_leave(self) -> None:
+            """Esc: what was there before comes back."""
+            self.owner.leave(self.owner.before)
+
+        def on_blur(self, event: events.Blur) -> None:
+            """A click elsewhere: as Enter."""
+            self.owner.leave(self.value)
+
+        @property
+        def owner(self) -> ConsoleLine:
+            assert isinstance(self.parent, ConsoleLine)
+            return self.parent
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.purpose = ""
+        """What the text is for."""
+        self.before = ""
+        self._purpose_name = Static()
+        self.field = self.Field(look)
+        self.display = False
+
+    def compose(self) -> ComposeResult:
+        yield self._purpose_name
+        yield self.field
+
+    def open(self, purpose: str, title: str, note: str, text: str) -> None:
+        """Ask for a text, beginning with the one that is in force."""
+        self.purpose, self.before = purpose, text
+        self._purpose_name.update(plain(title))
+        self.field.placeholder = note
+        with self.field.prevent(self.field.Changed):
+            self.field.value = text
+        self.field.cursor_position = len(text)
+        self.display = True
+        self.screen.set_focus(self.field, scroll_visible=False)
+
+    def leave(self, text: str) -> None:
+        """Be ready, with this text."""
+        if self.display:
+            self.display = False
+            self.post_message(self.Typed(self, text, done=True))
+
+    def on_input_changed(self, event: Line.Changed) -> None:
+        event.stop()
+        if self.display:
+            self.post_message(self.Typed(self, event.value, done=False))

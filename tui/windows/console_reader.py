@@ -1,0 +1,44 @@
+"""A message of the console in full, over the desktop."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import VerticalScroll
+from textual.content import Content
+from textual.widget import Widget
+from textual.widgets import Static
+
+from day6_tui.core.ros.programs.rqt_console.model import Record
+from day6_tui.tui import modal
+from day6_tui.tui.look import Look
+from day6_tui.tui.modal import Modal, lines_of, plain
+from day6_tui.tui.windows.console_table import whole_time
+
+
+class ConsoleReader(Modal):
+    """All that is known of a message; it can be scrolled, selected and copied."""
+
+    CSS_PATH = str(Path(modal.__file__).with_name("modal.tcss"))  # Textual looks beside this module
+    BINDINGS = [Binding("enter,q", "close", show=False)]
+
+    def __init__(self, look: Look, record: Record) -> None:
+        super().__init__(look, f"#{record.number} {record.severity}", look.texts("error.continue"))
+        self._record = record
+
+    def inside(self) -> ComposeResult:
+        record, texts = self._record, self.look.texts
+        facts = (("node", record.node), ("stamp", whole_time(record.stamp_ns)), ("location", record.location))
+        heads = [plain(texts("list.head", name=texts(f"console.{key}")) + text) for key, text in facts if text]
+        self._scroll = VerticalScroll(
+            Static(Content("\n").join(heads), classes="note"),
+            Static(Content("\n").join(["", *lines_of(record.text)]), classes="text"),
+            classes="texts",
+        )
+        yield self._scroll
+
+    @property
+    def keyboard(self) -> Widget:
+        return self._scroll

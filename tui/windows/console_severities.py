@@ -1,0 +1,99 @@
+"""The console's check boxes: the severities; a ticked one is left out, as in the list of the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from textual import on
+from textual.app import ComposeResult
+from textual.containers import Horizontal
+from textual.content import Content
+from textual.geometry import Size
+from textual.widgets import Checkbox, Static
+
+from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Choice
+from day6_tui.tui.cells import clip
+from day6_tui.tui.look import Look
+from day6_tui.tui.modal import plain
+from day6_tui.tui.survival import PersonMessage
+
+IN_FULL_FROM = 58
+"""Columns that the boxes need with the severities in full; in fewer they have their letters."""
+
+
+class SeverityBox(Checkbox, can_focus=False):
+    """A severity: its letter is its key, so that the table keeps the keyboard."""
+
+    def __init__(self, level: int) -> None:
+        super().__init__(compact=True)
+        self.level = level
+
+    @property
+    def _button(self) -> Content:
+        """The box: with Textual's, a tick would be told by its colour alone."""
+        return Content("[x]" if self.value else "[ ]")
+
+    def render(self) -> Content:
+        word = self.label.stylize_before(self.get_visual_style("toggle--label"))
+        return Content.assemble(self._button, " " if len(word) > 1 else "", word, " ")
+
+    def get_content_width(self, container: Size, viewport: Size) -> int:
+        return len(self.render())
+
+    def name_it(self, *, in_full: bool) -> None:
+        """Show the severity in full, or its letter."""
+        word = SEVERITIES[self.level] if in_full else SEVERITIES[self.level][:1]
+        label = Content.assemble((word[:1], "bold $primary"), word[1:])
+        if label != self.label:
+            self.label = label
+
+
+class Severities(Horizontal):
+    """The boxes, and beside them what else is left out or stands out."""
+
+    class Toggled(PersonMessage):
+        """The user wants a severity left out, or shown again."""
+
+        def __init__(self, level: int) -> None:
+            super().__init__()
+            self.level = level
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self._title = Static()
+        self._boxes = [SeverityBox(level) for level in SEVERITIES]
+        self._others = Static(id="others")
+
+    def compose(self) -> ComposeResult:
+        yield self._title
+        yield from self._boxes
+        yield self._others
+
+    def show(self, choice: Choice, width: int) -> None:
+        """Show what is left out, in so many cells."""
+        self._title.update(plain(" " + self._heading("exclude").rstrip() + " "))
+        for box in self._boxes:
+            box.name_it(in_full=width >= IN_FULL_FROM)
+            with box.prevent(Checkbox.Changed):
+                box.value = box.level in choice.levels
+        self._others.update(Content("").join(self._told(choice)))
+
+    def _told(self, choice: Choice) -> Iterator[Content]:
+        dots = self._look.glyphs.ellipsis
+        for key, text in (
+            ("containing", clip(choice.text, 20, dots)),
+            ("highlighted", clip(choice.highlight, 20, dots)),
+            ("nodes", clip(", ".join(sorted(choice.nodes)), 30, dots)),
+        ):
+            if text:
+                yield Content.assemble((" " + self._heading(key), "$muted"), (text, "bold $primary"))
+
+    def _heading(self, key: str) -> str:
+        return self._look.texts("list.head", name=self._look.texts(f"console.{key}"))
+
+    @on(Checkbox.Changed)
+    def toggle(self, event: Checkbox.Changed) -> None:
+        event.stop()
+        assert isinstance(event.checkbox, SeverityBox)
+        self.post_message(self.Toggled(event.checkbox.level))
