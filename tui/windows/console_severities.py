@@ -77,7 +77,9 @@ class Severities(Horizontal):
             box.name_it(in_full=width >= IN_FULL_FROM)
             with box.prevent(Checkbox.Changed):
                 box.value = box.level in choice.levels
-        self._others.update(Content("").join(self._told(choice)))
+        others = list(self._told(choice))
+        self._others.display = bool(others)
+        self._others.update(Content("").join(others))
 
     def _told(self, choice: Choice) -> Iterator[Content]:
         dots = self._look.glyphs.ellipsis

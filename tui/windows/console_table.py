@@ -98,11 +98,11 @@ class ConsoleTable(ScrollView, can_focus=True):
             self._strips.clear()
         self._records.update(records, choice)
         self._make_room()
-        if following:
-            self._bring_to_top(self._end)
-        elif top is not None:
-            self._bring_to_top(self._records.index(top))
-        self._draw()
+        line = self._end if following else self._records.index(top) if top is not None else 0
+        if line == self.scroll_offset.y:
+            self._draw()
+        else:
+            self._bring_to_top(line)
 
     @property
     def current(self) -> Record | None:
@@ -368,22 +368,27 @@ class ConsoleTable(ScrollView, can_focus=True):
 
 
 def _changed(old: Strip, new: Strip) -> Iterator[tuple[int, int]]:
-    """The spans (first cell, end) of the columns in which two lines differ: comparing cells would cost more than it saves."""
+    """The spans (first cell, end) in which two lines differ, one for a column: comparing all cells would cost more than it saves."""
     if len(old) != len(new):
         yield (0, new.cell_length)
         return
-    x = first = end = 0
+    x = 0
     for before, after in zip(old, new, strict=True):
         size = after.cell_length
         if before != after:
-            if x > end:
-                if end > first:
-                    yield (first, end)
-                first = x
-            end = x + size
+            first, end = 0, size
+            if (
+                before.style == after.style
+                and before.text.isascii()
+                and after.text.isascii()
+                and len(before.text) == size
+            ):
+                while before.text[first] == after.text[first]:
+                    first += 1
+                while before.text[end - 1] == after.text[end - 1]:
+                    end -= 1
+            yield (x + first, x + end)
         x += size
-    if end > first:
-        yield (first, end)
 
 
 def columns_in(width: int) -> dict[str, int]:
