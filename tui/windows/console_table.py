@@ -66,8 +66,8 @@ class ConsoleTable(ScrollView, can_focus=True):
         """What is shown while there are no messages."""
         self._lines: list[Strip] = []
         """What is on the screen, the head first."""
-        self._thumb = (0, 0, 0)
-        """Where the scroll bar's thumb is, in eighths of a cell."""
+        self._bar: list[tuple[str, bool]] = []
+        """The cells of the scroll bar: their characters, and which are the thumb's."""
         self._strips: LRUCache[tuple[int, bool], Strip] = LRUCache(512)
         self.take_look(look)
 
@@ -163,17 +163,21 @@ class ConsoleTable(ScrollView, can_focus=True):
         self._draw()
 
     def _show_bar(self) -> None:
-        """Move the scroll bar's thumb, if it is seen to move: each of its lines costs as much as one of the table."""
+        """Move the scroll bar's thumb, where it is seen to move: each of its cells costs as much as a column of a line."""
         if not self.show_vertical_scrollbar:
             return
         bar, count, height = self.vertical_scrollbar, self.virtual_size.height, self.size.height
         for name, value in (("window_virtual_size", count), ("window_size", height), ("position", self.scroll_y)):
             bar.set_reactive(getattr(ScrollBar, name), value)
-        eighths = 8 * height / max(1, count)
-        thumb = (height, round(eighths * height), round(eighths * self.scroll_y))
-        if thumb != self._thumb:
-            self._thumb = thumb
+        position = min(self.scroll_y, count - height)
+        drawn = ScrollBar.renderer.render_bar(height, count, height, position).segments
+        cells = [(cell.text, bool(cell.style and cell.style.reverse)) for cell in drawn]
+        rows = [y for y, (old, new) in enumerate(zip(self._bar, cells, strict=False)) if old != new]
+        if len(cells) != len(self._bar):
             bar.refresh()
+        elif rows:
+            bar.refresh(*(Region(0, y, 1, 1) for y in rows))
+        self._bar = cells
 
     def on_resize(self) -> None:
         following = self.chosen is None
@@ -368,7 +372,7 @@ class ConsoleTable(ScrollView, can_focus=True):
 
 
 def _changed(old: Strip, new: Strip) -> Iterator[tuple[int, int]]:
-    """The spans (first cell, end) in which two lines differ, one for a column: comparing all cells would cost more than it saves."""
+    """The spans (first cell, end) in which two lines differ, one for a column: comparing all cells costs more than it saves."""
     if len(old) != len(new):
         yield (0, new.cell_length)
         return
