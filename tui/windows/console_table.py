@@ -100,6 +100,7 @@ class ConsoleTable(ScrollView, can_focus=True):
         self._make_room()
         line = self._end if following else self._records.index(top) if top is not None else 0
         if line == self.scroll_offset.y:
+            self._show_bar()
             self._draw()
         else:
             self._bring_to_top(line)
@@ -152,7 +153,6 @@ class ConsoleTable(ScrollView, can_focus=True):
             self.virtual_size = size
         elif size != self.virtual_size:
             self.set_reactive(Widget.virtual_size, size)
-            self._show_bar()
 
     def _bring_to_top(self, line: int) -> None:
         self.scroll_to(y=line, animate=False, force=True)
