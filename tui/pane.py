@@ -357,6 +357,12 @@ class Pane(Widget, can_focus=True):
     def on_blur(self, event: events.Blur) -> None:
         self.touch()
 
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        self.touch()  # the frame is a pane's that has the keyboard, although a widget inside has it
+
+    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
+        self.touch()
+
 
 JOIN_GAP = 8
 """Up to this many equal cells between two differences are sent as one span: moving the cursor and setting colours costs more."""
