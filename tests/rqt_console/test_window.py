@@ -221,7 +221,7 @@ def test_a_text_is_in_force_while_it_is_typed_and_escape_takes_it_back(full):
             await step(app, pilot)
             assert full.choice.text == text
         await pilot.press("d")
-        assert full.choice.levels == {10} and "Exclude messages containing: 7" in screen_text(app)
+        assert full.choice.levels == {10} and "exclude text: 7" in screen_text(app)
 
     in_the_window(full, drive, size=(120, 40))
 
@@ -269,3 +269,16 @@ def test_a_click_beside_the_table_leaves_it_the_keyboard(full):
         assert pane.table.chosen.number == 59
 
     in_the_window(full, drive)
+
+
+def test_behind_an_open_message_the_whole_frame_is_one_without_the_keyboard(full):
+    async def drive(app, pilot, pane) -> None:
+        assert {line[0] for line in screen_lines(app)[2:-2]} == {"┃"}
+        await pilot.press("up", "enter")
+        await step(app, pilot)
+        assert {line[0] for line in screen_lines(app)[2:-2]} == {"│"}
+        await pilot.press("escape")
+        await step(app, pilot)
+        assert {line[0] for line in screen_lines(app)[2:-2]} == {"┃"}
+
+    in_the_window(full, drive, size=(120, 40))

@@ -556,9 +556,12 @@ TEXTS = {
         "rqt collects the windows of the ROS tools. The arrow keys choose one, Enter opens it in place of this list."
     ),
     "help.rqt_console": (
-        "The log messages of all nodes, from the topic /rosout. The arrow keys choose one; it is shown in full "
-        "below the table.\n\nThe letters leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. What a node does not "
-        "log at all is decided by its level: see --log-level, and the logger services."
+        "The log messages of all nodes, from the topic /rosout, the newest at the end. The arrow keys or a click choose one: "
+        "it is shown below the table, and Enter or a double click shows all of it. Esc follows the newest again.\n\n"
+        "A click on a column's name sorts by it, a second one the other way round; s and S do the same. "
+        "/ leaves out messages that contain a text, h highlights them: what you type takes effect at once, Enter keeps it, Esc "
+        "takes it back.\n\nThe letters, or a click on a box, leave out severities: d Debug, i Info, w Warn, e Error, f Fatal. "
+        "What a node does not log at all is decided by its level: see --log-level, and the logger services."
     ),
     "help.rqt_plot": (
         "Numbers from messages, over time. Each curve is one field of one topic; the legend shows its newest value. "

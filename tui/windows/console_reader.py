@@ -22,6 +22,7 @@ class ConsoleReader(Modal):
     """All that is known of a message; it can be scrolled, selected and copied."""
 
     CSS_PATH = str(Path(modal.__file__).with_name("modal.tcss"))  # Textual looks beside this module
+    CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
     BINDINGS = [Binding("enter,q", "close", show=False)]
 
     def __init__(self, look: Look, record: Record) -> None:
@@ -35,7 +36,6 @@ class ConsoleReader(Modal):
         self._scroll = VerticalScroll(
             Static(Content("\n").join(heads), classes="note"),
             Static(Content("\n").join(["", *lines_of(record.text)]), classes="text"),
-            classes="texts",
         )
         yield self._scroll
 

@@ -84,9 +84,9 @@ class Severities(Horizontal):
     def _told(self, choice: Choice) -> Iterator[Content]:
         dots = self._look.glyphs.ellipsis
         for key, text in (
-            ("containing", clip(choice.text, 20, dots)),
-            ("highlighted", clip(choice.highlight, 20, dots)),
+            ("leave_out", clip(choice.text, 20, dots)),
             ("nodes", clip(", ".join(sorted(choice.nodes)), 30, dots)),
+            ("highlight", clip(choice.highlight, 20, dots)),
         ):
             if text:
                 yield Content.assemble((" " + self._heading(key), "$muted"), (text, "bold $primary"))
