@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 
-from rich.segment import Segment
 from textual import events
 from textual.app import ComposeResult
 from textual.widget import Widget
 
 from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
@@ -57,12 +54,6 @@ class InspectorPane(WindowPane[Inspector]):
             self.list.show(self.inspector.findings)
             self.touch()
         return False
-
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        if self.inspector.findings:
-            return ()
-        lines = wrap(self.look.texts("inspector.well"), width - 2)
-        return [Segment(f" {lines[y]}", self.look.colours.publisher)] if y < len(lines) else ()
 
     def restyle(self) -> None:
         self._shown = ()

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rich.segment import Segment
+from rich.style import Style as RichStyle
 from textual import events
 from textual.message import Message
 from textual.scrollbar import ScrollBar
@@ -13,6 +14,7 @@ from textual.strip import Strip
 from textual.style import Style
 from textual.visual import RenderOptions, Visual
 from textual.widgets import OptionList
+from textual.widgets.option_list import Option
 
 from day6_tui.core.ros.programs.day6_inspector.rules import Finding
 from day6_tui.tui.cells import fit, wrap
@@ -21,16 +23,13 @@ from day6_tui.tui.poor_terminals import renderer_for
 from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import survive
 
-MARK = 3
-"""Cells before the text, for the mark of its level."""
-
 
 class FindingList(OptionList):
     """What is wrong; the finding with the cursor keeps it while others come and go."""
 
     def __init__(self, look: Look) -> None:
         super().__init__(compact=True, markup=False)
-        self._look = look
+        self.look = look
         self._findings: list[Finding] = []
         self.take_look(look)
 
@@ -47,17 +46,29 @@ class FindingList(OptionList):
         self.refresh()
 
     def show(self, findings: Sequence[Finding]) -> None:
-        """Show these findings, the first one at the top."""
+        """Show these findings, the first one at the top; if there are none, that all is well."""
         at, offset = self.highlighted, self.scroll_offset.y
         chosen = self._findings[at] if at is not None and at < len(self._findings) else None
         self._findings = list(findings)
-        self.display = bool(findings)
-        self.set_options([Row(finding, self._look, self, index) for index, finding in enumerate(findings)])
+        if not findings:
+            colours, texts = self.look.colours, self.look.texts
+            well = Row(self, 0, texts("inspector.well"), "", colours.publisher)
+            self.set_options([Option(well, disabled=True)])
+            return
+        self.set_options([self._row(index, finding) for index, finding in enumerate(findings)])
         self.scroll_to(y=offset, animate=False)
-        if findings:
-            self.highlighted = (
-                self._findings.index(chosen) if chosen in self._findings else min(at or 0, len(findings) - 1)
-            )
+        last = len(findings) - 1
+        self.highlighted = self._findings.index(chosen) if chosen in self._findings else min(at or 0, last)
+
+    def _row(self, index: int, finding: Finding) -> Row:
+        colours, glyphs = self.look.colours, self.look.glyphs
+        mark, style = {
+            "error": (glyphs.warning, colours.warning),
+            "warning": (glyphs.warning, colours.text),
+            "info": (glyphs.dot, colours.muted),
+        }[finding.level]
+        text = self.look.texts(finding.id, **dict(finding.parameters))
+        return Row(self, index, text, mark, style)
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         event.stop()
@@ -69,29 +80,23 @@ class FindingList(OptionList):
 class Row(Visual):
     """A finding as Textual draws it in the list: the mark of its level, and the text beside it."""
 
-    def __init__(self, finding: Finding, look: Look, list_: FindingList, index: int) -> None:
-        self._finding = finding
-        self._look = look
-        self._list = list_
+    def __init__(self, findings: FindingList, index: int, text: str, mark: str, style: RichStyle) -> None:
+        self._list = findings
         self._index = index
+        self._text = text
+        self._mark = mark
+        self._style = style
 
     def _lines(self, width: int) -> list[str]:
-        text = self._look.texts(self._finding.id, **dict(self._finding.parameters))
-        return wrap(text, max(10, width - MARK - 1))
+        before = f" {self._mark} " if self._mark else " "
+        lines = wrap(self._text, max(10, width - len(before) - 1))
+        return [(before if not number else " " * len(before)) + line for number, line in enumerate(lines)]
 
     def render_strips(self, width: int, height: int | None, style: Style, options: RenderOptions) -> list[Strip]:
-        colours, glyphs = self._look.colours, self._look.glyphs
-        mark, own = {
-            "error": (glyphs.warning, colours.warning),
-            "warning": (glyphs.warning, colours.text),
-            "info": (glyphs.dot, colours.muted),
-        }[self._finding.level]
-        chosen = self._list.highlighted == self._index and self._list.has_focus
-        drawn = colours.choice if chosen else own
-        return [
-            Strip([Segment(fit(f" {mark if not number else ' '} {line}", width), drawn)], width)
-            for number, line in enumerate(self._lines(width))
-        ]
+        findings = self._list
+        chosen = findings.highlighted == self._index and findings.has_focus
+        drawn = findings.look.colours.choice if chosen else self._style
+        return [Strip([Segment(fit(line, width), drawn)], width) for line in self._lines(width)]
 
     def get_optimal_width(self, rules: Any, container_width: int) -> int:
         return container_width

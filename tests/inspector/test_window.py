@@ -1,0 +1,129 @@
+"""The inspector's window: its list for keys and the mouse, on a desktop whose frames the test draws."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+from textual import events
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from fakes import FakeDesk
+from screens import opened, screen_lines, screen_text, step
+
+from day6_tui.core.ros.programs.day6_inspector.rules import Finding
+
+
+@dataclass
+class Model:
+    """What the window reads of an Inspector."""
+
+    findings: tuple[Finding, ...] = ()
+    version: int = 1
+
+    def find(self, *findings: Finding) -> None:
+        self.findings, self.version = findings, self.version + 1
+
+
+def finding(identifier: str, level: str, **parameters: str) -> Finding:
+    return Finding(level=level, id=f"inspector.{identifier}", parameters=tuple(parameters.items()))
+
+
+SLIP = finding("near", "warning", published="/cmd_vle", subscribed="/cmd_vel")
+UNHEARD = [finding("unheard", "info", topic=f"/news_{number:02d}", nodes="/talker") for number in range(30)]
+
+
+def use(
+    model: Model, act: Callable[[Any, Any], Awaitable[None]], size: tuple[int, int] = (60, 14), **more: Any
+) -> None:
+    async def run() -> None:
+        desk = FakeDesk()
+        window = desk.display.open("inspector", "Inspector", model)
+        async with opened(desk, *size, scene="empty", **{"lang": "en", **more}) as (app, pilot):
+            await step(app, pilot)
+            app.desktop.focus_pane(app.desktop.panes[window.number])
+            await pilot.press("f8")
+            await step(app, pilot)
+            await act(app, pilot)
+
+    asyncio.run(run())
+
+
+def marked(app: Any) -> str:
+    """The line of the cursor."""
+    strips = app.screen._compositor.render_strips()
+    choice = app.look.colours.choice.bgcolor
+    lines = [strip for strip in strips[2:-2] if any(part.style and part.style.bgcolor == choice for part in strip)]
+    return "".join(part.text for strip in lines for part in strip)
+
+
+def test_the_arrow_keys_a_click_and_the_wheel_go_through_the_list() -> None:
+    async def act(app: Any, pilot: Any) -> None:
+        assert "/cmd_vle" in screen_text(app) and "/news_29" not in screen_text(app)
+        await pilot.press("down", "down")
+        await step(app, pilot)
+        assert "/news_01" in marked(app)
+        await pilot.press("end")
+        await step(app, pilot)
+        assert "/news_29" in marked(app)
+        row = next(y for y, line in enumerate(screen_lines(app)) if "/news_27" in line)
+        await pilot.click(offset=(8, row))
+        await step(app, pilot)
+        assert "/news_27" in marked(app)
+        for _ in range(40):
+            await pilot._post_mouse_events([events.MouseScrollUp], "FindingList", (8, 3))
+        await step(app, pilot)
+        assert "/cmd_vle" in screen_text(app)
+
+    use(Model((SLIP, *UNHEARD)), act)
+
+
+def test_the_cursor_stays_with_its_finding_while_others_come_and_go() -> None:
+    model = Model(tuple(UNHEARD))
+
+    async def act(app: Any, pilot: Any) -> None:
+        await pilot.press(*["down"] * 4)
+        await step(app, pilot)
+        model.find(SLIP, *UNHEARD[2:])
+        await step(app, pilot)
+        assert "/news_04" in marked(app) and "/cmd_vle" in screen_text(app)
+        model.find(*UNHEARD[:3])
+        await step(app, pilot)
+        assert "/news_02" in marked(app)
+        model.find()
+        await step(app, pilot)
+        assert "nothing is wrong" in screen_text(app) and "/news" not in screen_text(app)
+        model.find(SLIP)
+        await step(app, pilot)
+        assert "/cmd_vle" in marked(app) and "nothing is wrong" not in screen_text(app)
+
+    use(model, act)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("size", [(40, 10), (80, 24)])
+def test_a_long_finding_is_wrapped_and_none_of_it_is_lost(size: tuple[int, int], language: str) -> None:
+    names = {"published": "/" + "a_long_name_" * 3, "subscribed": "/" + "a_long_nane_" * 3}
+
+    async def act(app: Any, pilot: Any) -> None:
+        text = "".join(line.strip("┃ ") for line in screen_lines(app)[2:-2])
+        assert all(name in text for name in names.values())
+
+    use(Model((finding("near", "warning", **names),)), act, size, lang=language)
+
+
+@pytest.mark.parametrize("glyphs", ["half", "ascii"])
+def test_the_names_of_joints_are_text_and_nothing_else(glyphs: str) -> None:
+    """They come from messages, so that anything may stand in them."""
+
+    async def act(app: Any, pilot: Any) -> None:
+        text = screen_text(app)
+        assert "[b]^[[2J^G" in text and "\x1b" not in text
+
+    use(Model((finding("unknown_joint", "error", topic="/joint_states", joint="[b]\x1b[2J\x07"),)), act, glyphs=glyphs)
