@@ -31,10 +31,10 @@ def test_the_three_settings_by_keys_alone(machine: RVizMachine) -> None:
             await at.press("enter")
             await at.settle()
             (robot,) = [display for display in machine.rviz.displays if display.type == "RobotModel"]
-            assert at.pane.panel.tree.prop is robot
+            assert at.pane.panel.properties.prop is robot
             assert "Enter on Description Topic lets you choose: /robot_description" in " ".join(at.screen().split())
             for _ in range(20):
-                if at.pane.panel.tree.prop is not robot.topic:
+                if at.pane.panel.properties.prop is not robot.topic:
                     await at.press("down")
             await at.press("enter", "enter")
             machine.until(lambda: robot.status("URDF") is not None)
@@ -167,7 +167,7 @@ def test_the_wheel_zooms_over_the_view_and_scrolls_over_the_panel(machine: RVizM
 def test_a_click_opens_branches_and_sets_boxes(machine: RVizMachine) -> None:
     async def walk() -> None:
         async with walking(machine) as at:
-            row = next(index for index, line in enumerate(at.pane.panel.tree.lines) if line.prop.name == "Grid")
+            row = at.pane.panel.properties.node_of(machine.rviz.displays[0]).line
             await at.pilot.click(at.pane, offset=(1, row + 1))
             await at.settle()
             assert "Cell Size" in at.screen()

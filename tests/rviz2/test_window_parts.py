@@ -126,7 +126,7 @@ def test_the_buttons_are_clicked(machine: RVizMachine) -> None:
             await at.type("axes")
             await at.press("enter")
             await at.settle()
-            assert names() == ["Grid", "Axes"] and at.pane.panel.tree.display is machine.rviz.displays[1]
+            assert names() == ["Grid", "Axes"] and at.pane.panel.properties.chosen_display is machine.rviz.displays[1]
             await _click_button(at, "Duplicate")
             assert names() == ["Grid", "Axes", "Axes"]
             await _click_button(at, "Rename")
@@ -146,16 +146,126 @@ def test_the_buttons_are_below_the_last_line_for_keys(machine: RVizMachine) -> N
             machine.add("Axes")
             await at.settle()
             await at.press("end", "down")
-            assert at.pane.panel.buttons.chosen == 0
+            assert at.pane.panel.buttons.chosen.id == "add"
             await at.press("enter")
             assert "by topic" in at.screen() or "RobotModel" in at.screen()
             await at.press("escape")
             await at.press("up")
             assert at.pane.panel.buttons.chosen is None
             at.pane.choose(machine.rviz.displays[1])
-            await at.press("left", "end", "down", "right", "right", "enter")
-            assert len(machine.rviz.displays) == 2  # the last line belongs to no display: nothing to remove
+            await at.press("left", "end", "down", "right", "right")
+            assert at.pane.panel.buttons.chosen.id == "add"  # the last line belongs to no display: nothing to remove
             await at.press("up")
+            assert at.pane.panel.buttons.chosen is None
+
+    run(walk())
+
+
+def test_shift_tab_goes_to_the_buttons_and_the_arrows_from_one_to_the_next(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            names = lambda: [display.name for display in machine.rviz.displays]  # noqa: E731
+            at.pane.choose(machine.rviz.displays[0])
+            await at.press("shift+tab", "right", "enter")
+            assert names() == ["Grid", "Grid"] and at.pane.panel.buttons.chosen.id == "duplicate"
+            await at.press("right", "space")
+            assert names() == ["Grid"]
+            await at.press("shift+tab")
+            assert at.pane.panel.properties.has_focus
+            await at.press("tab", "shift+tab")
+            assert at.pane.panel.buttons.chosen.id == "add"
+            await at.press("tab", "left")
+            assert not at.pane.on_panel and machine.rviz.view.child("Yaw").value > 0.785398
+
+    run(walk())
+
+
+def test_a_click_on_a_button_leaves_the_keyboard_with_the_tree(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            at.pane.choose(machine.rviz.displays[0])
+            await at.press("tab")
+            await _click_button(at, "Duplicate")
+            assert len(machine.rviz.displays) == 2 and at.pane.panel.properties.has_focus
+            await at.press("ctrl+x")
+            assert len(machine.rviz.displays) == 1
+
+    run(walk())
+
+
+# -- typing a value in its place ---------------------------------------------------------------------------------------
+
+
+async def _type_cell_size(at: Walk, machine: RVizMachine) -> Any:
+    size = machine.rviz.displays[0].child("Cell Size")
+    at.pane.choose(size)
+    await at.press("enter")
+    return size
+
+
+def _row_of_the_line(at: Walk) -> str:
+    return at.screen().splitlines()[at.pane.panel.value_line.region.y]
+
+
+def test_a_value_is_typed_where_it_stands(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            size = await _type_cell_size(at, machine)
+            await at.type(".5")
+            assert "Cell Size         1.5 " in _row_of_the_line(at) and size.value == 1.0
+            await at.press("enter")
+            assert size.value == 1.5 and at.pane.panel.value_line is None and at.pane.panel.properties.has_focus
+            await at.press("enter", "9", "escape")
+            assert size.value == 1.5 and at.pane.panel.value_line is None and at.pane.panel.properties.has_focus
+
+    run(walk())
+
+
+@pytest.mark.parametrize("how", ["tab", "f3", "click", "palette"])
+def test_what_was_typed_is_taken_over_when_the_keyboard_goes_elsewhere(machine: RVizMachine, how: str) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            pane, size = at.pane, await _type_cell_size(at, machine)
+            await at.press("backspace", "3")
+            if how == "click":
+                await at.pilot.click(pane, offset=(80, 10))
+            else:
+                await at.press({"palette": "f7"}.get(how, how))
+            await at.settle()
+            assert size.value == 3.0 and pane.panel.value_line is None
+
+    run(walk())
+
+
+def test_keys_that_come_faster_than_the_line_are_not_lost(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            size = machine.rviz.displays[0].child("Cell Size")
+            at.pane.choose(size)
+            for key in ("enter", "backspace", "4", "2", "enter", "down", "enter"):
+                at.app.post_message(events.Key(key, key if len(key) == 1 else None))
+            await at.until(lambda: size.value == 42.0)
+            assert at.pane.panel.value_line is None or at.pane.panel.value_line.prop is not size
+            assert at.pane.panel.properties.prop.name == "Line Style" and "━ Choose" in at.screen()
+
+    run(walk())
+
+
+def test_a_value_line_closes_with_its_panel_and_with_its_property(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            await _type_cell_size(at, machine)
+            machine.rviz.request(lambda: machine.rviz.remove_display(machine.rviz.displays[0]))
+            await at.settle()
+            assert at.pane.panel.value_line is None and at.pane.panel.properties.has_focus
+            machine.add("Grid")
+            await at.settle()
+            await _type_cell_size(at, machine)
+            await at.pilot.click(at.pane, offset=(at.pane.division.panel + 1, at.pane.body_height // 2 + 1))
+            await at.settle()
+            assert at.pane.panel.value_line is None and at.pane.has_focus and "Cell Size" not in at.screen()
+            await at.press("left")
+            assert machine.rviz.view.child("Yaw").value > 0.785398
 
     run(walk())
 

@@ -1,7 +1,7 @@
 """The RViz window: the Displays panel on the left, the 3-D view on the right, a status bar below.
 
-The panel is a `DisplaysPanel`, the picture a `View3D`, the text below it a `StatusBar`; this module puts them together and
-handles keys and mouse.
+The panel is a `DisplaysPanel` of Textual's widgets; the picture, a `View3D`, and the text below it, a `StatusBar`, are painted.
+This module puts them together and handles keys and mouse.
 """
 
 from __future__ import annotations
@@ -12,7 +12,11 @@ from functools import partial
 from pathlib import Path
 
 from rich.segment import Segment
-from textual import events
+from textual import events, on
+from textual.app import ComposeResult
+from textual.geometry import NULL_OFFSET, NULL_SPACING, Region, Size
+from textual.layout import ArrangeResult, Layout, WidgetPlacement
+from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rviz2.model.config import write_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display
@@ -26,12 +30,14 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.rviz import dialogs
+from day6_tui.tui.windows.rviz.buttons import LABELS, PanelButton
 from day6_tui.tui.windows.rviz.displays import DisplaysPanel
 from day6_tui.tui.windows.rviz.dragging import Dragging
 from day6_tui.tui.windows.rviz.extent import extent
 from day6_tui.tui.windows.rviz.offer import Offer
 from day6_tui.tui.windows.rviz.sizes import NARROW, Division, divide
 from day6_tui.tui.windows.rviz.status_bar import StatusBar, in_ascii
+from day6_tui.tui.windows.rviz.tree import PropertyTree
 from day6_tui.tui.windows.rviz.view import View3D
 
 TURN = 0.1309
@@ -44,6 +50,19 @@ _ARROWS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
 _FOLDS = {"▸": "◂", "»": "«", ">": "<"}
 """The arrow that opens -> the one that folds."""
 
+_END = 1_000_000
+
+
+class _PanelAtTheLeft(Layout):
+    """Places the panel inside the frame; the rest is painted."""
+
+    name = "rviz"
+
+    def arrange(self, parent: Widget, children: list[Widget], size: Size, greedy: bool = True) -> ArrangeResult:
+        assert isinstance(parent, RVizPane)
+        region = parent.panel_region(size)
+        return [WidgetPlacement(region, NULL_OFFSET, NULL_SPACING, child) for child in children if region]
+
 
 class RVizPane(WindowPane[RViz]):
     """The window of an `RViz`; keeps only view state: which part has the focus, and what was last drawn."""
@@ -52,8 +71,9 @@ class RVizPane(WindowPane[RViz]):
         super().__init__(window, look)
         self.rviz = window.model
         self.view = View3D(self.rviz, look)
-        self.panel = DisplaysPanel(self)
-        self.status_bar = StatusBar(self.rviz, self.panel.tree, self.view, look)
+        self.panel = DisplaysPanel(self.rviz, look)
+        self._layout_of_panel = _PanelAtTheLeft()
+        self.status_bar = StatusBar(self.rviz, self.panel.properties, self.view, look)
         self.offer = Offer(self.rviz)
         self._dragging = Dragging(self.view)
         only_grid = all(display.type == "Grid" for display in self.rviz.displays)
@@ -65,12 +85,25 @@ class RVizPane(WindowPane[RViz]):
         self._used = False
         """Whether the view was turned; until then, the status bar says that RViz is ready."""
 
+    def compose(self) -> ComposeResult:
+        yield self.panel
+
     # -- geometry ------------------------------------------------------------------------------------------------------
+
+    @property
+    def layout(self) -> Layout:
+        return self._layout_of_panel
+
+    def panel_region(self, size: Size) -> Region:
+        """Where the panel is in a window of this size; empty while it is folded away."""
+        width, height = max(0, size.width - 2), max(0, size.height - 2)
+        is_open = self._panel_open["narrow" if width < NARROW else "wide"]
+        return Region(1, 1, divide(width, panel_open=is_open).panel, max(0, height - _word_lines(height)))
 
     @property
     def word_lines(self) -> int:
         """Lines of the status bar."""
-        return 2 if self.inner_height >= 18 else 1
+        return _word_lines(self.inner_height)
 
     @property
     def body_height(self) -> int:
@@ -104,13 +137,34 @@ class RVizPane(WindowPane[RViz]):
         self._lay_out()
 
     def restyle(self) -> None:
+        self.panel.properties.take_look(self.look)
         self.view.forget()
         self.status_bar.forget()
         super().restyle()
 
     def _lay_out(self) -> None:
         self.view.resize(self.division.view, self.body_height)
-        self.panel.fit(self.body_height)
+
+    # -- the keyboard --------------------------------------------------------------------------------------------------
+
+    @property
+    def focus_target(self) -> Widget:
+        if not self.on_panel or not self.panel.is_attached:
+            return self
+        return self.panel.value_line or self.panel.properties
+
+    def focus(self, scroll_visible: bool = True) -> RVizPane:
+        target = self.focus_target
+        if target is self:
+            super().focus(scroll_visible)
+        else:
+            target.focus(scroll_visible)
+        return self
+
+    def _pass_keyboard(self) -> None:
+        """The part that shall have the keyboard gets it, if the window has it."""
+        if self.has_focus_within:
+            self.screen.set_focus(self.focus_target, scroll_visible=False)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -118,11 +172,13 @@ class RVizPane(WindowPane[RViz]):
         if not self.inner_width or not self.body_height:
             return False
         self._lay_out()
+        if self.has_focus and self.on_panel:
+            self._pass_keyboard()
         left = self.division.view_left
         spans, due = self.view.pull(now)
         self.view.show(self, left + self.inner_offset, self.inner_offset)
-        if changed := self.panel.changed(active=self._panel_active):
-            self.touch_lines(changed)
+        if self.panel_open and self.panel.properties.is_attached:
+            self.panel.pull(active=self._panel_active)
         if self.offer.pull(self.view.aspect):
             self.touch_lines([self.body_height - 1])
         if spans:
@@ -137,7 +193,7 @@ class RVizPane(WindowPane[RViz]):
     @property
     def _panel_active(self) -> bool:
         """Whether the panel has the keyboard."""
-        return self.on_panel and self.has_focus
+        return self.on_panel and self.has_focus_within
 
     def _pull_words(self, now: float) -> bool:
         on_panel = self._panel_active
@@ -219,8 +275,7 @@ class RVizPane(WindowPane[RViz]):
             return self._words_line(y - self.body_height, width)
         self._lay_out()
         columns = self.division.panel
-        segments = self.panel.segments(y, columns, active=self._panel_active) if columns else []
-        segments.append(self._edge_cell(y, columns))
+        segments = [Segment(" " * columns, self.background), self._edge_cell(y, columns)]
         if self.view.columns:
             segments += self._offer_line(y) or self.view.line(y)
         return segments
@@ -255,7 +310,7 @@ class RVizPane(WindowPane[RViz]):
 
     def choose(self, prop: Property) -> None:
         """Open the tree down to a property and choose it."""
-        self.panel.tree.choose(prop)
+        self.panel.properties.choose(prop)
         self.status_bar.hurry()
         self.touch()
 
@@ -277,7 +332,7 @@ class RVizPane(WindowPane[RViz]):
 
     def edit(self) -> None:
         """Change the chosen property in the way that fits it."""
-        prop = self.panel.tree.prop
+        prop = self.panel.properties.prop
         if prop is None:
             return
         if prop.kind == BOOL and not isinstance(prop, Display):
@@ -291,7 +346,7 @@ class RVizPane(WindowPane[RViz]):
         """Open or close a branch."""
         if prop.children:
             prop.expanded = on
-            self.panel.tree.refresh()
+            self.panel.properties.refill()
             self.look.wake()
 
     def request(self, action: Callable[[], object]) -> None:
@@ -341,7 +396,6 @@ class RVizPane(WindowPane[RViz]):
 
     def _to_panel(self) -> None:
         self.panel_open = self._panel_keys = True
-        self.panel.buttons.chosen = None
         self._rearranged()
 
     def _to_view(self) -> None:
@@ -353,6 +407,8 @@ class RVizPane(WindowPane[RViz]):
 
     def _rearranged(self) -> None:
         self._lay_out()
+        self.panel.refresh(layout=True)
+        self._pass_keyboard()
         self.status_bar.hurry()
         self.touch()
         self.look.wake()
@@ -370,15 +426,18 @@ class RVizPane(WindowPane[RViz]):
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
-        used = self._everywhere_key(key) or (self.panel.key(key) if self.on_panel else self._view_key(key))
-        if used:
-            event.stop()
-            event.prevent_default()
-            self.look.wake()
+        if self.panel.value_line is not None:  # typed before the line had the keyboard
+            self.panel.value_line.post_message(events.Key(key, event.character))
+        elif not self._everywhere_key(key) and not (self._panel_key(key) if self.on_panel else self._view_key(key)):
+            return
+        event.stop()
+        event.prevent_default()
+        self.look.wake()
 
     def _everywhere_key(self, key: str) -> bool:
         actions: dict[str, Callable[[], object]] = {
             "tab": self._other_part,
+            "shift+tab": self._to_buttons,
             "d": self.toggle_panel,
             "f": self.focus_robot,
             "4": self.from_above,
@@ -407,6 +466,115 @@ class RVizPane(WindowPane[RViz]):
             self._to_view()
         else:
             self._to_panel()
+
+    def _to_buttons(self) -> None:
+        """Go to the buttons, and from there to the tree."""
+        on_buttons = self.on_panel and self.panel.buttons.chosen is not None
+        if not self.on_panel:
+            self._to_panel()
+        if on_buttons or not self.panel.buttons.display:
+            self._pass_keyboard()
+        else:
+            self.panel.choose_button()
+
+    def _panel_key(self, key: str) -> bool:
+        """A key was pressed while the panel has the keyboard; False if it means nothing here."""
+        tree, buttons = self.panel.properties, self.panel.buttons
+        if buttons.chosen is not None:
+            return self._button_key(key, buttons.chosen)
+        if key == "down" and buttons.display and tree.at_the_end:
+            self.panel.choose_button()
+            return True
+        page = max(1, tree.size.height - 1)
+        steps = {"up": -1, "down": 1, "pageup": -page, "pagedown": page, "home": -_END, "end": _END}
+        if key in steps:
+            tree.move(steps[key])
+            return True
+        action = self._tree_actions().get(key)
+        if action is not None:
+            action()
+        return action is not None
+
+    def _button_key(self, key: str, button: PanelButton) -> bool:
+        if key in ("left", "right"):
+            self.panel.choose_button(1 if key == "right" else -1)
+        elif key in ("up", "escape"):
+            self._pass_keyboard()
+        elif key in ("enter", "space"):
+            button.press()
+        else:
+            return key == "down"
+        return True
+
+    def _tree_actions(self) -> dict[str, Callable[[], object]]:
+        """Key -> what it does to the chosen line, and to the display it belongs to."""
+        prop, display = self.panel.properties.prop, self.panel.properties.chosen_display
+        if prop is None:
+            return {}
+        actions: dict[str, Callable[[], object]] = {
+            "right": partial(self.open_branch, prop, True),
+            "left": partial(self._close_or_up, prop),
+            "enter": self.edit,
+            "space": partial(self.toggle, prop) if prop.kind == BOOL else lambda: None,
+        }
+        if display is not None:
+            names = {label.key: label.name.lower() for label in LABELS}
+            actions |= {key: partial(self._press, name) for key, name in {**names, "delete": "remove"}.items()}
+            for step, key in ((-1, "shift+up"), (1, "shift+down")):
+                actions[key] = partial(self.request, partial(self.rviz.move_display, display, step))
+        return actions
+
+    def _close_or_up(self, prop: Property) -> None:
+        if prop.expanded and prop.children:
+            self.open_branch(prop, False)
+        elif prop.parent is not None and prop.parent.parent is not None:
+            self.choose(prop.parent)
+
+    def _press(self, name: str) -> None:
+        """Do what the button of this name does."""
+        display = self.panel.properties.chosen_display
+        if name == "add":
+            dialogs.add(self)
+        elif display is None:
+            pass  # it is gone since
+        elif name == "rename":
+            dialogs.rename(self, display)
+        else:
+            act = self.rviz.duplicate_display if name == "duplicate" else self.rviz.remove_display
+            self.request(partial(act, display))
+
+    @on(PanelButton.Pressed)
+    def press_button(self, event: PanelButton.Pressed) -> None:
+        event.stop()
+        if not event.button.has_focus:  # a click on it may be the first one in this window
+            self._panel_keys = True
+            self.screen.set_focus(self.focus_target, scroll_visible=False)
+        self._press(event.button.id or "")
+        self.look.wake()
+
+    @on(PropertyTree.Clicked)
+    def click_line(self, event: PropertyTree.Clicked) -> None:
+        event.stop()
+        self._panel_keys = True
+        if event.part == "opener":
+            self.open_branch(event.prop, not event.prop.expanded)
+        elif event.part == "box":
+            self.toggle(event.prop)
+        else:
+            self.edit()
+        self.look.wake()
+
+    @on(PropertyTree.Moved)
+    def follow_cursor(self, event: PropertyTree.Moved) -> None:
+        event.stop()
+        self.status_bar.hurry()
+        self.look.wake()
+
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        """A click, or Textual itself, gave the keyboard to a part of the panel."""
+        if self.screen.focused is event.widget and self.panel_open:
+            self._panel_keys = True
+            self.touch()
 
     def _view_key(self, key: str) -> bool:
         view = self.rviz.view
@@ -444,9 +612,8 @@ class RVizPane(WindowPane[RViz]):
         if not self._in_view(event) or not self._dragging.begin(event):
             return
         event.stop()
-        if not self.has_focus:
-            self.focus(scroll_visible=False)
         self._panel_keys = False
+        self.screen.set_focus(self, scroll_visible=False)
         self._used = True
         self.capture_mouse()
 
@@ -473,16 +640,9 @@ class RVizPane(WindowPane[RViz]):
         event.stop()
         if self._in_view(event):
             self.rviz.view.wheel(notches, bool(event.shift))
-        else:
-            self.panel.tree.scroll(-3 * notches)
         self.look.wake()
 
-    def on_click(self, event: events.Click) -> None:
-        x, y = self._cell(event)
-        width = self.division.panel
-        if self.hit(event.x, event.y) is not None or not (0 <= x < width and 0 <= y < self.body_height):
-            return  # to Pane
-        event.stop()
-        self._panel_keys = True
-        self.panel.click(x, y, width, double=event.chain > 1)
-        self.look.wake()
+
+def _word_lines(height: int) -> int:
+    """Lines of the status bar in a window that is `height` lines high inside."""
+    return 2 if height >= 18 else 1

@@ -2,105 +2,90 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from typing import NamedTuple
 
-from rich.segment import Segment
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal
+from textual.content import Content
+from textual.widgets import Button
 
-from day6_tui.core.ros.programs.rviz2.model.display import Display
-from day6_tui.tui.look import Look
+from day6_tui.tui.survival import survive
 
 
-class Button(NamedTuple):
-    """`press` is None for one that can do nothing now."""
+class Label(NamedTuple):
+    """What a button is called, and its key with Ctrl."""
 
     name: str
     letter: str
-    """Its key with Ctrl."""
-    press: Callable[[], object] | None
 
     @property
     def key(self) -> str:
         return f"ctrl+{self.letter}"
 
 
-class Place(NamedTuple):
-    """Where a button is: its first column and the one behind its last."""
-
-    first: int
-    end: int
+LABELS = (Label("Add", "n"), Label("Duplicate", "d"), Label("Remove", "x"), Label("Rename", "r"))
+"""From the left (displays_panel.cpp). All but the first are about the display that is chosen in the tree."""
 
 
-class Buttons:
-    """The row of buttons. `chosen` is the one that has the keyboard, None while the tree has it."""
+def texts_in(width: int) -> list[str]:
+    """What stands on the buttons of a row of `width` cells: the names, with air and with their keys if there is room."""
+    for form in (" {name} ^{key} ", "{name} ^{key}", " {name} ", "{name}"):
+        texts = [form.format(name=label.name, key=label.letter.upper()) for label in LABELS]
+        if sum(map(len, texts)) + len(texts) - 1 <= width:
+            break
+    return texts
 
-    def __init__(
-        self,
-        display: Callable[[], Display | None],
-        add: Callable[[], object],
-        **of_display: Callable[[Display], object],
-    ) -> None:
-        self._display = display
-        """Returns the display that Duplicate, Remove and Rename are about."""
-        self._add = add
-        self._of_display = of_display
-        self.chosen: int | None = None
 
-    def all(self) -> list[Button]:
-        """The buttons from the left (displays_panel.cpp)."""
-        display = self._display()
+class PanelButton(Button):
+    """A click on it leaves the keyboard where it is: the tree is what one goes on with."""
 
-        def on_display(name: str, letter: str) -> Button:
-            act = self._of_display[name.lower()]
-            return Button(name, letter, None if display is None else partial(act, display))
+    FOCUS_ON_CLICK = False
 
-        return [
-            Button("Add", "n", self._add),
-            on_display("Duplicate", "d"),
-            on_display("Remove", "x"),
-            on_display("Rename", "r"),
-        ]
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
 
-    def move(self, steps: int) -> None:
-        """Go to a button farther right, or left."""
-        self.chosen = max(0, min(len(self.all()) - 1, (self.chosen or 0) + steps))
 
-    def press(self) -> None:
-        """Press the button that has the keyboard."""
-        if self.chosen is not None and (press := self.all()[self.chosen].press) is not None:
-            press()
+class PanelButtons(Horizontal):
+    """The row of buttons."""
 
-    def press_at(self, x: int, width: int) -> None:
-        """Press the button at a column of the row."""
-        for button, place in zip(self.all(), self.places(width), strict=True):
-            if place.first <= x < place.end and button.press is not None:
-                button.press()
+    DEFAULT_CSS = """
+    PanelButtons { height: 1; width: 100%; }
+    PanelButtons > PanelButton#add, PanelButtons > PanelButton#duplicate,
+    PanelButtons > PanelButton#remove, PanelButtons > PanelButton#rename {
+        min-width: 0; height: 1; padding: 0; margin: 0 1 0 0; border: none;
+        background: $key; color: $key-text; text-style: bold; text-align: left; tint: transparent 0%;
+        background-tint: transparent 0%;
+        &:disabled { background: $background; color: $muted; text-style: none; text-opacity: 100%; opacity: 100%; }
+        &:focus { background: $primary; color: $on-primary; text-style: $button-focus-text-style; }
+    }
+    """
 
-    def texts(self, width: int) -> list[str]:
-        """What stands on the buttons of a row of `width` cells: the names, with air and with their keys if there is room."""
-        buttons = self.all()
-        for form in (" {name} ^{key} ", "{name} ^{key}", " {name} ", "{name}"):
-            texts = [form.format(name=button.name, key=button.letter.upper()) for button in buttons]
-            if sum(map(len, texts)) + len(texts) - 1 <= width:
-                break
-        return texts
+    def __init__(self) -> None:
+        super().__init__()
+        self._all = [PanelButton(Content(label.name), id=label.name.lower(), compact=True) for label in LABELS]
+        self.follow(has_display=False)
 
-    def places(self, width: int) -> list[Place]:
-        """Where the buttons are in a row of `width` cells."""
-        places, column = [], 0
-        for text in self.texts(width):
-            places.append(Place(column, column + len(text)))
-            column += len(text) + 1
-        return places
+    def compose(self) -> ComposeResult:
+        yield from self._all
 
-    def segments(self, width: int, look: Look, *, active: bool) -> list[Segment]:
-        """The row; `active`: the panel has the keyboard."""
-        colours = look.colours
-        row: list[Segment] = []
-        for index, (button, text) in enumerate(zip(self.all(), self.texts(width), strict=True)):
-            style = colours.muted if button.press is None else colours.key
-            if active and index == self.chosen:
-                style = colours.choice
-            row += [Segment(text, style), Segment(" ", colours.text)]
-        return row[:-1]
+    def on_resize(self, event: events.Resize) -> None:
+        for button, text in zip(self._all, texts_in(event.size.width), strict=True):
+            button.label = Content(text)
+            button.styles.width, button.styles.line_pad = len(text), 0
+
+    @property
+    def chosen(self) -> PanelButton | None:
+        """The button that has the keyboard."""
+        return next((button for button in self._all if button.has_focus), None)
+
+    def follow(self, *, has_display: bool) -> None:
+        """Let only those be pressed that can do something: `has_display` says whether a display is chosen."""
+        for button in self._all[1:]:
+            button.disabled = not has_display
+
+    def choose(self, steps: int = 0) -> None:
+        """Give the keyboard to the first button, or to one that lies farther right or left than the chosen one."""
+        able = [button for button in self._all if not button.disabled]
+        at = able.index(self.chosen) + steps if self.chosen in able else 0
+        self.screen.set_focus(able[max(0, min(at, len(able) - 1))], scroll_visible=False)

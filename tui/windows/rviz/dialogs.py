@@ -38,18 +38,20 @@ def _choose(pane: RVizPane, prop: Property, options: list[str]) -> None:
 
 
 def type_value(pane: RVizPane, prop: Property) -> None:
-    """Type a value; a wrong one is explained and the prompt stays open."""
+    """Type a value in its place; a wrong one is explained in the status bar and the line stays open."""
 
     def taken(text: str) -> str | None:
         try:
             pane.rviz.edit_text(prop, text)
         except BadValue as error:
-            return pane.look.texts(error.key, **error.parameters)
+            complaint = pane.look.texts(error.key, **error.parameters)
+            pane.show_message(complaint)
+            return complaint
         pane.rviz.message = None
         pane.look.wake()
         return None
 
-    pane.lay_over(Prompt(pane.look, prop.name, prop.text, taken))
+    pane.panel.type_value(prop, taken)
 
 
 def add(pane: RVizPane) -> None:

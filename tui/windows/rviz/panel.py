@@ -1,15 +1,13 @@
-"""The Displays panel as lines: which properties are shown, how deep, with which marks, texts and colours."""
+"""A line of the Displays panel: name and value of a property, its marks and colours, and what in it can be clicked."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.core.ros.programs.rviz2.model.display import Display
-from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, COLOUR, GROUP, Property
 from day6_tui.core.ros.programs.rviz2.model.status import COLOURS, OK, Status
 from day6_tui.tui.cells import cell_len, fit
@@ -18,9 +16,6 @@ from day6_tui.tui.look import Look
 
 NARROWEST_VALUE = 7
 """Cells that a value has beside the longest name."""
-
-MOST_LINES = 5000
-"""A robot of thousands of links must not make the panel slow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,25 +28,6 @@ class Line:
     @property
     def can_open(self) -> bool:
         return any(not child.hidden for child in self.prop.children)
-
-
-def lines_of(rviz: RViz) -> list[Line]:
-    """The lines of the panel, from the top: options, status, displays, and the view at the end."""
-    found: list[Line] = []
-    for line in _walk([*rviz.root.children, rviz.views, rviz.time], 0):
-        found.append(line)
-        if len(found) >= MOST_LINES:
-            break
-    return found
-
-
-def _walk(properties: list[Property], depth: int) -> Iterator[Line]:
-    for prop in properties:
-        if prop.hidden:
-            continue
-        yield Line(prop, depth)
-        if prop.expanded and prop.children:
-            yield from _walk(prop.children, depth + 1)
 
 
 def name_of(prop: Property, look: Look) -> str:

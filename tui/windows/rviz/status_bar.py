@@ -11,7 +11,7 @@ from day6_tui.tui.cells import clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.windows.rviz import panel
 from day6_tui.tui.windows.rviz.describing import described
-from day6_tui.tui.windows.rviz.tree import Tree
+from day6_tui.tui.windows.rviz.tree import PropertyTree
 from day6_tui.tui.windows.rviz.view import View3D
 
 SECONDS_BETWEEN_TEXTS = 0.5
@@ -21,7 +21,7 @@ SECONDS_BETWEEN_TEXTS = 0.5
 class StatusBar:
     """Holds the lines of text, and the frame rate that is shown beside them."""
 
-    def __init__(self, rviz: RViz, tree: Tree, view: View3D, look: Look) -> None:
+    def __init__(self, rviz: RViz, tree: PropertyTree, view: View3D, look: Look) -> None:
         self._rviz = rviz
         self._tree = tree
         self._view = view
@@ -104,7 +104,7 @@ class StatusBar:
 
     def _topic_hint(self) -> str:
         """How to give the chosen display a topic, if it has none."""
-        display = self._tree.display
+        display = self._tree.chosen_display
         topic = getattr(display, "topic", None)  # some kinds of displays have one
         if display is None or not display.enabled or topic is None or topic.hidden or topic.value:
             return ""

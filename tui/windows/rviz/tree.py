@@ -1,83 +1,186 @@
-"""The tree of the Displays panel as lines: which exist, which is chosen, which are visible."""
+"""The tree of the Displays panel: Textual's Tree with the two columns of RViz, in the colours of the desktop."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rich.segment import Segment
+from rich.style import Style
+from rich.text import Text
+from textual import events
+from textual.geometry import Region
+from textual.strip import Strip
+from textual.widgets import Tree
+from textual.widgets.tree import TreeNode
 
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import Property
+from day6_tui.tui.cells import harmless
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import in_ascii
+from day6_tui.tui.scrollbars import colour_scrollbar
+from day6_tui.tui.survival import PersonMessage, survive
 from day6_tui.tui.windows.rviz import panel
 
+MOST_LINES = 5000
+"""A robot of thousands of links must not make the panel slow."""
 
-class Tree:
-    """Follows the properties of an `RViz`; selection and scroll position are view state, and so are kept here."""
+_NO_LABEL = Text("")
 
-    def __init__(self, rviz: RViz) -> None:
-        self._rviz = rviz
+
+class PropertyTree(Tree[panel.Line]):
+    """Shows the properties of an `RViz`. Which branches are open is the program's, the cursor and what is in sight are Textual's.
+
+    A branch that was never opened has no nodes.
+    """
+
+    DEFAULT_CSS = """
+    PropertyTree, PropertyTree:focus {
+        background: transparent; background-tint: transparent 0%; border: none; padding: 0;
+        width: 1fr; height: 1fr; overflow-x: hidden;
+        scrollbar-size-vertical: 1; scrollbar-size-horizontal: 0;
+    }
+    """
+
+    class Clicked(PersonMessage):
+        """The mouse was pressed and released on a `part` of a line: its `opener`, its check `box` or its `value`."""
+
+        def __init__(self, prop: Property, part: str) -> None:
+            super().__init__()
+            self.prop = prop
+            self.part = part
+
+    class Moved(PersonMessage):
+        """The cursor is on another line, or other lines are in sight."""
+
+    def __init__(self, rviz: RViz, look: Look) -> None:
+        super().__init__("")
+        self._rviz, self._look = rviz, look
         self._seen = -1
-        self._height = 1
-        self.lines: list[panel.Line] = []
-        self.chosen = 0
-        """The index of the line that keys act on."""
-        self.top = 0
-        """The index of the first visible line."""
+        self._room = 0
+        self._shown: list[tuple[object, ...]] = []
+        """What the rows in sight look like."""
+        self._filling = False
+        self.show_root = self.show_guides = self.auto_expand = False
+        self.root.expand()
+        self.take_look(look)
+
+    async def on_event(self, event: events.Event) -> None:
+        await survive(self.app, event, super().on_event(event))
+
+    def take_look(self, look: Look) -> None:
+        """Take the colours and characters of the desktop."""
+        colour_scrollbar(self, look)
+        self.styles.scrollbar_size_vertical = 1 if look.glyphs.unicode else 0
+        self.refresh()
+
+    # -- what there is -------------------------------------------------------------------------------------------------
+
+    @property
+    def line(self) -> panel.Line | None:
+        """The line the cursor is on."""
+        node = self.cursor_node
+        return node.data if node is not None else None
 
     @property
     def prop(self) -> Property | None:
         """The chosen property."""
-        return self.lines[self.chosen].prop if self.chosen < len(self.lines) else None
+        return self.line.prop if self.line is not None else None
 
     @property
-    def display(self) -> Display | None:
+    def chosen_display(self) -> Display | None:
         """The display that the chosen line belongs to."""
         each = self.prop
         while each is not None and not isinstance(each, Display):
             each = each.parent
         return each
 
-    def line(self, row: int) -> panel.Line | None:
-        """The line in a row of the panel."""
-        index = self.top + row
-        return self.lines[index] if index < len(self.lines) else None
+    @property
+    def at_the_end(self) -> bool:
+        """Whether the cursor is on the last line."""
+        return self.cursor_line >= self.last_line
 
-    def follow(self) -> None:
-        """Walk the tree again if the program changed it."""
+    def node_of(self, prop: Property) -> TreeNode[panel.Line] | None:
+        """The node of a property, if the branches above it are open."""
+        above = [prop]
+        while (parent := above[-1].parent) is not None:
+            above.append(parent)
+        node: TreeNode[panel.Line] | None = self.root
+        for each in reversed(above):
+            if each is not self._rviz.root:
+                children = node.children if node is not None and node.is_expanded else ()
+                node = next((child for child in children if child.data and child.data.prop is each), None)
+        return node
+
+    # -- following the program -----------------------------------------------------------------------------------------
+
+    def follow(self, *, active: bool) -> None:
+        """Show what the program changed, and draw only the lines that differ. `active`: the panel has the keyboard."""
         if self._rviz.tree_version != self._seen:
             self._seen = self._rviz.tree_version
-            self.refresh()
+            self.refill()
+        first = int(self.scroll_offset.y)
+        rows = [self._state(y, active) for y in range(first, first + self.size.height)]
+        if (before := self._shown) != rows:
+            self._shown = rows
+            for y, (old, new) in enumerate(zip(before, rows, strict=False)):
+                if old != new:
+                    self.refresh(Region(0, y, self.size.width, 1))
 
-    def refresh(self) -> None:
-        """Walk the tree again; the chosen property stays chosen where it still is."""
-        before = self.prop
-        self.lines = panel.lines_of(self._rviz)
-        for index, line in enumerate(self.lines):
-            if line.prop is before:
-                self.chosen = index
-                break
-        self.keep_in_sight()
+    def _state(self, y: int, active: bool) -> tuple[object, ...]:
+        """What a line looks like depends on this."""
+        node = self.get_node_at_line(y)
+        if node is None or node.data is None:
+            return ()
+        prop = node.data.prop
+        level = prop.statuses.level if isinstance(prop, Display) else 0
+        chosen = node is self.cursor_node
+        return (prop, node.data.depth, prop.name, prop.value, prop.expanded, level, chosen, chosen and active)
 
-    def fit(self, height: int) -> None:
-        """Learn how many rows there are."""
-        self._height = max(1, height)
-        self.keep_in_sight()
+    def refill(self) -> None:
+        """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
+        line, before, in_sight = self.cursor_line, self.prop, self._is_in_sight(self.cursor_line)
+        self._filling, self._room = True, MOST_LINES
+        try:
+            self._fill(self.root, [*self._rviz.root.children, self._rviz.views, self._rviz.time], 0)
+        finally:
+            self._filling = False
+        self._invalidate()
+        if self.last_line >= 0:
+            kept = self.node_of(before) if before is not None else None
+            if kept is None:
+                kept = self.get_node_at_line(max(0, min(line, self.last_line)))
+            assert kept is not None
+            if kept is not self.cursor_node:
+                self.move_cursor(kept)
+            elif in_sight and not self._is_in_sight(kept.line):
+                self.scroll_to_line(kept.line, animate=False)
 
-    def keep_in_sight(self) -> None:
-        """Scroll so far that the chosen line is shown."""
-        self.chosen = max(0, min(self.chosen, len(self.lines) - 1))
-        if self.chosen < self.top:
-            self.top = self.chosen
-        elif self.chosen >= self.top + self._height:
-            self.top = self.chosen - self._height + 1
-        self.top = max(0, min(self.top, len(self.lines) - self._height))
+    def _is_in_sight(self, line: int) -> bool:
+        return 0 <= line - int(self.scroll_offset.y) < self.size.height
 
-    def move(self, steps: int) -> None:
-        """Choose a line farther down, or up."""
-        self.chosen += steps
-        self.keep_in_sight()
+    def _fill(self, node: TreeNode[panel.Line], properties: Sequence[Property], depth: int) -> None:
+        shown = [prop for prop in properties if not prop.hidden][: self._room]
+        self._room -= len(shown)
+        if [child.data and child.data.prop for child in node.children] != shown:
+            node.remove_children()
+            for prop in shown:
+                node.add(_NO_LABEL, panel.Line(prop, depth), expand=prop.expanded)
+        for child, prop in zip(node.children, shown, strict=True):
+            child.allow_expand = panel.Line(prop, depth).can_open
+            if child.is_expanded != prop.expanded:
+                child.toggle()
+            if prop.expanded:
+                self._fill(child, prop.children, depth + 1)
 
-    def scroll(self, rows: int) -> None:
-        """Scroll down or up; the chosen line moves along at the edge."""
-        self.top = max(0, min(len(self.lines) - self._height, self.top + rows))
-        self.chosen = max(self.top, min(self.chosen, self.top + self._height - 1))
+    def process_label(self, label: object) -> Text:
+        return _NO_LABEL  # lines draw themselves
+
+    def _invalidate(self) -> None:
+        """Textual's, which would be done anew for each of thousands of new lines."""
+        if not self._filling:
+            super()._invalidate()
 
     def choose(self, prop: Property) -> None:
         """Open the tree down to a property and choose it."""
@@ -85,8 +188,75 @@ class Tree:
         while above is not None:
             above.expanded = True
             above = above.parent
-        self.refresh()
-        for index, line in enumerate(self.lines):
-            if line.prop is prop:
-                self.chosen = index
-        self.keep_in_sight()
+        self.refill()
+        if (node := self.node_of(prop)) is not None:
+            self.move_cursor(node)
+
+    def on_tree_node_expanded(self, event: Tree.NodeExpanded[panel.Line]) -> None:
+        event.stop()
+        self._tell(event.node)
+
+    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[panel.Line]) -> None:
+        event.stop()
+        self._tell(event.node)
+
+    def _tell(self, node: TreeNode[panel.Line]) -> None:
+        """Textual's own keys opened or closed a branch, or all beside it: the program keeps which are open."""
+        if node.data is None or node.data.prop.expanded == node.is_expanded:
+            return
+        for each in node.parent.children if node.parent is not None else ():
+            if each.data is not None:
+                each.data.prop.expanded = each.is_expanded
+        self.refill()
+
+    def on_tree_node_highlighted(self, event: Tree.NodeHighlighted[panel.Line]) -> None:
+        event.stop()
+        self.post_message(self.Moved())
+
+    def on_tree_node_selected(self, event: Tree.NodeSelected[panel.Line]) -> None:
+        event.stop()
+
+    def watch_scroll_y(self, old_value: float, new_value: float) -> None:
+        super().watch_scroll_y(old_value, new_value)
+        self.post_message(self.Moved())
+
+    # -- drawing -------------------------------------------------------------------------------------------------------
+
+    @property
+    def rich_style(self) -> Style:
+        return self._look.colours.text
+
+    def get_label_width(self, node: TreeNode[panel.Line]) -> int:
+        return 1  # as wide as the panel, never wider
+
+    def render_line(self, y: int) -> Strip:
+        width, look = self.size.width, self._look
+        node = self.get_node_at_line(y + int(self.scroll_offset.y))
+        if node is None or node.data is None:
+            return Strip.blank(width, look.colours.text)
+        chosen = node is self.cursor_node
+        segments: Iterable[Segment] = harmless(panel.segments_of(node.data, width, look, chosen, self.has_focus))
+        return Strip(segments if look.glyphs.unicode else in_ascii(segments)).adjust_cell_length(
+            width, look.colours.text
+        )
+
+    # -- keys and mouse ------------------------------------------------------------------------------------------------
+
+    def move(self, steps: int) -> None:
+        """Choose a line farther down, or up."""
+        self.move_cursor(self.get_node_at_line(max(0, min(self.cursor_line + steps, self.last_line))))
+
+    def on_click(self, event: events.Click) -> None:
+        event.stop()
+        event.prevent_default()
+        node = self.get_node_at_line(event.y + int(self.scroll_offset.y))
+        if node is None or node.data is None:
+            return
+        self.cursor_line = node.line
+        line, zone = node.data, panel.zones(node.data, self.size.width)
+        if line.can_open and zone.opener <= event.x <= zone.opener + 1:
+            self.post_message(self.Clicked(line.prop, "opener"))
+        elif zone.box is not None and zone.box <= event.x < zone.box + 3:
+            self.post_message(self.Clicked(line.prop, "box"))
+        elif event.x >= zone.value or event.chain > 1:
+            self.post_message(self.Clicked(line.prop, "value"))
