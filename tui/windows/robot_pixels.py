@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from day6_tui.tui.pixels.raster import Surface
-from day6_tui.tui.windows.world_picture import BODY, CASTER, CHASSIS, FIRM, FIRST_TREAD, TREAD, WHEEL
+from day6_tui.tui.windows.world_picture import FIRM, FIRST_TREAD, TREAD, WHEEL, bodies_of
 from day6_tui.urdf.kinematics import Transform
 from day6_tui.urdf.topplan import Body, Plan, Wheel, flat, hull, spin_of, stand
 from day6_tui.urdf.topview import tread_marks
@@ -34,8 +34,7 @@ def paint_robot(
     def colour_of(link: str, kind: int) -> int:
         return colours[kind if link in given or link == plan.robot.root else FIRM]
 
-    for body in sorted(plan.bodies, key=lambda body: body.style != "chassis"):
-        kind = {"chassis": CHASSIS, "caster": CASTER}.get(body.style, BODY)
+    for body, kind in bodies_of(plan):
         _paint_body(surface, body, at, place, scale, colour_of(body.link, kind))
     for wheel in plan.wheels:
         _paint_wheel(surface, wheel, at, place, scale, colours, colour_of(wheel.joint.child, WHEEL))

@@ -16,7 +16,7 @@ from rich.segment import Segment
 from rich.style import Style
 
 from day6_tui.tui.colours import Colours, background_of, pixel_style
-from day6_tui.urdf.topplan import Plan, Wheel, flat, hull, plan_top, spin_of, stand
+from day6_tui.urdf.topplan import Body, Plan, Wheel, flat, hull, plan_top, spin_of, stand
 from day6_tui.urdf.topview import tread_marks
 
 if TYPE_CHECKING:
@@ -168,15 +168,9 @@ class WorldPicture:
         plan = self._plan
         if plan is None or plan.robot is not robot:
             plan = self._plan = plan_top(robot)
-        x, y, yaw = snapshot.pose
-        cosine, sine = math.cos(yaw), math.sin(yaw)
-
-        def place(points: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-            return [(x + px * cosine - py * sine, y + px * sine + py * cosine) for px, py in points]
-
+        place = placing(snapshot.pose)
         at = {**plan.rest, **snapshot.transforms()}
-        for body in sorted(plan.bodies, key=lambda body: body.style != "chassis"):
-            kind = {"chassis": CHASSIS, "caster": CASTER}.get(body.style, BODY)
+        for body, kind in bodies_of(plan):
             spots = [flat(at[body.link], point) for point in body.points]
             if len(spots) > 1:
                 self._fill(rows, place(hull(spots)), kind)
@@ -184,14 +178,9 @@ class WorldPicture:
                 self._fill(rows, _corners(place(spots), body.radius), kind)
         for wheel in plan.wheels:
             self._draw_wheel(rows, wheel, at, place)
-        left, low, right, high = plan.bounds
-        nose = (right - left) * 0.18
-        middle = (low + high) / 2
-        self._fill(
-            rows, place([(right - nose, middle - nose / 2), (right, middle), (right - nose, middle + nose / 2)]), NOSE
-        )
-        tip = place([(right, middle)])[0]
-        self._dot(rows, *tip, FIRM if snapshot.bumped else NOSE)
+        nose = place(nose_of(plan))
+        self._fill(rows, nose, NOSE)
+        self._dot(rows, *nose[1], FIRM if snapshot.bumped else NOSE)
 
     def _draw_wheel(self, rows: Rows, wheel: Wheel, at: Mapping[str, Transform], place: Placing) -> None:
         (cx, cy), (hx, hy) = stand(wheel, at)
@@ -273,6 +262,30 @@ def _bar(start: tuple[float, float], end: tuple[float, float], half: float) -> P
         (bx + ux - uy, by + uy + ux),
         (ax - ux - uy, ay - uy + ux),
     ]
+
+
+# -- the robot, for any kind of pixels ---------------------------------------------------------------------------------
+
+
+def placing(pose: tuple[float, float, float]) -> Placing:
+    """How points of a robot move to its pose: x and y in metres, yaw in radians."""
+    x, y, yaw = pose
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    return lambda points: [(x + px * cosine - py * sine, y + px * sine + py * cosine) for px, py in points]
+
+
+def bodies_of(plan: Plan) -> list[tuple[Body, int]]:
+    """The bodies in the order in which they are drawn, the chassis below all others, and their kinds."""
+    kinds = {"chassis": CHASSIS, "caster": CASTER}
+    bodies = sorted(plan.bodies, key=lambda body: body.style != "chassis")
+    return [(body, kinds.get(body.style, BODY)) for body in bodies]
+
+
+def nose_of(plan: Plan) -> Points:
+    """The triangle that shows where the robot's front is; its tip is the point in the middle."""
+    left, low, right, high = plan.bounds
+    size, middle = (right - left) * 0.18, (low + high) / 2
+    return [(right - size, middle - size / 2), (right, middle), (right - size, middle + size / 2)]
 
 
 # -- lines -------------------------------------------------------------------------------------------------------------

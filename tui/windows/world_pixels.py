@@ -10,7 +10,21 @@ from day6_tui.tui.pixels.bands import Array
 from day6_tui.tui.pixels.raster import Surface
 from day6_tui.tui.pixels.sheet import Sheet
 from day6_tui.tui.windows.robot_pixels import darker, paint_robot
-from day6_tui.tui.windows.world_picture import BEAM, FIRM, FLOOR, GRID, HIT, LINE, NOSE, OUTSIDE, TRAIL, WALL, View
+from day6_tui.tui.windows.world_picture import (
+    BEAM,
+    FIRM,
+    FLOOR,
+    GRID,
+    HIT,
+    LINE,
+    NOSE,
+    OUTSIDE,
+    TRAIL,
+    WALL,
+    View,
+    nose_of,
+    placing,
+)
 from day6_tui.urdf.topplan import Plan, plan_top
 
 if TYPE_CHECKING:
@@ -109,15 +123,10 @@ class WorldPixels:
         plan = self._plan
         if plan is None or plan.robot is not robot:
             plan = self._plan = plan_top(robot)
-        x, y, yaw = snapshot.pose
-        cosine, sine = math.cos(yaw), math.sin(yaw)
+        posed = placing(snapshot.pose)
 
         def place(spot: Spot) -> Spot:
-            px, py = spot
-            return self._place((x + px * cosine - py * sine, y + px * sine + py * cosine))
+            return self._place(posed([spot])[0])
 
         paint_robot(surface, plan, {**plan.rest, **snapshot.transforms()}, place, self._metre, self._colours)
-        _, low, right, high = plan.bounds
-        nose, middle = (right - plan.bounds[0]) * 0.18, (low + high) / 2
-        corners = ((right - nose, middle - nose / 2), (right, middle), (right - nose, middle + nose / 2))
-        surface.polygon([place(spot) for spot in corners], self._colours[FIRM if snapshot.bumped else NOSE])
+        surface.polygon([place(spot) for spot in nose_of(plan)], self._colours[FIRM if snapshot.bumped else NOSE])
