@@ -291,6 +291,44 @@ def test_robot_means_a_robot_model(machine: RVizMachine, lang: str, typed: str) 
     run(walk())
 
 
+# -- the keyboard ------------------------------------------------------------------------------------------------------
+
+
+def test_the_keyboard_follows_the_panel_when_the_window_becomes_narrow_and_wide(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine, 100, 30) as at:
+            machine.add("RobotModel")
+            at.pane._panel_open["narrow"] = False
+            await at.press("down", "down")
+            chosen = at.pane.panel.properties.prop
+            await at.pilot.resize_terminal(*HALF_OF_120)
+            await at.settle()
+            assert at.app.screen.focused is at.pane
+            await at.press("left")
+            assert machine.rviz.view.child("Yaw").value > 0.785398
+            await at.pilot.resize_terminal(100, 30)
+            await at.settle()
+            assert at.app.screen.focused is at.pane.panel.properties and at.pane.panel.properties.prop is chosen
+            await at.press("shift+tab")
+            await at.pilot.resize_terminal(*HALF_OF_120)
+            await at.settle()
+            assert at.app.screen.focused is at.pane
+
+    run(walk())
+
+
+def test_the_frame_shows_who_has_the_keyboard_also_while_something_is_open_over_it(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"┃"}
+            await at.press("ctrl+n")
+            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"│"}
+            await at.press("escape")
+            assert {line[0] for line in at.screen().splitlines()[2:-2]} == {"┃"}
+
+    run(walk())
+
+
 # -- looking closer ----------------------------------------------------------------------------------------------------
 
 OFFER = "see the robot up close"

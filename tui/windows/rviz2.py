@@ -172,7 +172,7 @@ class RVizPane(WindowPane[RViz]):
         if not self.inner_width or not self.body_height:
             return False
         self._lay_out()
-        if self.has_focus and self.on_panel:
+        if self.has_focus is self.on_panel:
             self._pass_keyboard()
         left = self.division.view_left
         spans, due = self.view.pull(now)
@@ -415,6 +415,8 @@ class RVizPane(WindowPane[RViz]):
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
+        if self.panel.value_line is not None:
+            return [("Enter", texts("rviz.key.edit")), ("Esc", texts("question.back"))]
         hints = [("Tab", texts("rviz.key.view" if self.on_panel else "rviz.key.panel"))]
         if self.on_panel:
             hints += [("Enter", texts("rviz.key.edit")), ("^N", texts("rviz.key.add")), ("f", texts("rviz.key.focus"))]
@@ -574,7 +576,10 @@ class RVizPane(WindowPane[RViz]):
         """A click, or Textual itself, gave the keyboard to a part of the panel."""
         if self.screen.focused is event.widget and self.panel_open:
             self._panel_keys = True
-            self.touch()
+        self.touch()
+
+    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
+        self.touch()  # the frame
 
     def _view_key(self, key: str) -> bool:
         view = self.rviz.view

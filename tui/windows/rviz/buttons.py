@@ -45,6 +45,10 @@ class PanelButton(Button):
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))
 
+    def on_hide(self, event: events.Hide) -> None:
+        if self.has_focus:
+            event.prevent_default()  # as in the tree
+
 
 class PanelButtons(Horizontal):
     """The row of buttons."""

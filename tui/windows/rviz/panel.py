@@ -54,7 +54,7 @@ def zones(line: Line, width: int) -> Zones:
 
 def value_column(line: Line, width: int) -> int:
     """Where the right column begins: in the middle, further right if the name needs it and room is left."""
-    mark = 2 if (level := _level(line.prop)) is not None and level > OK else 0
+    mark = 2 if (level := level_of(line.prop)) is not None and level > OK else 0
     wanted = line.depth * 2 + 2 + mark + cell_len(line.prop.name) + 1
     return max(10, width // 2, min(wanted, width - NARROWEST_VALUE))
 
@@ -98,11 +98,12 @@ def _value(prop: Property) -> str:
 
 
 def _mark(prop: Property, look: Look) -> str:
-    level = _level(prop)
+    level = level_of(prop)
     return f"{look.glyphs.warning} " if level is not None and level > OK else ""
 
 
-def _level(prop: Property) -> int | None:
+def level_of(prop: Property) -> int | None:
+    """How bad it is, of a status or of a display that has any."""
     if isinstance(prop, Status):
         return prop.level
     if isinstance(prop, Display) and prop.enabled and prop.statuses.children:
@@ -111,7 +112,7 @@ def _level(prop: Property) -> int | None:
 
 
 def _name_style(prop: Property, colours: Colours) -> Style:
-    level = _level(prop)
+    level = level_of(prop)
     if level is not None and (rgb := COLOURS[level]) is not None:
         if colours.colourless or colours.name == "sixteen":
             return colours.warning

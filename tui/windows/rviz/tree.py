@@ -59,9 +59,13 @@ class PropertyTree(Tree[panel.Line]):
         self._rviz, self._look = rviz, look
         self._seen = -1
         self._room = 0
+        """How many more lines there may be."""
+        self._node_by_property: dict[Property, TreeNode[panel.Line]] = {}
+        """The nodes that are lines."""
         self._shown: list[tuple[object, ...]] = []
         """What the rows in sight look like."""
-        self._filling = False
+        self._filling = self._stale = False
+        """Whether the nodes are being filled in, and whether there are others than before."""
         self.show_root = self.show_guides = self.auto_expand = False
         self.root.expand()
         self.take_look(look)
@@ -103,15 +107,7 @@ class PropertyTree(Tree[panel.Line]):
 
     def node_of(self, prop: Property) -> TreeNode[panel.Line] | None:
         """The node of a property, if the branches above it are open."""
-        above = [prop]
-        while (parent := above[-1].parent) is not None:
-            above.append(parent)
-        node: TreeNode[panel.Line] | None = self.root
-        for each in reversed(above):
-            if each is not self._rviz.root:
-                children = node.children if node is not None and node.is_expanded else ()
-                node = next((child for child in children if child.data and child.data.prop is each), None)
-        return node
+        return self._node_by_property.get(prop)
 
     # -- following the program -----------------------------------------------------------------------------------------
 
@@ -134,19 +130,21 @@ class PropertyTree(Tree[panel.Line]):
         if node is None or node.data is None:
             return ()
         prop = node.data.prop
-        level = prop.statuses.level if isinstance(prop, Display) else 0
         chosen = node is self.cursor_node
-        return (prop, node.data.depth, prop.name, prop.value, prop.expanded, level, chosen, chosen and active)
+        opens = node.data.can_open and prop.expanded, node.data.can_open
+        return (prop, node.data.depth, prop.name, prop.value, opens, panel.level_of(prop), chosen, chosen and active)
 
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
         line, before, in_sight = self.cursor_line, self.prop, self._is_in_sight(self.cursor_line)
-        self._filling, self._room = True, MOST_LINES
+        self._filling, self._stale, self._room = True, False, MOST_LINES
+        self._node_by_property.clear()
         try:
             self._fill(self.root, [*self._rviz.root.children, self._rviz.views, self._rviz.time], 0)
         finally:
             self._filling = False
-        self._invalidate()
+        if self._stale:
+            self._invalidate()
         if self.last_line >= 0:
             kept = self.node_of(before) if before is not None else None
             if kept is None:
@@ -168,6 +166,7 @@ class PropertyTree(Tree[panel.Line]):
             for prop in shown:
                 node.add(_NO_LABEL, panel.Line(prop, depth), expand=prop.expanded)
         for child, prop in zip(node.children, shown, strict=True):
+            self._node_by_property[prop] = child
             child.allow_expand = panel.Line(prop, depth).can_open
             if child.is_expanded != prop.expanded:
                 child.toggle()
@@ -179,7 +178,9 @@ class PropertyTree(Tree[panel.Line]):
 
     def _invalidate(self) -> None:
         """Textual's, which would be done anew for each of thousands of new lines."""
-        if not self._filling:
+        if self._filling:
+            self._stale = True
+        else:
             super()._invalidate()
 
     def choose(self, prop: Property) -> None:
@@ -239,6 +240,10 @@ class PropertyTree(Tree[panel.Line]):
         return Strip(segments if look.glyphs.unicode else in_ascii(segments)).adjust_cell_length(
             width, look.colours.text
         )
+
+    def on_hide(self, event: events.Hide) -> None:
+        if self.has_focus:
+            event.prevent_default()  # the window decides who gets the keyboard, not the order of Textual's widgets
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
