@@ -291,6 +291,23 @@ def test_robot_means_a_robot_model(machine: RVizMachine, lang: str, typed: str) 
     run(walk())
 
 
+# -- finding a property ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("typed", ["cell si", "Grid cell size"])
+def test_a_property_is_found_in_a_closed_branch(machine: RVizMachine, typed: str) -> None:
+    async def walk() -> None:
+        async with walking(machine, *HALF_OF_120) as at:
+            await at.press("tab", "slash")
+            assert "━ Find a property" in at.screen()
+            await at.type(typed)
+            await at.press("enter")
+            size = machine.rviz.displays[0].child("Cell Size")
+            assert at.pane.panel.properties.prop is size and "Cell Size" in at.screen() and at.pane.on_panel
+
+    run(walk())
+
+
 # -- the keyboard ------------------------------------------------------------------------------------------------------
 
 

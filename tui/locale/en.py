@@ -335,6 +335,7 @@ TEXTS = {
     "rviz.bad.name": "a name, please",
     "rviz.bad.picture": "the name must end in .png or .svg",
     "rviz.choose": "Choose",
+    "rviz.find": "Find a property",
     "rviz.type_it": "type another …",
     "rviz.add.title": "Add",
     "rviz.add.by_type": "by display type",
@@ -504,7 +505,7 @@ TEXTS = {
         "Description Topic /robot_description. Red and yellow lines say what is missing; the line at the bottom says it in "
         "full.\n\n"
         "Tab\tpanel or view; in a narrow window the panel folds away meanwhile\nEnter\tchange a value, open a branch\n"
-        "Space\tcheck box\n^N or a\tadd a display, like the button Add at the lower left (↓ below the last line goes there)\n"
+        "Space\tcheck box\n/\tfind a property, also in closed branches\n^N or a\tadd a display, like the button Add at the lower left (↓ below the last line or Shift Tab goes there)\n"
         "^X ^D ^R\tremove, duplicate, rename a display\nShift ↑ ↓\tmove a display\n"
         "d\thide or show the panel, like the arrow at its edge\n"
         "arrows\tturn the view, with Shift pan it\n+ -\tzoom\nf\tlook at the robot\n4\t45° from above\nz\tview as at the "

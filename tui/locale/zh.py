@@ -402,6 +402,7 @@ TEXTS = {
     "rviz.bad.name": "请输入名字",
     "rviz.bad.picture": "文件名要以 .png 或 .svg 结尾",
     "rviz.choose": "选择",
+    "rviz.find": "查找属性",
     "rviz.type_it": "自己输入 …",
     "rviz.add.title": "添加（Add）",
     "rviz.add.by_type": "按显示类型",
@@ -566,8 +567,8 @@ TEXTS = {
         "左边是 Displays 面板，右边是三维视图。\n\n"
         "三个设置就能看到机器人：Fixed Frame 选一个真实存在的坐标系（比如 base_link），用 Add 添加 RobotModel，再把它的 "
         "Description Topic 设成 /robot_description。红色和黄色的行说明缺了什么，最下面一行是完整的话。\n\n"
-        "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n"
-        "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓ 也能走到按钮）\n"
+        "Tab\t面板或视图；窗口窄时，用视图就会先收起面板\nEnter\t修改数值，展开一项\n空格\t打勾\n/\t查找属性，收起的也能找到\n"
+        "^N 或 a\t添加显示项，和左下角的 Add 按钮一样（在最后一行再按 ↓，或者按 Shift Tab，也能走到按钮）\n"
         "^X ^D ^R\t删除、复制、改名\nShift ↑ ↓\t移动显示项\nd\t收起或打开面板，点它边上的箭头也行\n"
         "方向键\t旋转视角，加 Shift 平移\n+ -\t缩放\nf\t对准机器人\n4\t斜上方 45°\nz\t回到开始的视角\n"
         "v\tOrbit、XYOrbit、TopDownOrtho、FPS\np\t画质：细节少一些就快一些\nr\t重置\n"

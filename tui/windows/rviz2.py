@@ -447,6 +447,7 @@ class RVizPane(WindowPane[RViz]):
             "v": self.next_view,
             "p": self.next_quality,
             "r": lambda: self.request(self.rviz.reset),
+            "slash": self._find,
             "ctrl+n": lambda: dialogs.add(self),
             "a": lambda: dialogs.add(self),
             "ctrl+s": lambda: dialogs.save(self),
@@ -468,6 +469,10 @@ class RVizPane(WindowPane[RViz]):
             self._to_view()
         else:
             self._to_panel()
+
+    def _find(self) -> None:
+        self._to_panel()
+        dialogs.find(self)
 
     def _to_buttons(self) -> None:
         """Go to the buttons, and from there to the tree."""

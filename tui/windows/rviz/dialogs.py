@@ -14,6 +14,7 @@ from day6_tui.core.ros.programs.rviz2.model.properties import ENUM, FRAME, TOPIC
 from day6_tui.core.whole_file import replace_file
 from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.prompt import Prompt, before_replacing
+from day6_tui.tui.windows.rviz.tree import MOST_LINES
 
 if TYPE_CHECKING:
     from day6_tui.tui.windows.rviz2 import RVizPane
@@ -52,6 +53,21 @@ def type_value(pane: RVizPane, prop: Property) -> None:
         return None
 
     pane.panel.type_value(prop, taken)
+
+
+def find(pane: RVizPane) -> None:
+    """Search all lines of the panel, also those of closed branches, and go to one."""
+    rviz = pane.rviz
+    entries: list[Entry] = []
+
+    def collect(properties: list[Property], above: str) -> None:
+        for prop in properties:
+            if len(entries) < MOST_LINES and not prop.hidden:
+                entries.append(Entry(prop.name, above, partial(pane.choose, prop), words=prop.text))
+                collect(prop.children, f"{above} / {prop.name}" if above else prop.name)
+
+    collect([*rviz.root.children, rviz.views, rviz.time], "")
+    pane.lay_over(Menu(pane.look, "rviz.find", entries))
 
 
 def add(pane: RVizPane) -> None:
