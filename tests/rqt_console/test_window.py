@@ -14,10 +14,11 @@ from textual import events
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
 from fakes import FakeDesk
-from screens import look_at, opened, screen_lines, screen_text, step
+from screens import look_at, opened, screen_lines, screen_text, step, step_until
 
 from day6_tui.core.ros.programs.rqt_console import model
 from day6_tui.core.ros.programs.rqt_console.model import Console
+from day6_tui.tui.windows import console_table
 
 
 def log(text, level, node):
@@ -282,3 +283,57 @@ def test_behind_an_open_message_the_whole_frame_is_one_without_the_keyboard(full
         assert {line[0] for line in screen_lines(app)[2:-2]} == {"┃"}
 
     in_the_window(full, drive, size=(120, 40))
+
+
+def test_the_scroll_bar_can_be_dragged_and_a_click_beside_its_thumb_turns_the_page(full):
+    async def drive(app, pilot, pane) -> None:
+        lines = screen_lines(app)
+        top = next(y for y, line in enumerate(lines) if "Severity" in line)
+        x = len(lines[top]) - 2
+        await pilot.click(offset=(x, top))
+        await step_until(app, pilot, lambda: numbers(screen_text(app))[-1] < 60)
+        assert numbers(screen_text(app))[0] > 1
+        thumb = top + pane.table.size.height - 3
+        await pilot.mouse_down(offset=(x, thumb))
+        await pilot._post_mouse_events([events.MouseMove], pane.table.vertical_scrollbar, (0, 0), button=1)
+        await step_until(app, pilot, lambda: numbers(screen_text(app))[0] == 1)
+        await pilot.mouse_up(offset=(x, top))
+        full.receive(log("one more", 20, "talker"))
+        await step(app, pilot)
+        assert numbers(screen_text(app))[0] == 1
+
+    in_the_window(full, drive)
+
+
+def test_in_a_window_of_another_size_the_newest_is_still_followed_or_what_was_chosen_is_in_sight(full):
+    async def drive(app, pilot, pane) -> None:
+        for size in ((80, 14), (80, 30), (80, 24)):
+            await pilot.resize_terminal(*size)
+            await step(app, pilot)
+            assert numbers(screen_text(app))[-1] == 60
+        await pilot.press(*["up"] * 12)
+        for size in ((80, 14), (80, 30), (80, 24)):
+            await pilot.resize_terminal(*size)
+            await step(app, pilot)
+            assert 48 in numbers(screen_text(app)) and pane.table.chosen.number == 48
+        await pilot.press("end", *["pageup"] * 2, "escape")
+        await pilot._post_mouse_events([events.MouseScrollUp], pane.table, (5, 5))
+        await step(app, pilot)
+        before = numbers(screen_text(app))[0]
+        await pilot.resize_terminal(80, 14)
+        await step(app, pilot)
+        assert numbers(screen_text(app))[0] == before
+
+    in_the_window(full, drive)
+
+
+@pytest.mark.parametrize("keys", [[], ["enter"], ["s", "s"]])
+def test_a_megabyte_and_a_stamp_that_no_calendar_has_are_shown(console, keys, monkeypatch):
+    console.receive(log("x " * 500_000, 40, "talker"))
+
+    def localtime(seconds):
+        raise OSError(seconds)
+
+    monkeypatch.setattr(console_table.time, "localtime", localtime)
+    text = look(console, keys)
+    assert "x x x x x" in text and "5.000" in text

@@ -6,12 +6,13 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Horizontal
+from textual.message import Message
 from textual.widgets import Static
 
 from day6_tui.tui.line import Line
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import plain
-from day6_tui.tui.survival import PersonMessage
+from day6_tui.tui.survival import PersonMessage, survive
 
 
 class ConsoleLine(Horizontal):
@@ -66,6 +67,9 @@ class ConsoleLine(Horizontal):
         self._purpose_name = Static()
         self.field = self.Field(look)
         self.display = False
+
+    async def _on_message(self, message: Message) -> None:
+        await survive(self.app, message, super()._on_message(message), typed=True)
 
     def compose(self) -> ComposeResult:
         yield self._purpose_name

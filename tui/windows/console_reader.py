@@ -17,6 +17,9 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.modal import Modal, lines_of, plain
 from day6_tui.tui.windows.console_table import whole_time
 
+LONGEST = 50_000
+"""Characters of a message that are shown."""
+
 
 class ConsoleReader(Modal):
     """All that is known of a message; it can be scrolled, selected and copied."""
@@ -31,11 +34,12 @@ class ConsoleReader(Modal):
 
     def inside(self) -> ComposeResult:
         record, texts = self._record, self.look.texts
+        text = record.text if len(record.text) <= LONGEST else record.text[:LONGEST] + self.look.glyphs.ellipsis
         facts = (("node", record.node), ("stamp", whole_time(record.stamp_ns)), ("location", record.location))
         heads = [plain(texts("list.head", name=texts(f"console.{key}")) + text) for key, text in facts if text]
         self._scroll = VerticalScroll(
             Static(Content("\n").join(heads), classes="note"),
-            Static(Content("\n").join(["", *lines_of(record.text)]), classes="text"),
+            Static(Content("\n").join(["", *lines_of(text)]), classes="text"),
         )
         yield self._scroll
 

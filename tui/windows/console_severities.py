@@ -9,13 +9,14 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.content import Content
 from textual.geometry import Size
+from textual.message import Message
 from textual.widgets import Checkbox, Static
 
 from day6_tui.core.ros.programs.rqt_console.model import SEVERITIES, Choice
 from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import plain
-from day6_tui.tui.survival import PersonMessage
+from day6_tui.tui.survival import PersonMessage, survive
 
 IN_FULL_FROM = 58
 """Columns that the boxes need with the severities in full; in fewer they have their letters."""
@@ -64,6 +65,9 @@ class Severities(Horizontal):
         self._title = Static()
         self._boxes = [SeverityBox(level) for level in SEVERITIES]
         self._others = Static(id="others")
+
+    async def _on_message(self, message: Message) -> None:
+        await survive(self.app, message, super()._on_message(message), typed=True)
 
     def compose(self) -> ComposeResult:
         yield self._title

@@ -8,6 +8,7 @@ from pathlib import Path
 from rich.segment import Segment
 from textual import events, on
 from textual.app import ComposeResult
+from textual.message import Message
 from textual.widget import Widget
 
 from day6_tui.core.ros.programs.rqt_console.model import Console, Record
@@ -15,10 +16,11 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, clip, wrap
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.survival import survive
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.console_line import ConsoleLine
 from day6_tui.tui.windows.console_severities import Severities
-from day6_tui.tui.windows.console_table import ConsoleTable, end_of, style_of, time_of_day, whole_time
+from day6_tui.tui.windows.console_table import LONGEST, ConsoleTable, end_of, style_of, time_of_day, whole_time
 
 DETAIL_LINES = 4
 """Lines for the chosen message in a window that is high enough; in a lower one it has one line."""
@@ -62,6 +64,9 @@ class RqtConsolePane(WindowPane[Console]):
         super().on_focus(event)
         if self.focus_target is not self:
             self.screen.set_focus(self.focus_target, scroll_visible=False)
+
+    async def _on_message(self, message: Message) -> None:
+        await survive(self.app, message, super()._on_message(message))
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -111,7 +116,7 @@ class RqtConsolePane(WindowPane[Console]):
         if height == 1:
             if record is None:
                 return [[]]
-            text = clip(f"{record.severity}  {' '.join(record.text.split())}", width - 2, dots)
+            text = clip(f"{record.severity}  {' '.join(record.text[:LONGEST].split())}", width - 2, dots)
             return [[Segment(f" {text} ", style_of(record, self.look))]]
         rule: Line = [Segment(self.look.glyphs.border.horizontal * width, colours.frame)]
         if record is None:
@@ -126,7 +131,8 @@ class RqtConsolePane(WindowPane[Console]):
         if record.location:
             title = f"  {texts('console.location')} "
             head.append(Segment(title + end_of(record.location, width - used - cell_len(title), dots), colours.muted))
-        lines, room = wrap(record.text, width - 2), height - 2
+        room = height - 2
+        lines = wrap(record.text[: 4 * room * width], width - 2)  # a message may be a megabyte long
         if len(lines) > room:
             lines = [*lines[: room - 1], clip(" ".join(lines[room - 1 :]), width - 2, dots)]
         body: list[Line] = [[Segment(" " + line, colours.text)] for line in lines]
