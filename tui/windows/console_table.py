@@ -2,7 +2,7 @@
 
 Not Textual's DataTable, whose rows are objects that are measured and drawn anew with every change. With the 20,000 messages
 that the console keeps (Textual 8.2, 120x40, milliseconds of processor time) it is filled in 2200, a frame in which messages come
-takes 60, and 80 more when old ones go, a filter 1200, and it holds 28 MB. This table draws the lines in sight: 20, 3, 20 and 1 MB,
+takes 60, and 80 more when old ones go, a filter 1200, and it holds 28 MB. This table draws what is in sight: 20, 3, 20 and 1 MB,
 and to sort by another column takes 40; with 50,000 messages 25, 4, 45 and 80.
 """
 
