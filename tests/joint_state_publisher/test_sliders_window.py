@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
+import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
 from textual.geometry import Size
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
+
+from fakes import FakeDesk
+from screens import opened, screen_lines, step
 
 from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider
 from day6_tui.core.session.display import Display
@@ -130,9 +138,29 @@ def test_the_mouse_drags_the_knob_to_where_it_is() -> None:
     line = next(y for y in range(3, 9) if pane._at(y) is LIFT)
     assert pane._at(line) is LIFT
     pane._dragged = "lift"
-    for share, step in ((0.0, 0), (0.5, 5000), (1.0, 10_000), (2.0, 10_000)):
+    for share, expected in ((0.0, 0), (0.5, 5000), (1.0, 10_000), (2.0, 10_000)):
         pane._drag_to(pane.inner_offset + column + round(share * (width - 1)))
-        assert model.requests[-1] == ("step", "lift", pytest.approx(step, abs=200))
+        assert model.requests[-1] == ("step", "lift", pytest.approx(expected, abs=200))
+
+
+@pytest.mark.parametrize("size", [(50, 12), (80, 24), (80, 8)])
+def test_a_click_on_a_number_begins_another_one(size: tuple[int, int]) -> None:
+    model = FakeModel(wheel(), LIFT)
+
+    async def click() -> None:
+        desk = FakeDesk()
+        desk.display.open("joint_state_publisher", "Joint State Publisher", model)
+        async with opened(desk, *size, scene="empty", lang="en") as (app, pilot):
+            await step(app, pilot)
+            app.query_one(SlidersPane).focus()
+            await pilot.press("f8")
+            await step(app, pilot)
+            row = next(y for y, line in enumerate(screen_lines(app)) if "0.100 m" in line)
+            await pilot.click(offset=(screen_lines(app)[row].index("0.100 m"), row))
+            await pilot.press(".", "3", "enter")
+
+    asyncio.run(click())
+    assert model.requests == [("value", "lift", 0.3)]
 
 
 @pytest.mark.parametrize(("lang", "word"), [("en", "jitters"), ("zh", "抖动")])

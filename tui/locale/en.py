@@ -550,8 +550,8 @@ TEXTS = {
         "A slider for every joint that can move. What you set here goes to /joint_states ten times a second; "
         "robot_state_publisher turns it into the poses of the links.\n\n"
         "Up and down choose a joint, left and right move it (with Shift: finely), PageUp and PageDown move it far, Home and "
-        "End go to its limits, z to zero. A digit or Enter begins an exact number. r is Randomize, c is Center, d changes "
-        "between radians and degrees. With the mouse: drag the knob.\n\n"
+        "End go to its limits, z to zero. A digit, Enter or a click on a number begins an exact one. "
+        "r is Randomize, c is Center, d changes between radians and degrees. With the mouse: drag the knob.\n\n"
         "If another node publishes the same joints, the robot jitters: both send commands, and the last one counts."
     ),
     "help.rqt": (

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from day6_tui.core.ros.programs.joint_state_publisher_gui.model import Slider, SliderModel
 
 
-VALUE_WIDTH = 9
+VALUE_WIDTH, UNIT_WIDTH = 9, 5
+"""Cells of a joint's number, and of the unit behind it."""
 
 NARROW, NARROWEST_LINE = 58, 30
 """Columns below which a slider takes two lines if all have room, and below which one line never does."""
@@ -191,7 +192,7 @@ class SlidersPane(WindowPane["SliderModel"]):
             text, style = self._text(slider, slider.value, 1 if self._in_degrees(slider) else 3), colours.strong
         return [
             Segment(f" {text:>{VALUE_WIDTH - 1}}", style),
-            Segment(f" {self._unit(slider):<4}", colours.muted),
+            Segment(f" {self._unit(slider):<{UNIT_WIDTH - 1}}", colours.muted),
         ]
 
     def _track(self, slider: Slider, column: int, width: int) -> Line:
@@ -328,6 +329,11 @@ class SlidersPane(WindowPane["SliderModel"]):
         index = self._first + line // self._lines_each
         return self.model.sliders[index] if line >= 0 and index < len(self.model.sliders) else None
 
+    def _is_on_number(self, x: int, y: int) -> bool:
+        """Whether this cell belongs to the number of a slider, which stands at the right of its first line."""
+        first = (y - self.inner_offset - 1) % self._lines_each == 0
+        return first and x - self.inner_offset >= self.inner_width - VALUE_WIDTH - UNIT_WIDTH
+
     def _drag_to(self, x: int) -> None:
         column, width = self._tracks.get(self._dragged, (0, 2))
         share = (x - self.inner_offset - column) / max(width - 1, 1)
@@ -340,7 +346,9 @@ class SlidersPane(WindowPane["SliderModel"]):
         self._typed = None
         self._chosen = slider.name
         column, width = self._tracks.get(slider.name, (0, 0))
-        if column - 1 <= event.x - self.inner_offset <= column + width:
+        if self._is_on_number(event.x, event.y):
+            self._typed = ""
+        elif column - 1 <= event.x - self.inner_offset <= column + width:
             self._dragged = slider.name
             self.capture_mouse()
             self._drag_to(event.x)
