@@ -140,6 +140,27 @@ def test_rqt_graph_shows_a_students_node_in_its_window(place: Place) -> None:
     until(lambda: not place.nodes())
 
 
+def test_a_value_is_typed_in_rviz_as_fast_as_a_terminal_can_send_it(place: Place) -> None:
+    with place.terminal("rviz2", "-f", "base_link", columns=120, rows=40, DAY6_LANG="en") as screen:
+        screen.wait("Fixed Frame base_link", "Background Color")
+        screen.send("\x1b[B\x1b[B\r\x15q; 2; 3\r")
+        screen.wait("three numbers from 0 to 255, please")
+        screen.send("\x1b[H\x1b[3~1\r\x1b[A\r\x15map\r")
+        screen.wait("1; 2; 3", "Fixed Frame map")
+        screen.send("/quality\r\r")
+        screen.wait("━ Choose", "Medium")
+        screen.send("med\r")
+        screen.wait("Orbit Medium", lambda seen: "━ Choose" not in seen and "┏" in seen)
+        screen.send("\x1b[Z\r")  # Shift+Tab: the buttons
+        screen.wait("━ Add")
+        screen.press("Esc")
+        screen.wait_gone("━ Add")
+        screen.press("q")
+        screen.wait("There are unsaved changes")
+        screen.send("discard\r")
+        assert screen.wait_end() == 0
+
+
 def test_rviz_asks_before_q_loses_what_was_changed(place: Place) -> None:
     with place.terminal("rviz2", "-f", "base_link", DAY6_LANG="en") as screen:
         screen.wait("RViz ", "Add", "Fixed Frame base_link")

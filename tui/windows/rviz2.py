@@ -172,7 +172,7 @@ class RVizPane(WindowPane[RViz]):
         if not self.inner_width or not self.body_height:
             return False
         self._lay_out()
-        if self.has_focus is self.on_panel:
+        if (self.screen.focused is self) is self.on_panel:
             self._pass_keyboard()
         left = self.division.view_left
         spans, due = self.view.pull(now)
@@ -428,7 +428,9 @@ class RVizPane(WindowPane[RViz]):
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
-        if self.panel.value_line is not None:  # typed before the line had the keyboard
+        if not self.screen.is_active:  # typed before the menu that a key before this one opened had the keyboard
+            self.app.post_message(events.Key(key, event.character))
+        elif self.panel.value_line is not None:  # the same with the line for a value
             self.panel.value_line.post_message(events.Key(key, event.character))
         elif not self._everywhere_key(key) and not (self._panel_key(key) if self.on_panel else self._view_key(key)):
             return
@@ -553,7 +555,7 @@ class RVizPane(WindowPane[RViz]):
     @on(PanelButton.Pressed)
     def press_button(self, event: PanelButton.Pressed) -> None:
         event.stop()
-        if not event.button.has_focus:  # a click on it may be the first one in this window
+        if self.screen.focused is not event.button:  # a click on it may be the first one in this window
             self._panel_keys = True
             self.screen.set_focus(self.focus_target, scroll_visible=False)
         self._press(event.button.id or "")

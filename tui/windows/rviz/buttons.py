@@ -81,7 +81,8 @@ class PanelButtons(Horizontal):
     @property
     def chosen(self) -> PanelButton | None:
         """The button that has the keyboard."""
-        return next((button for button in self._all if button.has_focus), None)
+        focused = self.screen.focused  # `has_focus` changes later, and keys are quick
+        return focused if isinstance(focused, PanelButton) and focused in self._all else None
 
     def follow(self, *, has_display: bool) -> None:
         """Let only those be pressed that can do something: `has_display` says whether a display is chosen."""
@@ -91,5 +92,6 @@ class PanelButtons(Horizontal):
     def choose(self, steps: int = 0) -> None:
         """Give the keyboard to the first button, or to one that lies farther right or left than the chosen one."""
         able = [button for button in self._all if not button.disabled]
-        at = able.index(self.chosen) + steps if self.chosen in able else 0
+        chosen = self.chosen
+        at = able.index(chosen) + steps if chosen in able else 0
         self.screen.set_focus(able[max(0, min(at, len(able) - 1))], scroll_visible=False)

@@ -46,7 +46,7 @@ def type_value(pane: RVizPane, prop: Property) -> None:
             pane.rviz.edit_text(prop, text)
         except BadValue as error:
             complaint = pane.look.texts(error.key, **error.parameters)
-            pane.show_message(complaint)
+            pane.show_message(complaint, 10.0)
             return complaint
         pane.rviz.message = None
         pane.look.wake()

@@ -91,7 +91,7 @@ class DisplaysPanel(Vertical):
         if (line := self.value_line) is None:
             return
         self.value_line, line.over = None, True
-        if line.has_focus:
+        if self.screen.focused is line:
             self.screen.set_focus(self.properties, scroll_visible=False)
         line.remove()
         self._look.wake()

@@ -58,6 +58,7 @@ class PropertyTree(Tree[panel.Line]):
         super().__init__("")
         self._rviz, self._look = rviz, look
         self._seen = -1
+        self._active = False
         self._room = 0
         """How many more lines there may be."""
         self._node_by_property: dict[Property, TreeNode[panel.Line]] = {}
@@ -112,19 +113,20 @@ class PropertyTree(Tree[panel.Line]):
     # -- following the program -----------------------------------------------------------------------------------------
 
     def follow(self, *, active: bool) -> None:
-        """Show what the program changed, and draw only the lines that differ. `active`: the panel has the keyboard."""
+        """Show what the program changed, and draw only the lines that differ. `active`: the tree has the keyboard."""
+        self._active = active
         if self._rviz.tree_version != self._seen:
             self._seen = self._rviz.tree_version
             self.refill()
         first = int(self.scroll_offset.y)
-        rows = [self._state(y, active) for y in range(first, first + self.size.height)]
+        rows = [self._state(y) for y in range(first, first + self.size.height)]
         if (before := self._shown) != rows:
             self._shown = rows
             for y, (old, new) in enumerate(zip(before, rows, strict=False)):
                 if old != new:
                     self.refresh(Region(0, y, self.size.width, 1))
 
-    def _state(self, y: int, active: bool) -> tuple[object, ...]:
+    def _state(self, y: int) -> tuple[object, ...]:
         """What a line looks like depends on this."""
         node = self.get_node_at_line(y)
         if node is None or node.data is None:
@@ -132,7 +134,7 @@ class PropertyTree(Tree[panel.Line]):
         prop = node.data.prop
         chosen = node is self.cursor_node
         opens = node.data.can_open and prop.expanded, node.data.can_open
-        return (prop, node.data.depth, prop.name, prop.value, opens, panel.level_of(prop), chosen, chosen and active)
+        return (prop, node.data.depth, prop.name, prop.value, opens, panel.level_of(prop), chosen, chosen and self._active)
 
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
@@ -236,7 +238,7 @@ class PropertyTree(Tree[panel.Line]):
         if node is None or node.data is None:
             return Strip.blank(width, look.colours.text)
         chosen = node is self.cursor_node
-        segments: Iterable[Segment] = harmless(panel.segments_of(node.data, width, look, chosen, self.has_focus))
+        segments: Iterable[Segment] = harmless(panel.segments_of(node.data, width, look, chosen, self._active))
         return Strip(segments if look.glyphs.unicode else in_ascii(segments)).adjust_cell_length(
             width, look.colours.text
         )
