@@ -291,6 +291,55 @@ def test_robot_means_a_robot_model(machine: RVizMachine, lang: str, typed: str) 
     run(walk())
 
 
+# -- the mouse on the tree ---------------------------------------------------------------------------------------------
+
+
+def test_the_wheel_scrolls_the_tree_and_leaves_the_view_alone(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine, 80, 24) as at:
+            machine.add("RobotModel")
+            machine.add("TF")
+            for display in machine.rviz.displays:
+                display.expanded = True
+            at.pane.panel.properties.refill()
+            await at.settle()
+            tree, distance = at.pane.panel.properties, machine.rviz.view.child("Distance").value
+            assert tree.show_vertical_scrollbar and "Fixed Frame" in at.screen().splitlines()[3]
+            for _ in range(30):  # also where there is nothing more to scroll
+                tree.post_message(mouse(tree, events.MouseScrollDown, 5, 5, 0, False, False))
+            await at.until(lambda: tree.scroll_offset.y == tree.max_scroll_y)
+            assert "▸ Time" in at.screen().splitlines()[at.pane.body_height]
+            assert tree.cursor_line == 0 and machine.rviz.view.child("Distance").value == distance
+            await at.press("down")
+            assert tree.cursor_line == 1 and "Fixed Frame" in at.screen().splitlines()[2]
+
+    run(walk())
+
+
+def test_a_click_on_a_value_lets_it_be_changed_and_one_on_a_name_chooses_it(machine: RVizMachine) -> None:
+    async def walk() -> None:
+        async with walking(machine) as at:
+            pane, tree = at.pane, at.pane.panel.properties
+            await at.press("tab")
+            rate = machine.rviz.options.child("Frame Rate")
+            row = tree.node_of(rate).line + 1
+            await at.pilot.click(pane, offset=(6, row))
+            await at.settle()
+            assert tree.prop is rate and pane.panel.value_line is None and pane.on_panel
+            await at.pilot.click(pane, offset=(24, row))
+            await at.settle()
+            assert pane.panel.value_line is not None
+            await at.press("backspace", "5", "enter")
+            assert rate.value == 35
+            await at.pilot.click(
+                pane, offset=(24, row - 2)
+            )  # Fixed Frame, for which there are no frames to choose from
+            await at.settle()
+            assert pane.panel.value_line is not None and pane.panel.value_line.prop is machine.rviz.fixed
+
+    run(walk())
+
+
 # -- finding a property ------------------------------------------------------------------------------------------------
 
 

@@ -20,7 +20,7 @@ class ValueLine(Line):
     DisplaysPanel > ValueLine.-textual-compact, DisplaysPanel > ValueLine.-textual-compact:focus {
         layer: value; height: 1; padding: 0; border: none;
         background: $panel; background-tint: transparent 0%; color: $panel-strong;
-        &.-wrong { color: $warning; text-style: bold; }
+        &.-wrong { background: $error; color: $error-text; }
     }
     """
 
