@@ -8,6 +8,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.content import Content
+from textual.geometry import Size
 from textual.widgets import Button
 
 from day6_tui.tui.survival import survive
@@ -42,6 +43,21 @@ class PanelButton(Button):
 
     FOCUS_ON_CLICK = False
 
+    def __init__(self, index: int) -> None:
+        name = LABELS[index].name
+        super().__init__(Content(name), id=name.lower(), compact=True)
+        self.styles.line_pad = 0
+        self._index = index
+        self._text = name
+        """What there is room for in the row."""
+
+    def get_content_width(self, container: Size, viewport: Size) -> int:
+        self._text = texts_in(container.width + self.styles.margin.width)[self._index]
+        return len(self._text)
+
+    def render(self) -> Content:
+        return Content(self._text)
+
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))
 
@@ -67,16 +83,11 @@ class PanelButtons(Horizontal):
 
     def __init__(self) -> None:
         super().__init__()
-        self._all = [PanelButton(Content(label.name), id=label.name.lower(), compact=True) for label in LABELS]
+        self._all = [PanelButton(index) for index in range(len(LABELS))]
         self.follow(has_display=False)
 
     def compose(self) -> ComposeResult:
         yield from self._all
-
-    def on_resize(self, event: events.Resize) -> None:
-        for button, text in zip(self._all, texts_in(event.size.width), strict=True):
-            button.label = Content(text)
-            button.styles.width, button.styles.line_pad = len(text), 0
 
     @property
     def chosen(self) -> PanelButton | None:

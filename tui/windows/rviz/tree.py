@@ -134,7 +134,16 @@ class PropertyTree(Tree[panel.Line]):
         prop = node.data.prop
         chosen = node is self.cursor_node
         opens = node.data.can_open and prop.expanded, node.data.can_open
-        return (prop, node.data.depth, prop.name, prop.value, opens, panel.level_of(prop), chosen, chosen and self._active)
+        return (
+            prop,
+            node.data.depth,
+            prop.name,
+            prop.value,
+            opens,
+            panel.level_of(prop),
+            chosen,
+            chosen and self._active,
+        )
 
     def refill(self) -> None:
         """Walk the properties again; the chosen one stays chosen where it still is, else the line where it was."""
