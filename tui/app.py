@@ -42,6 +42,7 @@ from day6_tui.tui.arranging import Arranging
 from day6_tui.tui.bars import Bar
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.detachment import Detachment
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.guidance import Guidance
@@ -184,9 +185,11 @@ class Day6App(PictureApp):
         self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
         self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
         self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
-        self.leaving = Leaving(self, desktop, look)
-        self.actions = registry = actions.Actions()
         self.looks = looks = Looks(self, look)
+        self.detachment = Detachment(self, options.keeper, self.adapt)
+        detach = self.detachment.detach if self.detachment.is_possible else None
+        self.leaving = Leaving(self, desktop, look, detach)
+        self.actions = registry = actions.Actions()
         for owner in (
             self.terminals,
             self.switching,
@@ -199,12 +202,15 @@ class Day6App(PictureApp):
         registry.offer(
             {
                 "quit": self.leaving.quit,
+                "detach": self.detachment.detach,
                 "language": looks.next_language,
                 "theme": self.choose_theme,
                 "glyphs": lambda: notices.show(looks.next_glyphs()),
                 "motion": looks.toggle_motion,
             }
         )
+        if detach is None:
+            registry.hidden.add("detach")
         self.top = Bar(look, TopLine(machine, desktop, registry, look, doors=options.has_doors).pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
@@ -230,6 +236,7 @@ class Day6App(PictureApp):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()
+        self.detachment.begin()
         pane = self.terminals.first_pane()
         self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
         self.call_after_refresh(self._open_desk)
@@ -365,6 +372,14 @@ class Day6App(PictureApp):
     async def on_unmount(self) -> None:
         self.frames.detach()
 
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        if not self.detachment.away:
+            super()._display(screen, renderable)
+
+    def adapt(self, environ: Mapping[str, str]) -> None:
+        """Fit the look to another terminal."""
+        self.begin_pictures(self.options.glyphs)
+
     def _congested(self) -> bool:
         writer = getattr(self._driver, "_writer_thread", None)
         queue = getattr(writer, "_queue", None)
@@ -389,6 +404,8 @@ class Day6App(PictureApp):
                 self.session.place_windows()
             self.terminals.follow_desk()
         again = self.scenes.advance(now)
+        if self.detachment.away:
+            return self.notices.expire(now) or again
         if machine.desk is not None:
             again = self._pull(now) or again
             self.desktop.yield_to_full_terminals()
