@@ -186,7 +186,7 @@ class Day6App(PictureApp):
         self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
         self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
         self.looks = looks = Looks(self, look)
-        self.detachment = Detachment(self, options.keeper, self.adapt)
+        self.detachment = Detachment(self, options.keeper)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
         self.actions = registry = actions.Actions()
@@ -222,7 +222,7 @@ class Day6App(PictureApp):
         return DeskScreen(id="_default")
 
     def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), *filters_for(self.look)]
+        return [*super().get_line_filters(), *filters_for(self.look), *self.detachment.filters]
 
     def compose(self) -> ComposeResult:
         yield self.top
@@ -236,7 +236,6 @@ class Day6App(PictureApp):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()
-        self.detachment.begin()
         pane = self.terminals.first_pane()
         self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
         self.call_after_refresh(self._open_desk)
@@ -253,6 +252,7 @@ class Day6App(PictureApp):
             message = self.look.texts("error.home", path=path, reason=error.strerror or error)
             self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
+        self.detachment.begin()
         if self.options.scene is not None or not self.session.restore():
             self.terminals.open()
         self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
@@ -375,10 +375,6 @@ class Day6App(PictureApp):
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         if not self.detachment.away:
             super()._display(screen, renderable)
-
-    def adapt(self, environ: Mapping[str, str]) -> None:
-        """Fit the look to another terminal."""
-        self.begin_pictures(self.options.glyphs)
 
     def _congested(self) -> bool:
         writer = getattr(self._driver, "_writer_thread", None)

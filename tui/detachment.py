@@ -7,36 +7,45 @@ from __future__ import annotations
 
 import asyncio
 import json
-import logging
 import socket
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from day6_tui.tui.detached import wire
 
 if TYPE_CHECKING:
-    from day6_tui.tui.app import Day6App
+    from textual.filter import LineFilter
 
-_log = logging.getLogger(__name__)
+    from day6_tui.tui.adaptation import Adaptation
+    from day6_tui.tui.app import Day6App
 
 
 class Detachment:
     """Whether the desktop has a terminal; without a keeper it always has its own."""
 
-    def __init__(self, app: Day6App, descriptor: int | None, adapt: Callable[[Mapping[str, str]], object]) -> None:
+    def __init__(self, app: Day6App, descriptor: int | None) -> None:
         self._app = app
-        self._adapt = adapt
-        """Fits the look to another terminal, which these variables describe."""
+        self._adaptation: Adaptation | None = None
         self._line = None if descriptor is None else wire.Line(socket.socket(fileno=descriptor))
         self.away = False
         """Whether there is no terminal."""
+        if descriptor is not None:
+            from day6_tui.tui.adaptation import Adaptation
+
+            self._adaptation = Adaptation(app)
+            self._adaptation.begin()
+
+    @property
+    def filters(self) -> Sequence[LineFilter]:
+        """What lines have to go through on this terminal."""
+        return self._adaptation.filters if self._adaptation is not None else ()
 
     @property
     def is_possible(self) -> bool:
         return self._line is not None
 
     def begin(self) -> None:
-        """Listen to the keeper; call it in the event loop, when the terminal has been taken."""
+        """Listen to the keeper; call it in the event loop, when the simulated machine runs."""
         if self._line is not None:
             asyncio.get_running_loop().add_reader(self._line.fileno(), self._hear)
             self._line.send(wire.HERE)
@@ -57,15 +66,14 @@ class Detachment:
         from day6_tui.tui.terminal_driver import TerminalDriver
 
         app, driver = self._app, self._app._driver
-        if self._line is None or not self.away or app._exit or not isinstance(driver, TerminalDriver):
+        if self._adaptation is None or not self.away or app._exit or not isinstance(driver, TerminalDriver):
             return
         self.away = False
         app._sync_available = False  # it is asked anew, as everything else the terminal may know
-        self._adapt(environ)
+        self._adaptation.fit(environ)
         driver.take_terminal()
         app.screen.refresh(layout=True)
         app.frames.rest(False)
-        self._line.send(wire.HERE)
 
     def _hear(self) -> None:
         assert self._line is not None
@@ -77,5 +85,6 @@ class Detachment:
                     self.detach()
                 elif kind == wire.COME:
                     self._come(json.loads(data))
+                    self._line.send(wire.HERE)
         if self._line.closed:  # the keeper was killed, and the terminal hangs up
             asyncio.get_running_loop().remove_reader(self._line.fileno())

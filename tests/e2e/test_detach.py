@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import os
+import re
+import signal
+import socket
+import stat
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -13,29 +20,321 @@ if TYPE_CHECKING:
 
 termios = pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
 
-LEFT = b"\x1b[?1049l"
+ON_AND_OFF = (
+    (b"\x1b[?1049h", b"\x1b[?1049l"),
+    (b"\x1b[?25l", b"\x1b[?25h"),
+    (b"\x1b[?1000h", b"\x1b[?1000l"),
+    (b"\x1b[?1003h", b"\x1b[?1003l"),
+    (b"\x1b[?2004h", b"\x1b[?2004l"),
+    (b"\x1b[?7l", b"\x1b[?7h"),
+)
+PROMPT = "student@day6:~$"
+COUNTS = """\
+import time
+with open("counted.txt", "w") as file:
+    for n in range(10**9):
+        print("count", n, flush=True)
+        print(n, file=file, flush=True)
+        time.sleep(0.01)
+"""
 
 
-def attach(place: Place, columns: int = 80, rows: int = 24, **env: str | None) -> Terminal:
-    return place.terminal("attach", "--home", str(place.home), "--lang", "en", columns=columns, rows=rows, **env)
+def attach(place: Place, columns: int = 80, rows: int = 24, lang: str = "en", **env: str | None) -> Terminal:
+    words = ["attach", "--home", str(place.home), "--lang", lang]
+    return place.terminal(*words, columns=columns, rows=rows, **env)
 
 
-def test_what_is_left_by_the_palette_goes_on_and_comes_back_in_another_size(place: Place) -> None:
+def detach(screen: Terminal) -> None:
+    """Leave by the palette, and wait for the end of the client."""
+    screen.press("F7")
+    screen.wait("type to search")
+    screen.send("Detach")
+    screen.wait(lambda seen: "Detach" in seen and "Fullscreen" not in seen)
+    screen.press("Enter")
+    assert screen.wait_end() == 0
+
+
+def expect_given_back(screen: Terminal, before: list[object]) -> None:
+    output = bytes(screen.output)
+    for on, off in ON_AND_OFF:
+        assert output.rfind(on) < output.rfind(off), (on, off)
+    assert b"Traceback" not in output
+    assert screen.attributes() == before
+
+
+def processes_of(place: Place, module: str) -> list[int]:
+    return [pid for pid, words in place.processes().items() if f"day6_tui.tui.{module}" in words]
+
+
+def sockets(place: Place) -> list[Path]:
+    return [path for path in place.runtime.glob("desktop-*") if stat.S_ISSOCK(path.lstat().st_mode)]
+
+
+def end_all(place: Place) -> None:
+    """End the desktop as its user would, and see that nothing is left."""
+    with attach(place) as screen:
+        screen.wait("F1")
+        screen.quit()
+        screen.wait_end()
+    expect_nothing_left(place)
+
+
+def expect_nothing_left(place: Place) -> None:
+    until(lambda: place.processes() == {}, told=place.processes)
+    assert sockets(place) == []
+
+
+def test_what_is_left_by_the_palette_comes_back_in_another_size(place: Place) -> None:
     with place.desktop("--detach", "--scene", "empty") as screen:
         before = screen.attributes()
-        screen.wait("student@day6:~$")
+        screen.wait(PROMPT)
         screen.line("echo one $((1 + 1)) three")
         screen.wait("one 2 three")
-        screen.press("F7")
-        screen.send("Detach")
-        screen.wait("Detach")
-        screen.press("Enter")
-        assert screen.wait_end() == 0
-        assert "[detached: day6-tui attach --home" in screen.look()
-        assert screen.attributes() == before
+        detach(screen)
+        assert f"[detached: day6-tui attach --home {place.home} comes back]"[:60] in screen.look()
+        expect_given_back(screen, before)
     with attach(place, 120, 40) as screen:
-        screen.wait("one 2 three", "student@day6:~$")
-        screen.line("exit")
+        screen.wait("one 2 three", PROMPT)
+        screen.line("python3 -c 'import os; print(*os.get_terminal_size())'")
+        screen.wait_lines("58 37")
         screen.press("Ctrl-Q")
-        screen.wait_end()
-    until(lambda: place.processes() == {})
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def pose(place: Place) -> tuple[float, ...]:
+    said = place.run("ros2", "topic", "echo", "--once", "/turtle1/pose").stdout
+    return tuple(float(number) for number in re.findall(r"^(?:x|y|theta|linear_velocity): (\S+)", said, re.M))
+
+
+def test_the_turtle_stands_where_it_was_left(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "turtle") as screen:
+        screen.wait("Use arrow keys")
+        screen.press("Up")
+        until(lambda: pose(place)[0] > 7.4)
+        screen.press("Left")
+        until(lambda: pose(place)[2] > 1.9)
+        there = pose(place)
+        screen.press("Ctrl-Q")
+        screen.wait("D Detach")
+        screen.send("d")
+        assert screen.wait_end() == 0
+    assert pose(place) == there
+    with attach(place, 120, 40) as screen:
+        screen.wait("Use arrow keys", f"x {there[0]:.2f}"[:3])
+        screen.press("Up")
+        until(lambda: pose(place)[:2] != there[:2])
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+@pytest.mark.parametrize("how", ["kill", "hang_up", "terminate"])
+def test_a_terminal_that_is_lost_loses_nothing(place: Place, how: str) -> None:
+    place.home_file("counts.py", COUNTS)
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        before = screen.attributes()
+        screen.wait(PROMPT)
+        screen.line("python3 counts.py")
+        until(lambda: (place.home / "counted.txt").exists() and (place.home / "counted.txt").stat().st_size > 0)
+        if how == "kill":
+            screen.kill()
+            assert screen.wait_end() == -signal.SIGKILL
+        elif how == "terminate":
+            screen.kill(signal.SIGTERM)
+            assert screen.wait_end() == 128 + signal.SIGTERM
+            expect_given_back(screen, before)
+        else:
+            screen.hang_up()
+            until(lambda: screen._reap() or screen.status is not None)
+    size = (place.home / "counted.txt").stat().st_size
+    until(lambda: (place.home / "counted.txt").stat().st_size > size)
+    with attach(place) as screen:
+        screen.wait("counts.py")
+        screen.press("Ctrl-C")
+        screen.wait("KeyboardInterrupt")
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def test_who_attaches_takes_the_desktop_over(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as first:
+        before = first.attributes()
+        first.wait(PROMPT)
+        first.line("echo $((40 + 2))")
+        first.wait_lines("42")
+        with attach(place, 100, 30) as second:
+            second.wait_lines("42")
+            assert first.wait_end() == 0
+            assert "another terminal was attached" in first.look().replace("\n", "")
+            expect_given_back(first, before)
+            second.line("echo $((50 + 3))")
+            second.wait_lines("53")
+            second.press("Ctrl-Q")
+            assert second.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def test_attach_without_a_desktop_says_so(place: Place) -> None:
+    with attach(place) as screen:
+        assert screen.wait_end() == 1
+        assert "day6-tui: no desktop runs that was started by" in screen.look()
+    with attach(place, lang="zh") as screen:
+        assert screen.wait_end() == 1
+        assert "没有用 day6-tui --detach" in screen.look().replace("\n", "")
+
+
+def test_a_second_desktop_for_the_same_home_is_not_started(place: Place) -> None:
+    done = place.run("--detach", "--home", str(place.home), "--lang", "en")
+    assert done.returncode == 0, done
+    assert done.stdout == f"day6-tui: the desktop runs: day6-tui attach --home {place.home} comes to it\n"
+    with place.desktop("--detach") as screen:
+        assert screen.wait_end() == 1
+        assert "the desktop runs already: day6-tui attach" in screen.look()
+    again = place.run("--detach", "--home", f"{place.work}/../home/", "--lang", "en")
+    assert (again.returncode, again.stdout) == (1, "")
+    assert len(processes_of(place, "main")) == 1
+    end_all(place)
+
+
+def test_a_desktop_that_cannot_start_says_why(place: Place) -> None:
+    place.home.write_text("a file", encoding="utf-8")
+    done = place.run("--detach", "--home", str(place.home), "--lang", "en")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert str(place.home) in done.stderr.replace("\n", "")
+    assert "\x1b" not in done.stderr
+    with place.desktop("--detach") as screen:
+        assert screen.wait_end() == 1
+        assert str(place.home)[:40] in screen.look()
+    expect_nothing_left(place)
+
+
+def test_what_a_killed_keeper_left_is_no_obstacle(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        before = screen.attributes()
+        screen.wait(PROMPT)
+        (keeper,) = processes_of(place, "detached.keeper")
+        os.kill(keeper, signal.SIGKILL)
+        assert screen.wait_end() == 1
+        assert "keeper has ended" in screen.look()
+        expect_given_back(screen, before)
+    until(lambda: place.processes() == {}, told=place.processes)
+    assert len(sockets(place)) == 1
+    with attach(place) as screen:
+        assert screen.wait_end() == 1
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        screen.press("Ctrl-Q")
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def test_a_file_with_the_name_of_the_socket_is_told_and_kept(place: Place) -> None:
+    done = place.run("--detach", "--home", str(place.home))
+    (path,) = sockets(place)
+    end_all(place)
+    path.write_text("mine", encoding="utf-8")
+    done = place.run("--detach", "--home", str(place.home), "--lang", "en")
+    assert done.returncode == 1
+    assert "Address already in use" in done.stderr
+    assert path.read_text(encoding="utf-8") == "mine"
+
+
+def test_nobody_else_can_reach_the_desktop(place: Place) -> None:
+    place.run("--detach", "--home", str(place.home))
+    (path,) = sockets(place)
+    assert stat.S_IMODE(path.stat().st_mode) == 0o600
+    assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
+    assert path.parent.stat().st_uid == os.geteuid()
+    end_all(place)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        b"",
+        b"GET / HTTP/1.0\r\n\r\n",
+        b"h\xff\xff\xff\xff",
+        b"h\x00\x00\x00\x02{}",
+        b"h\x00\x00\x00\x24" + json.dumps({"size": [99999] * 4, "environ": {}}).encode().ljust(36),
+        b"i\x00\x00\x00\x01\x11",
+    ],
+)
+def test_nonsense_on_the_socket_changes_nothing(place: Place, said: bytes) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        (path,) = sockets(place)
+        with socket.socket(socket.AF_UNIX) as stranger:
+            stranger.connect(str(path))
+            stranger.sendall(said)
+            stranger.shutdown(socket.SHUT_WR)
+            stranger.settimeout(30)
+            assert stranger.recv(100) == b""
+        screen.line("echo $((40 + 2))")
+        screen.wait_lines("42")
+        screen.press("Ctrl-Q")
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+@pytest.mark.skipif(not Path("/proc/self/io").exists(), reason="this system does not tell what a process writes")
+def test_programs_go_on_and_nothing_is_drawn_while_nobody_looks(place: Place) -> None:
+    place.home_file("counts.py", COUNTS)
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        screen.line("python3 counts.py")
+        screen.wait("count 1")
+        detach(screen)
+    (keeper,) = processes_of(place, "detached.keeper")
+    counted = place.home / "counted.txt"
+    size, read = counted.stat().st_size, Path(f"/proc/{keeper}/io").read_text(encoding="utf-8")
+    until(lambda: counted.stat().st_size > size + 4000)
+    assert Path(f"/proc/{keeper}/io").read_text(encoding="utf-8") == read  # so nothing was written to its terminal
+    end_all(place)
+
+
+def test_the_exit_status_of_the_desktop_is_that_of_the_client(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        before = screen.attributes()
+        screen.wait(PROMPT)
+        (desktop,) = processes_of(place, "main")
+        os.kill(desktop, signal.SIGTERM)
+        assert screen.wait_end() == 128 + signal.SIGTERM
+        expect_given_back(screen, before)
+    expect_nothing_left(place)
+
+
+def test_ending_the_keeper_ends_the_desktop_in_order(place: Place) -> None:
+    place.run("--detach", "--home", str(place.home))
+    (keeper,) = processes_of(place, "detached.keeper")
+    os.kill(keeper, signal.SIGTERM)
+    expect_nothing_left(place)
+
+
+def test_a_desktop_is_not_shown_in_its_own_terminal(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        screen.line(f"day6-tui attach --home {place.home}")
+        screen.wait("this is a terminal of that desktop")
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def test_a_desktop_without_a_keeper_offers_no_detaching(place: Place) -> None:
+    place.home_file("counts.py", COUNTS)
+    with place.desktop("--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        screen.line("python3 counts.py")
+        screen.wait("count 1")
+        screen.press("Ctrl-Q")
+        assert "Detach" not in screen.wait("still running")
+        screen.press("Esc", "F7")
+        screen.wait("type to search")
+        screen.send("Detach")
+        screen.wait(lambda seen: "Detach" in seen and "Fullscreen" not in seen)
+        assert "day6-tui attach" not in screen.look()
+        screen.press("Esc")
+        screen.quit()
+        assert screen.wait_end() == 0

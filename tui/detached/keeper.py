@@ -104,11 +104,13 @@ class Keeper:
             self._serve()
             status = self._ended() if self._pid else None
         self._drain()
+        meeting.remove(self._path)
+        self._held.listener.close()
+        os.close(self._held.lock)  # before anybody is told: the next desktop may start at once
         for line in [self._client, self._next and self._next[0]]:
             if line is not None:
                 line.send(wire.END, str(status).encode())
                 self._part(line)
-        meeting.remove(self._path)
         while self._parting:
             self._serve_parting(select.select([], self._unsent_parting(), [], LAST_SECONDS)[1])
 
