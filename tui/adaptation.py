@@ -20,6 +20,7 @@ from textual.filter import LineFilter, Monochrome, NoColor
 from day6_tui.tui import glyphs
 from day6_tui.tui.colours import colours
 from day6_tui.tui.glyphs import CANVASES, GLYPH_SETS, PIXELS
+from day6_tui.tui.locale import detect
 from day6_tui.tui.themes import NAMES, make_theme
 
 if TYPE_CHECKING:
@@ -71,13 +72,12 @@ class Adaptation:
 
     def __init__(self, app: Day6App) -> None:
         self._app = app
-        self._kind = glyphs.detect()
-        """The set of characters that would be chosen for the present terminal."""
-        self._worn: dict[str, tuple[str, str]] = {}
+        environ = glyphs.terminal_environ()
+        self._kind = glyphs.detect(environ) if environ.get("TERM", "dumb") not in ("", "dumb") else ""
+        """The set of characters that would be chosen for the present terminal; '' if there never was one."""
+        self._worn: dict[str, tuple[str | None, str]] = {}
         """Characters and language that the person had on terminals of each kind."""
         self._theme = NAMES[0]
-        self.filters: list[LineFilter] = []
-        """What lines have to go through besides."""
 
     def begin(self) -> None:
         """Write all colours in full from now on, so that they can be fitted to any terminal. Before anything is drawn."""
@@ -91,10 +91,14 @@ class Adaptation:
         pictures, worn = look.pictures, look.glyphs.name
         if worn == CANVASES[0] and (pictures is None or (pictures.wanted and pictures.ability is None)):
             worn = PIXELS if app.options.glyphs in (None, PIXELS) else worn  # wherever they can be shown
-        self._worn[self._kind] = worn, look.texts.language
+        spoken = look.texts.language
+        if self._kind:
+            self._worn[self._kind] = worn, spoken
+        else:
+            spoken = detect(environ)
         self._kind = kind = glyphs.detect(environ)
-        known, language = self._worn.get(kind, (app.options.glyphs or worn, look.texts.language))
-        wanted = known if known in _SHOWN_BY[kind] else kind
+        known, language = self._worn.get(kind, (app.options.glyphs, app.options.lang or spoken))
+        wanted = known if known in _SHOWN_BY[kind] else _SHOWN_BY[kind][0]
         look.glyphs = GLYPH_SETS[CANVASES[0] if wanted == PIXELS else wanted]
         look.texts.plain = not look.glyphs.unicode
         if (language if look.glyphs.chinese else "en") != look.texts.language:
@@ -127,4 +131,4 @@ class Adaptation:
 
     def _limit_colours(self, environ: Mapping[str, str]) -> None:
         system = colour_system(environ)
-        self.filters = [] if system is ColorSystem.TRUECOLOR else [FewerColours(system)]
+        self._app.look.filters = [] if system is ColorSystem.TRUECOLOR else [FewerColours(system)]

@@ -222,7 +222,7 @@ class Day6App(PictureApp):
         return DeskScreen(id="_default")
 
     def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), *filters_for(self.look), *self.detachment.filters]
+        return [*super().get_line_filters(), *filters_for(self.look)]
 
     def compose(self) -> ComposeResult:
         yield self.top

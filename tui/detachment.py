@@ -8,14 +8,12 @@ from __future__ import annotations
 import asyncio
 import json
 import socket
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from day6_tui.tui.detached import wire
 
 if TYPE_CHECKING:
-    from textual.filter import LineFilter
-
     from day6_tui.tui.adaptation import Adaptation
     from day6_tui.tui.app import Day6App
 
@@ -34,11 +32,6 @@ class Detachment:
 
             self._adaptation = Adaptation(app)
             self._adaptation.begin()
-
-    @property
-    def filters(self) -> Sequence[LineFilter]:
-        """What lines have to go through on this terminal."""
-        return self._adaptation.filters if self._adaptation is not None else ()
 
     @property
     def is_possible(self) -> bool:

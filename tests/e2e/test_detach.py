@@ -45,11 +45,11 @@ def attach(place: Place, columns: int = 80, rows: int = 24, lang: str = "en", **
 
 
 def detach(screen: Terminal) -> None:
-    """Leave by the palette, and wait for the end of the client."""
+    """Leave by the palette, in any language, and wait for the end of the client."""
     screen.press("F7")
-    screen.wait("type to search")
+    screen.wait("Alt+-")
     screen.send("Detach")
-    screen.wait(lambda seen: "Detach" in seen and "Fullscreen" not in seen)
+    screen.wait(lambda seen: "Detach" in seen and "Alt+-" not in seen)
     screen.press("Enter")
     assert screen.wait_end() == 0
 
@@ -96,7 +96,7 @@ def test_what_is_left_by_the_palette_comes_back_in_another_size(place: Place) ->
     with attach(place, 120, 40) as screen:
         screen.wait("one 2 three", PROMPT)
         screen.line("python3 -c 'import os; print(*os.get_terminal_size())'")
-        screen.wait_lines("58 37")
+        screen.wait_lines("58 36")
         screen.press("Ctrl-Q")
         assert screen.wait_end() == 0
     expect_nothing_left(place)
@@ -331,10 +331,45 @@ def test_a_desktop_without_a_keeper_offers_no_detaching(place: Place) -> None:
         screen.press("Ctrl-Q")
         assert "Detach" not in screen.wait("still running")
         screen.press("Esc", "F7")
-        screen.wait("type to search")
+        screen.wait("Alt+-")
         screen.send("Detach")
-        screen.wait(lambda seen: "Detach" in seen and "Fullscreen" not in seen)
-        assert "day6-tui attach" not in screen.look()
+        screen.wait(lambda seen: "Detach" in seen and "Alt+-" not in seen)
+        assert "▸" not in screen.look().split("Detach", 1)[1]  # no entry
         screen.press("Esc")
         screen.quit()
         assert screen.wait_end() == 0
+
+
+COLOURS = re.compile(rb"\x1b\[(?:[0-9;]*;)?(?:3[0-8]|4[0-8]|9[0-7]|10[0-7])(?:;[0-9;]*)?m")
+
+
+def test_no_terminal_gets_what_it_cannot_show(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "turtle", lang="zh") as screen:
+        screen.wait("Use arrow keys", "帮助", "┏")
+        assert b"[38;2;" in screen.output
+        detach(screen)
+    plain: dict[str, str | None] = {"COLORTERM": None, "NO_COLOR": None}
+    with attach(place, LC_ALL="C", TERM="vt100", **plain) as screen:
+        screen.wait("Use arrow keys", "Help", "#")
+        detach(screen)
+        assert bytes(screen.output).isascii()
+        assert b"8;2;" not in screen.output and b"8;5;" not in screen.output
+    with attach(place, TERM="linux", LC_ALL="C.UTF-8", **plain) as screen:
+        screen.wait("Use arrow keys", "Help", "╔")
+        detach(screen)
+        assert b"8;2;" not in screen.output and b"8;5;" not in screen.output
+        assert not re.search("[一-鿿▀▄]", screen.output.decode())
+    with attach(place, LC_ALL="zh_CN.UTF-8", **plain) as screen:  # TERM=xterm-256color
+        screen.wait("Use arrow keys", "帮助", "┏")
+        detach(screen)
+        assert b"8;2;" not in screen.output and b"8;5;" in screen.output
+    with attach(place, LC_ALL="zh_CN.UTF-8", NO_COLOR="1") as screen:
+        screen.wait("Use arrow keys", "帮助", "┏")
+        detach(screen)
+        assert COLOURS.search(screen.output) is None
+    with attach(place) as screen:
+        screen.wait("Use arrow keys", "帮助", "┏")
+        assert b"[38;2;" in screen.output
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
