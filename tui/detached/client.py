@@ -77,8 +77,7 @@ def start(words: list[str], home: Path | None, texts: Texts) -> int:
         cwd="/",  # no file of the user's folder is taken for one of Python's modules
     )
     theirs.close()
-    held.listener.close()
-    os.close(held.lock)
+    held.close()
     if not _has_terminal():
         return _wait_until_it_runs(Line(ours), view.hello(None), texts, home)
     status = view.show(Line(ours), texts, _command(home, "attach"))

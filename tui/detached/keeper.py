@@ -7,23 +7,20 @@ the desktop is told to draw nothing. It ends with the desktop; if it is killed, 
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import json
 import os
-import pty
 import select
 import signal
 import socket
 import struct
 import sys
-import termios
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from day6_tui.tui.detached import meeting, wire
 from day6_tui.tui.detached.wire import Line
 
-assert sys.platform != "win32"
+assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
 UNSENT = 8192
 """Bytes that may wait for a client: more, and the desktop draws fewer frames, as on any slow terminal."""
@@ -105,8 +102,7 @@ class Keeper:
             status = self._ended() if self._pid else None
         self._drain()
         meeting.remove(self._path)
-        self._held.listener.close()
-        os.close(self._held.lock)  # before anybody is told: the next desktop may start at once
+        self._held.close()  # before anybody is told: the next desktop may start at once
         for line in [self._client, self._next and self._next[0]]:
             if line is not None:
                 line.send(wire.END, str(status).encode())
@@ -189,6 +185,8 @@ class Keeper:
     # -- the desktop ---------------------------------------------------------------------------------------------------
 
     def _start(self, size: bytes | None) -> None:
+        import pty
+
         ours, theirs = socket.socketpair()
         theirs.set_inheritable(True)
         environ = {name: value for name, value in os.environ.items() if name not in _FIXED_SIZE}
@@ -386,6 +384,9 @@ def _size(data: bytes) -> bytes | None:
 
 
 def _set_size(terminal: int, size: bytes | None) -> None:
+    import fcntl
+    import termios
+
     if terminal >= 0:
         with contextlib.suppress(OSError):
             fcntl.ioctl(terminal, termios.TIOCSWINSZ, _SIZE.pack(24, 80, 0, 0) if size is None else size)

@@ -6,7 +6,6 @@ socket whose lock is free was left by a keeper that was killed.
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import os
 import socket
@@ -14,12 +13,13 @@ import stat
 import struct
 import sys
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
+from day6_tui.core.link.file_lock import FileLock
 from day6_tui.core.link.paths import base_folders
 from day6_tui.core.places import default_home
 
-assert sys.platform != "win32"
+assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
 INSIDE = "DAY6_INSIDE"
 """The variable by which programs of a kept desktop know its home folder."""
@@ -31,10 +31,15 @@ def home_of(given: Path | None) -> Path:
 
 
 class Held(NamedTuple):
-    """What the keeper needs: the lock and the socket that clients connect to."""
+    """What the keeper needs: the descriptor of the lock, and the socket that clients connect to."""
 
     lock: int
     listener: socket.socket
+
+    def close(self) -> None:
+        """Let others hold it, unless another process has inherited it."""
+        self.listener.close()
+        os.close(self.lock)
 
 
 def _name(home: Path) -> str:
@@ -65,22 +70,19 @@ def hold(home: Path) -> Held:
     Raises BlockingIOError if another keeper runs, LinkError if no folder is safe, OSError if there is no room for the files.
     """
     path = base_folders()[0] / _name(home)
-    lock = os.open(f"{path}.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NOFOLLOW, 0o600)
+    lock = FileLock(path.with_name(f"{path.name}.lock"))
+    if not lock.try_acquire():
+        raise BlockingIOError(f"{path} is in use")
+    held = Held(lock.fileno(), socket.socket(socket.AF_UNIX, socket.SOCK_STREAM))
     try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-        try:
-            remove(str(path))
-            listener.bind(str(path))
-            os.chmod(path, 0o600)
-            listener.listen(8)
-        except OSError:
-            listener.close()
-            raise
+        remove(str(path))
+        held.listener.bind(str(path))
+        os.chmod(path, 0o600)
+        held.listener.listen(8)
     except OSError:
-        os.close(lock)
+        held.close()
         raise
-    return Held(lock, listener)
+    return held
 
 
 def remove(path: str) -> None:

@@ -6,24 +6,22 @@ Whatever ends this process, the terminal is restored.
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import json
 import os
 import select
 import signal
 import struct
 import sys
-import termios
-import tty
 from collections.abc import Callable
 from types import FrameType
+from typing import TYPE_CHECKING
 
 from day6_tui.tui.detached import wire
 from day6_tui.tui.detached.wire import Line
 from day6_tui.tui.locale import Texts
 from day6_tui.tui.terminal_modes import ENTER, GIVE_BACK, LEAVE
 
-assert sys.platform != "win32"
+assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
 DESCRIBES_TERMINAL = (
     "TERM", "COLORTERM", "TERM_PROGRAM", "TERM_PROGRAM_VERSION", "TMUX", "STY", "NO_COLOR",
@@ -90,6 +88,8 @@ class _View:
     """This terminal, while the desktop has it."""
 
     def __init__(self, line: Line) -> None:
+        import termios
+
         self._line = line
         self._before = termios.tcgetattr(0)
         self._handlers: dict[signal.Signals, Callable[[int, FrameType | None], object] | int | None] = {}
@@ -102,12 +102,16 @@ class _View:
 
     def size(self) -> list[int]:
         """Rows, columns, width and height in pixels."""
+        import fcntl
+        import termios
+
         with contextlib.suppress(OSError):
             return list(struct.unpack("HHHH", fcntl.ioctl(2, termios.TIOCGWINSZ, b"\0" * 8)))
         return [24, 80, 0, 0]
 
     def take(self) -> None:
         """Hand every key on as it comes, and attend to signals."""
+        import tty
 
         def end(number: int, frame: object) -> None:
             raise _Signalled(number)
@@ -167,6 +171,8 @@ class _View:
 
     def restore(self) -> None:
         """Leave the terminal as it was; nothing is done twice."""
+        import termios
+
         if not self._handlers:
             return
         handlers, self._handlers = self._handlers, {}
