@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-ENTER, LEAVE = b"\x1b[?1049h", b"\x1b[?1049l"
-"""How Textual takes a terminal's second screen, and leaves it."""
-
 GIVE_BACK = "".join(
     (
         "\x1b[?2026l",  # what is drawn is shown at once

@@ -8,11 +8,15 @@ import re
 import signal
 import socket
 import stat
+import subprocess
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from waiting import until
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "pixels"))
 
 if TYPE_CHECKING:
     from place import Place
@@ -373,3 +377,102 @@ def test_no_terminal_gets_what_it_cannot_show(place: Place) -> None:
         screen.quit()
         assert screen.wait_end() == 0
     expect_nothing_left(place)
+
+
+def test_a_client_that_is_stopped_gives_the_terminal_back_and_goes_on_later(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        before = screen.attributes()
+        screen.wait(PROMPT)
+        screen.kill(signal.SIGTSTP)
+        screen.wait(lambda _: screen.output.count(b"\x1b[?1049l") == 1)
+        until(lambda: screen.look(0.02) is not None and screen.attributes() == before)
+        until(lambda: "(stopped)" in Path(f"/proc/{screen.pid}/status").read_text(encoding="utf-8"))
+        screen.kill(signal.SIGCONT)
+        screen.wait(lambda _: screen.output.count(b"\x1b[?1049h") == 2)
+        screen.wait(PROMPT)
+        screen.line("echo $((40 + 2))")
+        screen.wait_lines("42")
+        screen.press("Ctrl-Q")
+        assert screen.wait_end() == 0
+        expect_given_back(screen, before)
+    expect_nothing_left(place)
+
+
+def test_a_terminal_that_takes_nothing_holds_neither_programs_nor_the_next_terminal(place: Place) -> None:
+    place.home_file("counts.py", COUNTS.replace("time.sleep(0.01)", "print('x' * 999)"))
+    counted = place.home / "counted.txt"
+    with place.desktop("--detach", "--scene", "empty", columns=120, rows=40) as stuck:
+        stuck.wait(PROMPT)
+        stuck.line("python3 counts.py")
+        stuck.wait("count")
+        until(counted.exists)
+        for _ in range(3):  # nothing is read from its terminal any more
+            size = counted.stat().st_size
+            until(lambda size=size: counted.stat().st_size > size + 20000)  # type: ignore[misc]
+        with attach(place) as screen:
+            screen.wait("count")
+            screen.press("Ctrl-C")
+            screen.wait("KeyboardInterrupt")
+            assert stuck.wait_end() == 0
+            screen.quit()
+            assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+def test_what_is_typed_ahead_reaches_the_desktop_and_ctrl_c_does_not_end_it(place: Place) -> None:
+    assert place.run("--detach", "--home", str(place.home), "--scene", "empty").returncode == 0
+    with attach(place) as screen:
+        screen.wait(lambda _: b"\x1b[?1049h" in screen.output)
+        screen.line("\x03echo $((40 + 2))")
+        screen.wait_lines("42")
+        screen.press("Ctrl-Q")
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+@pytest.mark.parametrize("how", ["leave", "terminate"])
+def test_pictures_do_not_stay_in_a_terminal_and_are_drawn_in_the_next_one(place: Place, how: str) -> None:
+    from test_pixels import COLUMNS, ROWS, Window
+
+    with place.desktop("--detach", "--scene", "turtle", columns=COLUMNS, rows=ROWS) as screen:
+        window = Window(screen, "kitty")
+        window.until(lambda: window.ground() > 400)
+        if how == "leave":
+            screen.press("Ctrl-Q")
+            window.until(lambda: "D Detach" in screen.look())
+            screen.send("d")
+        else:
+            screen.kill(signal.SIGTERM)
+        window.until(lambda: screen.status is not None)
+        window.until(lambda: not window.terminal.images and not window.terminal.placements)
+    with attach(place, COLUMNS, ROWS) as screen:
+        window = Window(screen, "sixel")
+        window.until(lambda: window.ground() > 400)
+        screen.kill(signal.SIGTERM)
+        window.until(lambda: screen.status is not None)
+    with attach(place, COLUMNS, ROWS) as screen:
+        window = Window(screen, "plain")
+        window.until(lambda: "TurtleSim" in screen.look() and "/turtlesim" in screen.look())
+        window.look(0.5)
+        assert window.terminal.pictures == 0
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+@pytest.mark.parametrize("module", ["keeper", "client", "view", "meeting"])
+def test_neither_keeper_nor_client_load_the_screen(module: str) -> None:
+    code = f"import sys, day6_tui.tui.detached.{module}; print(*sorted(sys.modules))"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"textual", "rich", "asyncio", "numpy", "zenoh", "yaml"} & set(loaded)
+    assert len([name for name in loaded if name.startswith("day6_tui")]) < 20
+
+
+def test_the_help_speaks_of_it_in_both_languages(place: Place) -> None:
+    assert "--detach" in place.run("--help", "--lang", "en").stdout
+    assert "终端关了" in place.run("--help", "--lang", "zh").stdout
+    assert "attach [--home DIR]" in place.run("--help", "--lang", "en").stdout
+    assert "usage: day6-tui attach" in place.run("attach", "--help", "--lang", "en").stdout
+    assert "用法：day6-tui attach" in place.run("attach", "--help", "--lang", "zh").stdout
+    done = place.run("attach", "--lang", "en")
+    assert (done.returncode, done.stderr) == (2, "day6-tui: attach needs a terminal\n")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import select
 import signal
 import struct
@@ -19,7 +20,7 @@ from typing import TYPE_CHECKING
 from day6_tui.tui.detached import wire
 from day6_tui.tui.detached.wire import Line
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.terminal_modes import ENTER, GIVE_BACK, LEAVE
+from day6_tui.tui.terminal_modes import GIVE_BACK
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # Windows has none of this
 
@@ -36,8 +37,10 @@ MOST_UNWRITTEN = 4096
 RESTORE_SECONDS = 1.0
 """What a terminal gets to take what restores it: one that is stuck never does."""
 
-KITTY_PICTURE = b"\x1b_G"
-NO_KITTY_PICTURES = "\x1b_Ga=d,d=A,q=2\x1b\\"
+LONGEST_HEAD = 128
+"""Bytes at the end of what was written that may be the beginning of a sequence that matters."""
+_KITTY_HEAD = re.compile(rb"\x1b_G([^;\x1b]+)[;\x1b]")
+_SECOND_SCREEN = re.compile(rb"\x1b\[\?1049([hl])")
 
 
 class _Signalled(Exception):
@@ -97,8 +100,10 @@ class _View:
         self._unwritten = bytearray()
         self._seen = b""
         """The end of what was written: a sequence may come in two parts."""
-        self._is_taken = self._has_pictures = False
-        """Whether the desktop is on the terminal's second screen, and has shown pictures."""
+        self._is_taken = False
+        """Whether the desktop is on the terminal's second screen."""
+        self._pictures: set[bytes] = set()
+        """The numbers of its pictures in Kitty's protocol; other pictures go with the second screen."""
 
     def size(self) -> list[int]:
         """Rows, columns, width and height in pixels."""
@@ -111,6 +116,7 @@ class _View:
 
     def take(self) -> None:
         """Hand every key on as it comes, and attend to signals."""
+        import termios
         import tty
 
         def end(number: int, frame: object) -> None:
@@ -123,7 +129,7 @@ class _View:
         os.set_blocking(self._wakes, False)
         os.set_blocking(self._wake, False)
         signal.set_wakeup_fd(self._wake, warn_on_full_buffer=False)
-        tty.setraw(0)
+        tty.setraw(0, termios.TCSANOW)  # what was typed meanwhile is not lost
 
     def run(self) -> tuple[bytes, bytes]:
         """Carry bytes to and fro; the message with which that ended, b'' if the keeper is gone."""
@@ -164,10 +170,15 @@ class _View:
             raise _Signalled(signal.SIGHUP) from None
         del self._unwritten[: len(piece)]
         seen = self._seen + piece
-        if ENTER in seen or LEAVE in seen:
-            self._is_taken = seen.rfind(ENTER) > seen.rfind(LEAVE)
-        self._has_pictures = self._has_pictures or KITTY_PICTURE in seen
-        self._seen = seen[-len(ENTER) + 1 :]
+        for screen in _SECOND_SCREEN.finditer(seen):
+            self._is_taken = screen[1] == b"h"
+        for head in _KITTY_HEAD.finditer(seen):
+            keys = dict(each.partition(b"=")[::2] for each in head[1].split(b","))
+            if keys.get(b"a") == b"t":
+                self._pictures.add(keys.get(b"i", b""))
+            elif keys.get(b"a") == b"d" and keys.get(b"d") == b"I":
+                self._pictures.discard(keys.get(b"i", b""))
+        self._seen = seen[-LONGEST_HEAD:]
 
     def restore(self) -> None:
         """Leave the terminal as it was; nothing is done twice."""
@@ -182,7 +193,8 @@ class _View:
         with contextlib.suppress(termios.error, OSError):
             if self._is_taken:
                 termios.tcflush(0, termios.TCOFLUSH)
-                _write_in_time((NO_KITTY_PICTURES if self._has_pictures else "") + GIVE_BACK)
+                erased = "".join(f"\x1b_Ga=d,d=I,i={int(each)},q=2\x1b\\" for each in self._pictures if each.isdigit())
+                _write_in_time(erased + GIVE_BACK)
             termios.tcflush(0, termios.TCIFLUSH)
             termios.tcsetattr(0, termios.TCSANOW, self._before)
         for number, handler in handlers.items():

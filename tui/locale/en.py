@@ -482,7 +482,8 @@ TEXTS = {
     "help.desk": (
         "This is the desk of a small Ubuntu computer with ROS 2. On it are terminals, in which you type commands, and the "
         "windows that programs open.\n\nNothing happens here that a command did not cause. Everything you learn here works the "
-        "same on a real Ubuntu."
+        "same on a real Ubuntu.\n\nStarted by day6-tui --detach, the desk outlives its terminal: F7, Detach leaves it (so does a "
+        "closed window), and everything goes on; day6-tui attach comes back."
     ),
     "help.terminal": (
         "A terminal: type a command and press Enter.\n\n"
@@ -628,7 +629,7 @@ TEXTS = {
     "cli.reduced_motion": "no pulses and no animation",
     "cli.home": "the folder that is ~ in the terminals",
     "cli.detach": "a desktop that goes on when this terminal is closed; day6-tui attach comes back to it",
-    "cli.attach": "Come back to the desktop that was started by day6-tui --detach, from any terminal of this machine.",
+    "cli.attach": "Come back to the desktop started by --detach, from any terminal of this machine.",
     "cli.attach.home": "the folder that is ~ in that desktop, if it was started with --home",
     "cli.attach.lang": "language of what attach says (default: that of the system)",
     "cli.listen": (
