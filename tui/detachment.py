@@ -73,9 +73,7 @@ class Detachment:
         for kind, data in self._line.receive():
             with self._app._context():
                 if kind == wire.AWAY:
-                    if self.away:
-                        self._line.send(wire.GONE)
-                    self.detach()
+                    self.detach()  # once away, it has told that already
                 elif kind == wire.COME:
                     self._come(json.loads(data))
                     self._line.send(wire.HERE)

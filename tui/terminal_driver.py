@@ -49,6 +49,14 @@ class TerminalDriver(LinuxDriver):
         if not self._away:
             super().write(data)
 
+    def suspend_application_mode(self) -> None:
+        if not self._away:
+            super().suspend_application_mode()
+
+    def resume_application_mode(self) -> None:
+        if not self._away:
+            super().resume_application_mode()
+
     def leave_terminal(self) -> None:
         """Restore the terminal and write nothing more, until `take_terminal`."""
         self.suspend_application_mode()

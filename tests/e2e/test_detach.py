@@ -419,6 +419,58 @@ def test_a_terminal_that_takes_nothing_holds_neither_programs_nor_the_next_termi
     expect_nothing_left(place)
 
 
+def has_terminal(pid: int) -> bool:
+    """Whether the desktop reads its terminal key by key."""
+    terminal = os.open(f"/proc/{pid}/fd/0", os.O_RDWR | os.O_NOCTTY)
+    try:
+        return not termios.tcgetattr(terminal)[3] & termios.ICANON
+    finally:
+        os.close(terminal)
+
+
+def threads(pid: int) -> int:
+    return len(os.listdir(f"/proc/{pid}/task"))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the desktop is looked at in /proc")
+def test_a_terminal_that_takes_nothing_is_left_and_drawn_anew_once_it_does(place: Place) -> None:
+    place.home_file("counts.py", COUNTS.replace("time.sleep(0.01)", "print('x' * 999)"))
+    with place.desktop("--detach", "--scene", "empty", columns=120, rows=40) as screen:
+        screen.wait(PROMPT)
+        (desktop,) = processes_of(place, "main")
+        screen.line("python3 counts.py")
+        screen.wait("count")
+        assert has_terminal(desktop)
+        until(lambda: not has_terminal(desktop))  # nothing is read from its terminal meanwhile
+        screen.wait(lambda _: screen.output.count(b"\x1b[?1049h") == 2, "count")
+        screen.press("Ctrl-C")
+        screen.wait("KeyboardInterrupt")
+        screen.quit()
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the desktop is looked at in /proc")
+def test_a_desktop_that_is_stopped_while_nobody_looks_takes_its_terminal_once(place: Place) -> None:
+    with place.desktop("--detach", "--scene", "empty") as screen:
+        screen.wait(PROMPT)
+        (desktop,) = processes_of(place, "main")
+        screen.look(1.0)
+        usual = min(threads(desktop) for _ in range(20))
+        detach(screen)
+    until(lambda: not has_terminal(desktop))
+    os.kill(desktop, signal.SIGSTOP)
+    os.kill(desktop, signal.SIGCONT)
+    with attach(place) as screen:
+        screen.wait(PROMPT)
+        until(lambda: threads(desktop) <= usual)  # there is one that reads keys
+        screen.line("echo $((40 + 2))")
+        screen.wait_lines("42")
+        screen.press("Ctrl-Q")
+        assert screen.wait_end() == 0
+    expect_nothing_left(place)
+
+
 def test_what_is_typed_ahead_reaches_the_desktop_and_ctrl_c_does_not_end_it(place: Place) -> None:
     assert place.run("--detach", "--home", str(place.home), "--scene", "empty").returncode == 0
     with attach(place) as screen:

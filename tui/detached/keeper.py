@@ -74,6 +74,8 @@ class Keeper:
         """When the desktop, which was told to leave its terminal, must have done so."""
         self._overdue = 0
         """How often it was not waited for any longer; it will say that it is gone all the same."""
+        self._has_begun = False
+        """Whether the desktop listens to us."""
         self._reads_keys = False
         self._typed = bytearray()
         self._is_stuck = False
@@ -248,11 +250,11 @@ class Keeper:
 
     def _hear_desktop(self, kind: bytes) -> None:
         if kind == wire.HERE:
-            self._reads_keys = True
+            self._has_begun = self._reads_keys = True
             if self._client is not None and self._hello.get("size") is None:
                 self._client.send(wire.READY)
                 self._part(self._client)
-            if self._client is None:
+            if self._client is None or self._next is not None:
                 self._send_away()
         elif kind == wire.GONE:
             if self._overdue:
@@ -261,8 +263,8 @@ class Keeper:
                 self._left()
 
     def _send_away(self) -> None:
-        """Tell the desktop to leave the terminal; `_left` follows."""
-        if self._is_here and self._leave_by is None:
+        """Tell the desktop to leave the terminal, now or when it has begun; `_left` follows."""
+        if self._has_begun and self._is_here and self._leave_by is None:
             self._reads_keys = False
             self._typed.clear()
             self._leave_by = time.monotonic() + LEAVE_SECONDS
