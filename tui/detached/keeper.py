@@ -119,7 +119,7 @@ class Keeper:
         client, upcoming = self._client, self._next and self._next[0]
         readers: list[Any] = [self._wakes, self._held.listener, *self._arrived]
         writers: list[Any] = self._unsent_parting()
-        if self._pid:
+        if self._pid and not self._desktop.closed:
             readers.append(self._desktop)
         if self._master >= 0 and self._takes_output:
             readers.append(self._master)

@@ -6,7 +6,6 @@ socket whose lock is free was left by a keeper that was killed.
 
 from __future__ import annotations
 
-import hashlib
 import os
 import socket
 import stat
@@ -14,6 +13,7 @@ import struct
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
+from zlib import crc32
 
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.core.link.paths import base_folders
@@ -43,7 +43,7 @@ class Held(NamedTuple):
 
 
 def _name(home: Path) -> str:
-    return f"desktop-{hashlib.sha256(os.fsencode(home)).hexdigest()[:12]}"
+    return f"desktop-{crc32(os.fsencode(home)):08x}"
 
 
 def connect(home: Path) -> socket.socket | None:

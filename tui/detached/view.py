@@ -34,6 +34,8 @@ PIECE = 1024
 """Bytes that are written to the terminal at a time: between two pieces keys are sent."""
 
 MOST_UNWRITTEN = 4096
+LAST_SECONDS = 2.0
+"""How long a terminal may take nothing while the last output is written."""
 RESTORE_SECONDS = 1.0
 """What a terminal gets to take what restores it: one that is stuck never does."""
 
@@ -98,6 +100,8 @@ class _View:
         self._before = termios.tcgetattr(0)
         self._handlers: dict[signal.Signals, Callable[[int, FrameType | None], object] | int | None] = {}
         self._wakes, self._wake = os.pipe()
+        self._is_over = False
+        """Whether the terminal is being restored: no signal may disturb that."""
         self._unwritten = bytearray()
         self._seen = b""
         """The end of what was written: a sequence may come in two parts."""
@@ -123,7 +127,9 @@ class _View:
         import tty
 
         def end(number: int, frame: object) -> None:
-            raise _Signalled(number)
+            if not self._is_over:
+                self._is_over = True
+                raise _Signalled(number)
 
         for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGTSTP):
             if signal.getsignal(number) != signal.SIG_IGN:
@@ -137,12 +143,15 @@ class _View:
     def run(self) -> tuple[bytes, bytes]:
         """Carry bytes to and fro; the message with which that ended, b'' if the keeper is gone."""
         last = (b"", b"")
-        while not (self._line.closed or last[0]) or self._unwritten:
+        while not (over := self._line.closed or bool(last[0])) or self._unwritten:
             readers: list[int] = [self._wakes, 0]
-            if len(self._unwritten) < MOST_UNWRITTEN and not (self._line.closed or last[0]):
+            if len(self._unwritten) < MOST_UNWRITTEN and not over:
                 readers.append(self._line.fileno())
             writers = [self._line.fileno()] if self._line.unsent and not self._line.closed else []
-            readable, writable, _ = select.select(readers, [*writers, *([2] if self._unwritten else [])], [])
+            writers += [2] if self._unwritten else []
+            readable, writable, _ = select.select(readers, writers, [], LAST_SECONDS if over else None)
+            if not (readable or writable):
+                break
             if self._wakes in readable:
                 os.read(self._wakes, 64)
                 self._line.send(wire.SIZE, struct.pack("HHHH", *self.size()))
@@ -151,10 +160,7 @@ class _View:
             if self._line.fileno() in writable:
                 self._line.flush()
             if 0 in readable:
-                keys = os.read(0, wire.READ_SIZE)
-                if not keys:  # hung up
-                    raise _Signalled(signal.SIGHUP)
-                self._line.send(wire.INPUT, keys)
+                self._line.send(wire.INPUT, self._keys())
             if self._line.fileno() in readable:
                 for kind, data in self._line.receive():
                     if kind == wire.OUTPUT:
@@ -163,14 +169,28 @@ class _View:
                         last = (kind, data)
         return last
 
+    def _keys(self) -> bytes:
+        try:
+            if keys := os.read(0, wire.READ_SIZE):
+                return keys
+        except BlockingIOError:
+            return b""
+        except OSError:
+            pass
+        raise self._hung_up()
+
+    def _hung_up(self) -> _Signalled:
+        self._is_over = True
+        return _Signalled(signal.SIGHUP)
+
     def _write(self) -> None:
         piece = bytes(self._unwritten[:PIECE])
         try:
             piece = piece[: os.write(2, piece)]
         except BlockingIOError:
             return
-        except OSError:  # hung up
-            raise _Signalled(signal.SIGHUP) from None
+        except OSError:
+            raise self._hung_up() from None
         del self._unwritten[: len(piece)]
         seen = self._seen + piece
         for screen in _SECOND_SCREEN.finditer(seen):
@@ -189,6 +209,7 @@ class _View:
         """Leave the terminal as it was; nothing is done twice."""
         import termios
 
+        self._is_over = True
         if not self._handlers:
             return
         handlers, self._handlers = self._handlers, {}
