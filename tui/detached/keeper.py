@@ -225,13 +225,15 @@ class Keeper:
 
     def _read(self) -> bytes:
         try:
-            return os.read(self._master, wire.READ_SIZE)
+            data = os.read(self._master, wire.READ_SIZE)
         except BlockingIOError:
             return b""
-        except OSError:  # nobody has the terminal open any more
+        except OSError:  # Linux; macOS reads nothing
+            data = b""
+        if not data:  # nobody has the terminal open any more
             os.close(self._master)
             self._master = -1
-            return b""
+        return data
 
     def _drain(self) -> None:
         """Read what the desktop has written until now."""
