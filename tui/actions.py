@@ -62,6 +62,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("slower"),
     Action("normal"),
     Action("motion"),
+    Action("detach"),
 )
 
 BY_ID = {action.id: action for action in ACTIONS}
@@ -94,6 +95,8 @@ class Actions:
 
     def __init__(self) -> None:
         self._handlers: dict[str, Callable[[], object]] = {}
+        self.hidden: set[str] = set()
+        """Actions that cannot be done here, and are offered nowhere."""
 
     def offer(self, handlers: Handlers) -> None:
         """Add handlers. Raises ValueError for an id that is not an action, or is offered twice."""

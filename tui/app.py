@@ -13,7 +13,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
 os.environ.setdefault("TEXTUAL_FPS", "30")
@@ -36,6 +36,7 @@ from day6_tui.tui.arranging import Arranging
 from day6_tui.tui.bars import Bar
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.detachment import Detachment
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.guidance import Guidance
@@ -66,6 +67,7 @@ from day6_tui.tui.world_time import WorldTime
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
+    from textual.screen import Screen
 
     from day6_tui.core.session.ending import Ending
     from day6_tui.core.shell.desk import Desk
@@ -151,9 +153,11 @@ class Day6App(TerminalApp):
         self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
         self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
         self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
-        self.leaving = Leaving(self, desktop, look)
-        self.actions = registry = actions.Actions()
         self.looks = looks = Looks(self, look)
+        self.detachment = Detachment(self, options.keeper)
+        detach = self.detachment.detach if self.detachment.is_possible else None
+        self.leaving = Leaving(self, desktop, look, detach)
+        self.actions = registry = actions.Actions()
         for owner in (
             self.terminals,
             self.switching,
@@ -166,12 +170,15 @@ class Day6App(TerminalApp):
         registry.offer(
             {
                 "quit": self.leaving.quit,
+                "detach": self.detachment.detach,
                 "language": looks.next_language,
                 "theme": self.choose_theme,
                 "glyphs": lambda: notices.show(looks.next_glyphs()),
                 "motion": looks.toggle_motion,
             }
         )
+        if detach is None:
+            registry.hidden.add("detach")
         self.top = Bar(look, TopLine(machine, desktop, registry, look, doors=options.has_doors).pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
@@ -204,6 +211,7 @@ class Day6App(TerminalApp):
             message = self.look.texts("error.home", path=path, reason=error.strerror or error)
             self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
+        self.detachment.begin()
         if self.options.scene is not None or not self.session.restore():
             self.terminals.open()
         self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
@@ -322,6 +330,10 @@ class Day6App(TerminalApp):
     async def on_unmount(self) -> None:
         self.frames.detach()
 
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        if not self.detachment.away:
+            super()._display(screen, renderable)
+
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def read_flood(self) -> float | None:
@@ -341,6 +353,8 @@ class Day6App(TerminalApp):
                 self.session.place_windows()
             self.terminals.follow_desk()
         again = self.scenes.advance(now)
+        if self.detachment.away:
+            return self.notices.expire(now) or again
         if machine.desk is not None:
             again = self._pull(now) or again
             self.desktop.yield_to_full_terminals()

@@ -40,6 +40,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--fps", type=_frame_rate, metavar="N", help=texts("cli.fps"))
     options.add_argument("--reduced-motion", action="store_true", help=texts("cli.reduced_motion"))
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.home"))
+    options.add_argument("--detach", action="store_true", help=texts("cli.detach"))
     options.add_argument(
         "--listen", type=partial(_endpoint, listening=True), metavar="ENDPOINT", help=texts("cli.listen")
     )
@@ -48,6 +49,22 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     )
     options.add_argument("--secret", type=_secret, metavar="FILE|WORD", help=texts("cli.secret"))
     options.add_argument("--version", action="store_true", help=texts("cli.version"))
+    return parser
+
+
+def attach_parser(language: str = "en") -> argparse.ArgumentParser:
+    """The options of `day6-tui attach`."""
+    texts = Texts(language)
+    parser = argparse.ArgumentParser(
+        prog="day6-tui attach",
+        description=texts("cli.attach"),
+        formatter_class=partial(_Formatter, usage=texts("cli.usage")),
+        add_help=False,
+    )
+    options = parser.add_argument_group(texts("cli.options"))
+    options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
+    options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.attach.home"))
+    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.attach.lang"))
     return parser
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.session.ending import Ending, Step
 from day6_tui.tui import output
 from day6_tui.tui.pixels.app import PictureApp
+from day6_tui.tui.terminal_modes import GIVE_BACK
 
 if TYPE_CHECKING:
     from textual.app import App
@@ -26,17 +27,6 @@ LEAVE_SECONDS = 6.0
 """Seconds for the screen, the programs (`Desk.close`) and the link to end, on a machine that is busy with other work too."""
 HURRY_SECONDS = 1.5
 """The same once the user has asked a second time."""
-
-GIVE_BACK = "".join(
-    (
-        "\x1b[?2026l",  # what is drawn is shown at once
-        "\x1b[?1000l\x1b[?1003l\x1b[?1015l\x1b[?1006l\x1b[?1016l",  # the mouse
-        "\x1b[?2004l\x1b[?2048l\x1b[?1004l",  # marks around what is pasted, reports of the size and of the focus
-        "\x1b[?7h\x1b[<u",  # long lines wrap; the keyboard sends what it always did
-        "\x1b[?1049l\x1b[?25h\x1b[0m",  # the shell's screen, the cursor, plain text
-    )
-)
-"""Undoes every terminal mode that Textual turns on."""
 
 
 def ending_of(app: Day6App) -> Ending:

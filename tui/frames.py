@@ -37,7 +37,7 @@ class Frames:
         self._work = work
         self._failed = failed
         self._congested = congested if congested is not None else lambda: False
-        self._shortest = 1.0 / fps if fps > 0 else 0.0
+        self._shortest = self._usual = 1.0 / fps if fps > 0 else 0.0
         self._period = self._shortest
         self._woken = False
         self._running = False
@@ -61,6 +61,15 @@ class Frames:
         self._context = contextvars.copy_context()
         if self._woken:
             self._begin()
+
+    def rest(self, resting: bool) -> None:
+        """Draw as seldom as possible from now on, as nobody sees it; or as usual again, at once."""
+        if self._usual:
+            self._shortest = self._period = 1.0 / SLOWEST if resting else self._usual
+            if not resting and self._handle is not None:
+                self._handle.cancel()
+                self._plan(time.monotonic())
+            self.wake()
 
     def detach(self) -> None:
         """Stop for good."""

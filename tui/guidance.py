@@ -61,7 +61,8 @@ class Guidance:
 
         texts, entries = self._look.texts, []
         for action in ACTIONS:
-            if action.palette and (action.id != "language" or self._look.glyphs.chinese):
+            hidden = action.id in self._registry.hidden or (action.id == "language" and not self._look.glyphs.chinese)
+            if action.palette and not hidden:
                 key = f"action.{action.id}"
                 names = [catalogue(language)[key] for language in LANGUAGES]
                 choose = self._registry[action.id]

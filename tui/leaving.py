@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from textual.app import App
 
 from day6_tui.tui.cells import clip
@@ -18,12 +20,15 @@ MOST_NAMES = 6
 
 
 class Leaving:
-    """Ends the application, of which it only uses `exit`."""
+    """Ends the application, of which it only uses `exit`, or leaves it by `detach` where that is possible."""
 
-    def __init__(self, app: App[None], desktop: Desktop, look: Look) -> None:
+    def __init__(
+        self, app: App[None], desktop: Desktop, look: Look, detach: Callable[[], object] | None = None
+    ) -> None:
         self._app = app
         self._desktop = desktop
         self._look = look
+        self._detach = detach
         self._asked: Modal | None = None
         """The question whether to end what runs."""
 
@@ -65,7 +70,10 @@ class Leaving:
             more = texts("quit.more", count=len(running) - MOST_NAMES) if len(running) > MOST_NAMES else ""
             text = texts("quit.runs" if len(running) == 1 else "quit.run", what=names + more)
             title, yes = texts("quit.running"), texts("quit.end")
-        question = Question(self._look, title, text, [Answer("y", yes, self._app.exit)], careful=bool(lost))
+        answers = [Answer("y", yes, self._app.exit)]
+        if self._detach is not None:
+            answers.append(Answer("d", texts("quit.detach"), self._detach))
+        question = Question(self._look, title, text, answers, careful=bool(lost))
         self._asked = None if lost else question
         self._desktop.open_overlay(question)
 

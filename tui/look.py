@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,8 @@ from day6_tui.tui.glyphs import GlyphSet
 from day6_tui.tui.locale import Texts
 
 if TYPE_CHECKING:
+    from textual.filter import LineFilter
+
     from day6_tui.tui.pixels.pictures import Pictures
 
 
@@ -24,6 +26,8 @@ class Look:
     reduced_motion: bool = False
     wake: Callable[[], None] = field(default=lambda: None)
     """Requests a frame: for panes whose size or state the user changed."""
+    filters: Sequence[LineFilter] = ()
+    """What every line has to go through for this terminal, after the characters: fewer colours."""
     pictures: Pictures | None = None
     """What writes pictures of real pixels, where the application has a terminal."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import sys
@@ -26,6 +27,7 @@ def main(arguments: list[str] | None = None) -> int:
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:
         return command(words[1:])
+    keeper = _kept_by()
     from day6_tui.tui.command_line import build_parser, language_of
     from day6_tui.tui.locale import Texts
 
@@ -43,6 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
 
         print(f"day6-tui {version('day6-tui')}")
         return 0
+    if options.detach and keeper is None:
+        from day6_tui.tui.detached.client import start
+
+        return start(words, options.home, texts)
     if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
         print(f"day6-tui: {texts('cli.no_terminal')}", file=sys.stderr)
         return 2
@@ -50,8 +56,8 @@ def main(arguments: list[str] | None = None) -> int:
     from day6_tui.tui.app import run
     from day6_tui.tui.options import Options
 
-    del options.version
-    status = run(Options(**vars(options)))
+    del options.version, options.detach
+    status = run(Options(**vars(options), keeper=keeper))
     if arguments is None:
         leave(status)
     return status
@@ -69,6 +75,17 @@ def _thread_failed(failure: threading.ExceptHookArgs) -> None:
         )
     elif sys.stderr is not None:
         print(f"day6-tui: {type(error).__name__}: {error}", file=sys.stderr)
+
+
+def _kept_by() -> int | None:
+    """The descriptor of the line to the keeper that started this desktop; also goes to the folder the user is in."""
+    descriptor, _, folder = os.environ.pop("DAY6_KEEPER", "").partition(":")
+    if not descriptor.isdecimal():
+        return None
+    os.set_inheritable(int(descriptor), False)
+    with contextlib.suppress(OSError):  # it is gone by now
+        os.chdir(folder)
+    return int(descriptor)
 
 
 def _end_silently_on_ctrl_c() -> None:
@@ -154,6 +171,12 @@ def _shell(words: list[str]) -> int:
     return subshell(words)
 
 
+def _attach(words: list[str]) -> int:
+    from day6_tui.tui.detached.client import attach
+
+    return attach(words)
+
+
 def _complete(words: list[str]) -> int:
     from day6_tui.core.shell.real_completion import main as complete
 
@@ -183,6 +206,7 @@ def _env(words: list[str]) -> int:
 
 
 _TABLE: dict[str, Callable[[list[str]], int]] = {
+    "attach": _attach,
     "exec": _exec,
     "python": _python,
     "ros2": _ros2,

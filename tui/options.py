@@ -26,6 +26,8 @@ class Options:
     connect: str | None = None
     secret: str | None = None
     reduced_motion: bool = False
+    keeper: int | None = None
+    """The descriptor of the line to the keeper that holds the terminal (`--detach`)."""
 
     @property
     def has_doors(self) -> bool:

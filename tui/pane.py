@@ -14,6 +14,7 @@ from typing import NamedTuple
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.color import BLACK
 from textual.geometry import Region, Size
 from textual.message import Message
 from textual.strip import Strip
@@ -273,6 +274,8 @@ class Pane(Widget, can_focus=True):
             strip = Strip([side, *inside, side], width)
         if not self.look.glyphs.unicode:
             strip = Strip(in_ascii(strip), strip.cell_length)
+        for each in self.look.filters:
+            strip = strip.apply_filter(each, BLACK)
         return strip
 
     def _border(self) -> tuple:  # type: ignore[type-arg]

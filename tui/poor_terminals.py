@@ -49,7 +49,7 @@ class AsciiOnly(LineFilter):
 
 def filters_for(look: Look) -> list[LineFilter]:
     """What the lines of Textual's widgets have to go through."""
-    return [] if look.glyphs.unicode else [ASCII_ONLY]
+    return [*([] if look.glyphs.unicode else [ASCII_ONLY]), *look.filters]
 
 
 ASCII_ONLY = AsciiOnly()

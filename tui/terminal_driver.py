@@ -42,6 +42,32 @@ class TerminalDriver(LinuxDriver):
     """Reads the keyboard; no input makes it fail."""
 
     _reported: frozenset[str] = frozenset()
+    _away = False
+    """Whether the terminal was left for another one."""
+
+    def write(self, data: str) -> None:
+        """Write to the terminal, if there is one."""
+        if not self._away:
+            super().write(data)
+
+    def suspend_application_mode(self) -> None:
+        if not self._away:
+            super().suspend_application_mode()
+
+    def resume_application_mode(self) -> None:
+        if not self._away:
+            super().resume_application_mode()
+
+    def leave_terminal(self) -> None:
+        """Restore the terminal and write nothing more, until `take_terminal`."""
+        self.suspend_application_mode()
+        self._away = True
+        self._in_band_window_resize = False
+
+    def take_terminal(self) -> None:
+        """Take the terminal, which may be another one now."""
+        self._away = False
+        self.resume_application_mode()
 
     def _run_input_thread(self) -> None:
         try:
@@ -106,6 +132,9 @@ class TerminalDriver(LinuxDriver):
         """Leave the terminal as it was, without our pictures."""
         if text := leave_pictures(self._pictures):
             self.write(text)
+        if self._mouse_pixels:  # Textual leaves it on
+            self.write("\x1b[?1016l")
+            self._mouse_pixels = False
         super().stop_application_mode()
 
     def _report(self, fault: str) -> None:

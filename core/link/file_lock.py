@@ -19,6 +19,12 @@ class FileLock:
         """Whether this object holds the lock."""
         return self._descriptor is not None
 
+    def fileno(self) -> int:
+        """Return the descriptor: a child that inherits it goes on holding the lock. ValueError if it is not held."""
+        if self._descriptor is None:
+            raise ValueError("the lock is not held")
+        return self._descriptor
+
     def try_acquire(self) -> bool:
         """Take the lock if nobody holds it; return whether this object holds it now."""
         if self._descriptor is not None:

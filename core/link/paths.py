@@ -115,13 +115,39 @@ def meeting_place(domain_id: int) -> Place:
 
 
 def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
-    length = len(os.fsencode(base)) + len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH
-    if sys.platform != "win32" and not tcp and length > LONGEST_SOCKET_PATH:
-        base = Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(base)):08x}"
-        _private_folder(base.parent)
+    if not tcp:
+        base = _with_room(base, len(f"/{domain_id}/") + _SOCKET_NAME_LENGTH)
     for folder in (base, base / str(domain_id)):
         _private_folder(folder)
     return base / str(domain_id)
+
+
+def _with_room(base: Path, length: int) -> Path:
+    """Return `base`, or a shorter folder in its place if a socket's path with `length` more bytes would be too long."""
+    if sys.platform == "win32" or len(os.fsencode(base)) + length <= LONGEST_SOCKET_PATH:
+        return base
+    _private_folder(Path(f"/tmp/day6-{os.getuid()}"))
+    return Path(f"/tmp/day6-{os.getuid()}") / f"{crc32(os.fsencode(base)):08x}"
+
+
+def base_folders() -> list[Path]:
+    """Return the folders for this user's sockets that are safe, the preferred one first; they exist.
+
+    Raises:
+        LinkError: no folder is safe.
+    """
+    found: list[Path] = []
+    refusals: list[str] = []
+    for base in _base_folders():
+        try:
+            folder = _with_room(base, 1 + _SOCKET_NAME_LENGTH)
+            _private_folder(folder)
+            found.append(folder)
+        except LinkError as error:
+            refusals.append(str(error))
+    if not found:
+        raise LinkError("; ".join(refusals))
+    return found
 
 
 def neighbours(place: Place) -> Iterator[Neighbour]:

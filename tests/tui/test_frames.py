@@ -16,8 +16,9 @@ class _Loop:
         self.calls: list[tuple[float, Callable[[], None]]] = []
 
     def call_later(self, delay: float, function: Callable[[], None], *, context: object = None) -> _Handle:
-        self.calls.append((self.now + delay, function))
-        return _Handle()
+        call = (self.now + delay, function)
+        self.calls.append(call)
+        return _Handle(lambda: self.calls.remove(call))
 
     def call_soon_threadsafe(self, function: Callable[[], None], *, context: object = None) -> None:
         self.calls.append((self.now, function))
@@ -35,7 +36,8 @@ class _Loop:
 
 
 class _Handle:
-    def cancel(self) -> None: ...
+    def __init__(self, cancel: Callable[[], None]) -> None:
+        self.cancel = cancel
 
 
 def _frames(monkeypatch, draw: Callable[[], bool], fps: float = 30.0, **options: object) -> tuple[Frames, _Loop]:
@@ -69,6 +71,17 @@ def test_what_moves_by_itself_gets_frames_without_being_woken(monkeypatch) -> No
     frames.wake()
     loop.run(1.0)
     assert 28 <= frames.drawn <= 31
+
+
+def test_where_nobody_looks_there_are_few_frames_until_somebody_comes(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: True)
+    frames.rest(True)
+    loop.run(10.0)
+    assert 38 <= frames.drawn <= 42
+    frames.rest(False)
+    before = frames.drawn
+    loop.run(1.0)
+    assert 28 <= frames.drawn - before <= 32
 
 
 def test_a_terminal_that_does_not_take_its_output_is_left_in_peace(monkeypatch) -> None:

@@ -43,6 +43,7 @@ TEXTS = {
     "action.slower": "Slower time",
     "action.normal": "Normal time",
     "action.motion": "Less motion on or off",
+    "action.detach": "Detach",
     "help.action.terminal": "opens another terminal, with its own shell",
     "help.action.next": "moves the keyboard focus to the next terminal or window",
     "help.action.previous": "the same, in reverse order",
@@ -82,6 +83,7 @@ TEXTS = {
     "help.action.slower": "down to a tenth",
     "help.action.normal": "one second is one second",
     "help.action.motion": "turns typing effects and pulses off or on",
+    "help.action.detach": "gives the terminal back; everything goes on, and day6-tui attach comes back to it",
     # bars
     "bar.desk": "Desk",
     "bar.turtle": "Turtle",
@@ -262,7 +264,18 @@ TEXTS = {
     "quit.run": "{what} are still running: end all?",
     "quit.more": " and {count} more",
     "quit.end": "End",
+    "quit.detach": "Detach",
     "quit.was_lost": "day6-tui: unsaved work was lost: {what}",
+    # A desktop that outlives its terminal
+    "detached.asked": "detached: {command} comes back",
+    "detached.taken": "detached, because another terminal was attached: {command} comes back",
+    "detached.none": "no desktop runs that was started by {command}",
+    "detached.runs": "the desktop runs already: {command} comes to it",
+    "detached.started": "the desktop runs: {command} comes to it",
+    "detached.lost": "the desktop's keeper has ended, and the desktop with it; what was typed and the layout are kept",
+    "detached.inside": "this is a terminal of that desktop",
+    "detached.no_terminal": "attach needs a terminal",
+    "detached.windows": "--detach and attach need pseudo-terminals, which Windows does not have here",
     "editor.not_found": "{text} not found",
     "editor.lines": "1 to {count}",
     "prompt.replaces": "{file} already exists; Enter again replaces it",
@@ -476,7 +489,8 @@ TEXTS = {
     "help.desk": (
         "This is the desk of a small Ubuntu computer with ROS 2. On it are terminals, in which you type commands, and the "
         "windows that programs open.\n\nNothing happens here that a command did not cause. Everything you learn here works the "
-        "same on a real Ubuntu."
+        "same on a real Ubuntu.\n\nStarted by day6-tui --detach, the desk outlives its terminal: F7, Detach leaves it (so does a "
+        "closed window), and everything goes on; day6-tui attach comes back."
     ),
     "help.terminal": (
         "A terminal: type a command and press Enter.\n\n"
@@ -625,6 +639,10 @@ TEXTS = {
     "cli.fps": "most frames a second (default: 30)",
     "cli.reduced_motion": "no pulses and no animation",
     "cli.home": "the folder that is ~ in the terminals",
+    "cli.detach": "a desktop that goes on when this terminal is closed; day6-tui attach comes back to it",
+    "cli.attach": "Come back to the desktop started by --detach, from any terminal of this machine.",
+    "cli.attach.home": "the folder that is ~ in that desktop, if it was started with --home",
+    "cli.attach.lang": "language of what attach says (default: that of the system)",
     "cli.listen": (
         "let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command"
     ),
@@ -637,6 +655,7 @@ TEXTS = {
     "cli.commands": """\
 commands:
   shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
+  attach [--home DIR]         come back to the desktop that was started with --detach
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
   python FILE [ARG ...]       run a Python file unmodified as a ROS program
   ros2 ...                    the ros2 command, on the graph of this machine

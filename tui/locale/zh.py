@@ -40,6 +40,7 @@ TEXTS = {
     "action.slower": "时间慢一点",
     "action.normal": "时间恢复正常",
     "action.motion": "减少动画：开或关",
+    "action.detach": "暂离",
     "help.action.terminal": "再开一个终端，它有自己的 shell",
     "help.action.next": "把键盘交给下一个终端或窗口",
     "help.action.previous": "同上，往回",
@@ -79,6 +80,7 @@ TEXTS = {
     "help.action.slower": "最慢十分之一",
     "help.action.normal": "一秒就是一秒",
     "help.action.motion": "没有打字效果，也没有光点",
+    "help.action.detach": "把终端还给你，一切继续运行；day6-tui attach 再回来",
     # bars
     "bar.desk": "桌面",
     "bar.turtle": "海龟",
@@ -329,7 +331,18 @@ TEXTS = {
     "quit.run": "{what} 还在运行，全部结束吗？",
     "quit.more": "等，另有 {count} 个",
     "quit.end": "结束",
+    "quit.detach": "暂离",
     "quit.was_lost": "day6-tui：未保存的内容丢失了：{what}",
+    # 比终端活得更久的桌面
+    "detached.asked": "已暂离：用 {command} 回来",
+    "detached.taken": "已暂离，因为另一个终端接管了桌面：用 {command} 回来",
+    "detached.none": "没有用 {command} 启动的桌面在运行",
+    "detached.runs": "桌面已经在运行：用 {command} 进入",
+    "detached.started": "桌面在运行：用 {command} 进入",
+    "detached.lost": "桌面的守护进程结束了，桌面也随之结束；输入过的内容和布局都保存着",
+    "detached.inside": "这里就是那个桌面的终端",
+    "detached.no_terminal": "attach 需要一个终端",
+    "detached.windows": "--detach 和 attach 需要伪终端，Windows 上没有",
     "editor.not_found": "没有找到 {text}",
     "editor.lines": "1 到 {count}",
     "prompt.replaces": "{file} 已经存在；再按一次 Enter 就替换它",
@@ -542,7 +555,8 @@ TEXTS = {
     "help.everywhere": "到处都能用的按键",
     "help.desk": (
         "这是一台装了 ROS 2 的小 Ubuntu 电脑的桌面。桌面上有终端，你在里面输入命令；还有程序打开的窗口。\n\n"
-        "这里发生的每一件事都来自一条命令。在这里学会的，到真正的 Ubuntu 上一样能用。"
+        "这里发生的每一件事都来自一条命令。在这里学会的，到真正的 Ubuntu 上一样能用。\n\n"
+        "用 day6-tui --detach 启动，桌面就不会随终端消失：F7 选“暂离”（或者直接关掉窗口），一切继续运行；day6-tui attach 再回来。"
     ),
     "help.terminal": (
         "这是终端：输入一条命令，按 Enter 运行。\n\n"
@@ -677,6 +691,10 @@ TEXTS = {
     "cli.fps": "每秒最多画几帧（默认：30）",
     "cli.reduced_motion": "不要闪烁和动画",
     "cli.home": "终端里的 ~ 是哪个文件夹",
+    "cli.detach": "终端关了桌面也继续运行；day6-tui attach 再回来",
+    "cli.attach": "回到用 day6-tui --detach 启动的桌面，从这台电脑的任何终端都行。",
+    "cli.attach.home": "那个桌面里的 ~ 是哪个文件夹（启动时写了 --home 才需要）",
+    "cli.attach.lang": "attach 说话用的语言（默认：和系统一样）",
     "cli.listen": "让别的电脑加入，例如 tcp/0.0.0.0:7447；不写 --secret 的话，能连上这个端口的人都可以读取和发命令",
     "cli.connect": "加入另一台电脑，例如 tcp/192.168.1.5:7447",
     "cli.secret": (
@@ -687,6 +705,7 @@ TEXTS = {
     "cli.commands": """\
 命令：
   shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
+  attach [--home DIR]         回到用 --detach 启动的桌面
   exec [-c COMMANDS] [FILE]   不开桌面，直接运行模拟终端的命令
   python FILE [ARG ...]       把一个 Python 文件原样当作 ROS 程序运行
   ros2 ...                    ros2 命令，看到的是这台电脑上的节点和话题

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from textual import events
@@ -35,9 +35,9 @@ class PictureApp(App[None]):
 
     look: Look
 
-    def begin_pictures(self, glyphs: str | None) -> None:
-        """Find out whether the terminal shows pixels; `glyphs` is what the user chose on the command line."""
-        look, environ = self.look, terminal_environ()
+    def begin_pictures(self, glyphs: str | None, environ: Mapping[str, str] | None = None) -> None:
+        """Find out whether the terminal shows pixels; `glyphs` is what the user chose. `environ` tells of another terminal."""
+        look, environ = self.look, terminal_environ() if environ is None else environ
         if self.is_headless or look.colours.colourless or look.glyphs.name not in (PIXELS, *CANVASES[:2]):
             return
         look.pictures = pictures = Pictures(
