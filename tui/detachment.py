@@ -63,7 +63,10 @@ class Detachment:
             return
         self.away = False
         app._sync_available = False  # it is asked anew, as everything else the terminal may know
-        self._adaptation.fit(environ)
+        try:
+            self._adaptation.fit(environ)
+        except Exception as error:
+            app.frame_failed(error)  # a desktop that looks wrong is better than none
         driver.take_terminal()
         app.screen.refresh(layout=True)
         app.frames.rest(False)
