@@ -71,7 +71,7 @@ class Bar(Pane, can_focus=False):
 
 
 class KeyHint(NamedTuple):
-    """A key for the key bar. Those with the lowest weight are dropped first when there is too little room."""
+    """A key for the key bar. The last of those with the lowest weight is dropped first when there is too little room."""
 
     key: str
     name: str
@@ -88,7 +88,7 @@ def key_pieces(look: Look, keys: Sequence[KeyHint], width: int) -> list[Piece]:
         if _width(pieces) <= width:
             return pieces
     while len(kept) > 1:
-        kept.remove(min(kept, key=lambda hint: hint.weight))
+        kept.remove(min(reversed(kept), key=lambda hint: hint.weight))
         pieces = _key_pieces(look, kept, *tight)
         if _width(pieces) <= width:
             break

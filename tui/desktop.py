@@ -378,7 +378,7 @@ class Desktop(PaneHost):
         pane = _pane_of(event.widget)
         if pane is None or pane is self._last_focus:
             return
-        if event.widget is not self.screen.focused:
+        if self.screen.focused not in (event.widget, None):
             return  # quick keys: the news of one pane may come when the next already has the focus
         self._note_focus(pane)
 

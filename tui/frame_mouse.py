@@ -25,6 +25,8 @@ class FrameMouse:
         """The border that is dragged."""
         self._moved: Pane | None = None
         """The pane whose title is dragged."""
+        self._from = (0, 0)
+        """Where it was taken: a click changes the layout under the mouse, and is no drag for that."""
 
     def press(self, event: events.MouseDown) -> None:
         """Take hold of a border or a title."""
@@ -42,7 +44,7 @@ class FrameMouse:
         if self._border is not None:
             self._desktop.capture_mouse()
         elif y == place.y and x < place.right - 4:
-            self._moved = pane
+            self._moved, self._from = pane, (x, y)
 
     def drag(self, event: events.MouseMove) -> tuple[Pane, Pane, str] | None:
         """Move the border, or return the pane that is dragged, and the one and the side of it where it would fall."""
@@ -64,7 +66,10 @@ class FrameMouse:
             self._border = None
             desktop.release_mouse()
         pane, self._moved = self._moved, None
-        if pane is not None and desktop.holds(pane) and (target := self._target(*self._at(event), pane)) is not None:
+        place = self._at(event)
+        if pane is None or not desktop.holds(pane) or place == self._from:
+            return
+        if (target := self._target(*place, pane)) is not None:
             desktop.split_tree.move(pane.slot, target[0].slot, target[1])
             desktop.focus_pane(pane)
 

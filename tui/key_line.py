@@ -11,6 +11,9 @@ from day6_tui.tui.notices import Notices
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.scene_play import ScenePlay
 
+MORE_OF_PANE = 2
+"""The weight of the focused pane's keys after its first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
+
 
 class KeyLine:
     """The keys of the focused pane before those of the desktop."""
@@ -33,7 +36,8 @@ class KeyLine:
         if self._scenes.player is not None:
             return [Piece(f" {texts('bar.playing')} ", look.colours.hint)], []
         pane = self._desktop.focused_pane
-        keys = [KeyHint(key, name) for key, name in pane.key_hints()] if pane is not None else []
+        hints = pane.key_hints() if pane is not None else []
+        keys = [KeyHint(*hint) if hint is hints[0] else KeyHint(*hint, weight=MORE_OF_PANE) for hint in hints]
         for action in bar_actions():
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
             keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))

@@ -72,12 +72,14 @@ def best_spot(
 ) -> Spot | None:
     """Where to put `key`, which is already in `recent`; None for an empty tree.
 
-    No pane becomes smaller than it can be used: rather one becomes a tab. A window never covers the pane with the `keyboard`.
+    No pane becomes smaller than it can be used: rather one becomes a tab. A window never covers the pane with the `keyboard`,
+    and nothing covers a picture that matters more than itself while there is another place.
     """
     fronts = sorted((stack.front for stack in tree.stacks()), key=lambda front: _rank(front, recent))
     others = [front for front in fronts if front != keyboard]
     if _is_terminal(key, needs) and keyboard is not None and _is_terminal(keyboard, needs):
         others = fronts  # the keyboard goes to the new one anyway
+    others = [front for front in others if needs(front).weight <= needs(key).weight] or others
     sides = ("right", "below") if size.columns >= WIDE else ("below", "right")
     beside = [Spot(front, side) for side in sides for front in fronts]
     tabs = [Spot(front, "tab") for front in others]

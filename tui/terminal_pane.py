@@ -11,7 +11,7 @@ from rich.style import Style
 from textual import events
 from textual.geometry import Offset
 
-from day6_tui.tui.cells import fit
+from day6_tui.tui.cells import cell_len, fit
 from day6_tui.tui.held_keys import HeldKeys
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, PaneMessage, Piece
@@ -165,7 +165,7 @@ class TerminalPane(Pane):
             if view.passed > 2 * view.lines:
                 self._behind_until = now + FLOOD_SECONDS
             more = view.has_more
-        hint = self._hint()
+        hint = self._hint(self.inner_width - 2)
         if hint != self._shown_hint:
             self._shown_hint = hint
             self.touch_lines([self.inner_height - 1])
@@ -188,22 +188,23 @@ class TerminalPane(Pane):
                 return NEXT_SLICE
         return NEXT_LOOK if time.monotonic() < self._flood_until else None
 
-    def _hint(self) -> str:
-        """The hint shown in the last line: what to do when keys do not do what the user expects."""
+    def _hint(self, room: int) -> str:
+        """The hint shown in the last line: what to do when keys do not do what the user expects. `room` in cells."""
         view = self._view
         if view is not None and view.terminal.is_stubborn:
             return self.look.texts("terminal.stubborn")
         if view is not None and not self.has_focus and view.reading_keys:
-            return self.look.texts(
-                "terminal.hint", keys=keys_of(view.terminal.title, self.look.texts), key=self.key_back
-            )
+            texts = self.look.texts
+            values = {"keys": keys_of(view.terminal.title, texts), "key": self.key_back}
+            hint = texts("terminal.hint", **values)
+            return hint if cell_len(hint) <= room else texts("terminal.hint.short", **values)
         return ""
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         view = self._view
         if view is None:
             return []
-        hint = self._hint() if y == self.inner_height - 1 else ""
+        hint = self._hint(width - 2) if y == self.inner_height - 1 else ""
         if hint:
             return [Segment(fit(f" {hint} ", width, self.look.glyphs.ellipsis), self.look.colours.hint)]
         return view.segments(y, self.look.colours, focused=self.has_focus)

@@ -19,9 +19,7 @@ class Mouse:
 
     def find(self, text: str) -> tuple[int, int]:
         """The cell in which a text begins, once it is on the screen."""
-        lines = self.screen.wait(text).split("\n")
-        row = next(row for row, line in enumerate(lines) if text in line)
-        return lines[row].index(text), row
+        return self._cells(text)[0]
 
     def click(self, column: int, row: int, button: int = LEFT) -> None:
         self._report(button, column, row)
@@ -29,8 +27,8 @@ class Mouse:
 
     def click_on(self, text: str) -> None:
         """Click in the middle of a text."""
-        column, row = self.find(text)
-        self.click(column + len(text) // 2, row)
+        cells = self._cells(text)
+        self.click(*cells[len(cells) // 2])
 
     def drag(self, start: tuple[int, int], *way: tuple[int, int]) -> None:
         """Press at `start`, move along the way and let go at its end."""
@@ -43,6 +41,13 @@ class Mouse:
         """Turn the wheel, upwards if `clicks` is positive."""
         for _ in range(abs(clicks)):
             self._report(_WHEEL_UP if clicks > 0 else _WHEEL_DOWN, column, row)
+
+    def _cells(self, text: str) -> list[tuple[int, int]]:
+        """Where each character of a text stands, once it is on the screen; a Chinese one takes two columns."""
+        lines = self.screen.wait(text).split("\n")
+        row = next(row for row, line in enumerate(lines) if text in line)
+        first = lines[row].index(text)
+        return [(column, row) for column in self.screen.columns_of(row)[first : first + len(text)]]
 
     def _report(self, button: int, column: int, row: int, end: str = "M") -> None:
         self.screen.send(f"\x1b[<{button};{column + 1};{row + 1}{end}")

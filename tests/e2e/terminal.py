@@ -44,6 +44,8 @@ KEYS = {
     "Alt-5": "\x1b5",
     "Ctrl-C": "\x03",
     "Ctrl-D": "\x04",
+    "Delete": "\x1b[3~",
+    "Ctrl-N": "\x0e",
     "F7": "\x1b[18~",
     "Ctrl-Q": "\x11",
     "Ctrl-U": "\x15",
@@ -108,6 +110,64 @@ class Terminal(Screen):
         """The screen as text, after reading what comes within `seconds`, without blanks at the ends of lines."""
         self._take(seconds)
         return "\n".join(line.rstrip() for line in self._picture.display)
+
+    @property
+    def rows(self) -> int:
+        return int(self._picture.lines)
+
+    @property
+    def columns(self) -> int:
+        return int(self._picture.columns)
+
+    def row(self, row: int) -> str:
+        """One row of the screen."""
+        return str(self._picture.display[row])
+
+    def columns_of(self, row: int) -> list[int]:
+        """The column in which each character of a row stands."""
+        cells = self._picture.buffer[row]
+        return [column for column in range(self.columns) for _ in cells[column].data]
+
+    def colours(self, column: int, row: int) -> tuple[str, str]:
+        """Foreground and background of a cell, in six hexadecimal digits where the program chose them so."""
+        cell = self._picture.buffer[row][column]
+        return (cell.bg, cell.fg) if cell.reverse else (cell.fg, cell.bg)
+
+    def find(self, text: str, title: str = "") -> tuple[int, int] | None:
+        """Column and row in which a text begins, None where it is not on the screen (inside the pane with this `title`)."""
+        left, top, right, bottom = self._inside(title) if title else (0, 0, self.columns, self.rows)
+        for row in range(top, bottom):
+            columns = [column for column in self.columns_of(row) if left <= column < right]
+            at = "".join(self._picture.buffer[row][column].data[:1] for column in dict.fromkeys(columns)).find(text)
+            if at >= 0:
+                return columns[at], row
+        return None
+
+    def pane(self, title: str) -> list[str]:
+        """The lines inside the pane whose title contains this, in their whole width; [] where there is none."""
+        left, top, right, bottom = self._inside(title)
+        rows = [self._picture.buffer[row] for row in range(top, bottom)]
+        return ["".join(cells[column].data for column in range(left, right)) for cells in rows]
+
+    def cells(self, title: str) -> list[tuple[str, str, str]]:
+        """Text, foreground and background of every cell inside a pane."""
+        left, top, right, bottom = self._inside(title)
+        rows = [self._picture.buffer[row] for row in range(top, bottom)]
+        return [
+            (cells[column].data, cells[column].fg, cells[column].bg) for cells in rows for column in range(left, right)
+        ]
+
+    def _inside(self, title: str) -> tuple[int, int, int, int]:
+        """The first column and row inside the frame of a pane, and those behind the last; all 0 where there is no such pane."""
+        rows = [
+            "".join(self._picture.buffer[row][x].data or "\0" for x in range(self.columns)) for row in range(self.rows)
+        ]
+        for top, line in enumerate(rows):
+            for frame in re.finditer(r"[╭┏][^╮┓]*[╮┓]", line):
+                if title in frame[0].replace("\0", ""):
+                    below = (row for row in range(top + 1, self.rows) if rows[row][frame.start()] in "╰┗")
+                    return frame.start() + 1, top + 1, frame.end() - 1, next(below, self.rows)
+        return 0, 0, 0, 0
 
     def pieces(self) -> list[str]:
         """What stands between the frames of the panes, line by line, without the blanks around it."""

@@ -71,3 +71,24 @@ def test_sliders_are_dragged_and_the_view_of_rviz_is_turned(place: Place) -> Non
         before = [line[110:138] for line in screen.wait("╭ 2 RViz").split("\n")[3:15]]
         mouse.drag((120, 10), (124, 11), (130, 12))
         screen.wait("┏ 2 RViz", lambda seen: [line[110:138] for line in seen.split("\n")[3:15]] != before)
+
+
+def test_a_click_on_a_tab_shows_it_though_the_places_change_under_the_mouse(place: Place) -> None:
+    with place.desktop("--scene", "empty") as screen:
+        mouse = Mouse(screen)
+        screen.wait("student@day6:~$")
+        screen.line("rviz2")
+        screen.wait("2 RViz", "RViz is ready")
+        screen.press("F2")
+        screen.wait("┏ 3 ~")
+        screen.line("echo th''ree; sleep 1000")
+        screen.wait_lines("three")
+        screen.press("F2")
+        screen.wait("4 ~ ━")
+        screen.press("F6")
+        screen.wait("nothing is wrong")
+        for text, tab in [("three", "3 sleep"), ("nothing is wrong", "5 Inspector")] * 2:
+            screen.press("Alt-4")
+            screen.wait("4 ~ ━")
+            mouse.click_on(tab)
+            screen.wait(text, lambda seen, tab=tab: "┏ 3 sleep" in seen)

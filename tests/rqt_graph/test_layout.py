@@ -113,6 +113,25 @@ def test_a_window_too_narrow_gets_shorter_labels() -> None:
     assert any(route.edge.label == "/turtle1/…/feedback" for route in narrow.routes)
 
 
+def test_where_topics_have_no_room_between_two_boxes_they_stand_above_and_below_the_line() -> None:
+    boxes, edges = LESSON
+    assert text(fitted(boxes, [*edges, BACK], 42, 5)) == [
+        "            /turtle1/cmd_vel",
+        "( /teleop_turtle )◀──▶( /turtlesim )",
+        "           /turtle1/…/feedback",
+    ]
+    third = Box("/a", ("/a",), "node")
+    chain = fitted([third, *boxes], [Edge("/a", "/teleop_turtle", "/a/long/name", "l"), *edges], 50, 3)
+    assert text(chain)[0].split() == ["/a/long/name", "/turtle1/cmd_vel"] and chain.width <= 50
+    # What skips a box has no line of its own there: no names rather than wrong ones.
+    skipping = fitted([third, *boxes], [Edge("/a", "/turtlesim", "/far", "f"), *edges, *chain_edges(boxes)], 30, 5)
+    assert not any(route.edge.label for route in skipping.routes)
+
+
+def chain_edges(boxes: list[Box]) -> list[Edge]:
+    return [Edge("/a", boxes[0].key, "/near", "n")]
+
+
 def test_an_overview_takes_its_room_from_the_edges_and_keeps_boxes_names_and_arrows() -> None:
     names = [f"/r1/part_{number}" for number in range(4)]
     boxes = [Box(name, (name,), "node", "/r1") for name in names]

@@ -131,8 +131,13 @@ def test_on_a_wide_screen_two_terminals_are_beside_each_other_and_a_third_below(
 
 @pytest.mark.parametrize("size", [(80, 22), (120, 38)])
 def test_sliders_and_inspector_do_not_push_rviz_off(size) -> None:
-    layout, _ = place((120, 38), "T", "T", "rviz2", "T", "joint_state_publisher", "inspector")
+    layout, _ = place(size, "T", "T", "rviz2", "T", "joint_state_publisher", "inspector")
     assert 3 in layout.places and layout.places[3].width >= 60
+
+
+def test_nothing_covers_a_picture_that_matters_more_than_itself() -> None:
+    layout, _ = place((80, 22), "T", "rviz2", "T", "T", "joint_state_publisher", "inspector")
+    assert 2 in layout.places and 6 in layout.places
 
 
 @pytest.mark.parametrize("size", SIZES)

@@ -127,6 +127,7 @@ TEXTS = {
     "input.not_utf8": "Your terminal sends bytes that are not UTF-8: set it to UTF-8",
     "pixels.slow": "Pixels come too slowly over this connection: characters draw the pictures now",
     "terminal.hint": "{keys} work only in here: click or {key}",
+    "terminal.hint.short": "{keys}: click here or {key}",
     "terminal.arrows": "{keys} only drive in terminal {number}: {key} goes there",
     "terminal.not_arrows": "Arrow keys do nothing here. {keys} drive",
     "teleop.arrows": "Arrow keys",

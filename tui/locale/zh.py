@@ -124,6 +124,7 @@ TEXTS = {
     "input.not_utf8": "你的终端发送的不是 UTF-8：请把终端编码设为 UTF-8",
     "pixels.slow": "这条连接传送像素图太慢，已改用字符来画",
     "terminal.hint": "{keys}只在这个终端里有用：点一下这里，或按 {key}",
+    "terminal.hint.short": "{keys}：点这里，或按 {key}",
     "terminal.arrows": "{keys}只在终端 {number}（遥控）里有用：按 {key} 切换过去",
     "terminal.not_arrows": "这个程序不用方向键驾驶，要用{keys}",
     "teleop.arrows": "方向键",

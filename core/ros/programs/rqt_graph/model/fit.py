@@ -20,6 +20,8 @@ class Form(NamedTuple):
     topic: int = 0
     node: int = 0
     labels: bool = True
+    stacked: bool = False
+    """Topics above and below the line instead of in it, where all boxes stand in one row; else as the smallest form."""
 
 
 FORMS = (
@@ -32,6 +34,7 @@ FORMS = (
     Form(False, 26),
     Form(False, 26, 26),
     Form(False, 16, 26),
+    Form(False, 26, 26, stacked=True),
     Form(False, 11, 16),
     Form(False, 11, 16, labels=False),
 )
@@ -101,11 +104,52 @@ def unfitted(boxes: Sequence[Box], edges: Sequence[Edge]) -> Picture:
 
 def _formed(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture:
     """Lay out a graph in one form; names that are too long for it are shortened in their middle."""
+    if form.stacked:
+        return _stacked(boxes, edges, form, ellipsis) or _formed(boxes, edges, FORMS[-1], ellipsis)
     if form.node:
         boxes = [replace(box, lines=tuple(elide(line, form.node, ellipsis) for line in box.lines)) for box in boxes]
     if form.topic:
         edges = [replace(edge, label=elide(edge.label, form.topic, ellipsis) * form.labels) for edge in edges]
     return layout(list(boxes), list(edges), measure, roomy=form.roomy)
+
+
+def _stacked(boxes: Sequence[Box], edges: Sequence[Edge], form: Form, ellipsis: str) -> Picture | None:
+    """Boxes in one row with short lines between neighbours; what flows to the right stands above the line, the rest below.
+
+    None where the boxes do not stand so.
+    """
+    picture = _formed(boxes, edges, form._replace(stacked=False, labels=False), ellipsis)
+    rects = sorted((rect for _, rect in picture.boxes.values()), key=lambda rect: rect.x)
+    if picture.height != 1 or not picture.routes or picture.clusters:
+        return None
+    before = {key: rects.index(rect) for key, (_, rect) in picture.boxes.items()}
+    names = {(edge.start, edge.end, edge.key): edge.label for edge in edges}
+    taken: dict[int, int] = {}  # row -> the first column that is free
+    placed: list[tuple[Route, int, int]] = []
+    for route in sorted(picture.routes, key=lambda route: min(before[route.edge.start], before[route.edge.end])):
+        edge = route.edge
+        left, right = sorted((before[edge.start], before[edge.end]))
+        if right != left + 1:
+            return None
+        label = elide(names[edge.start, edge.end, edge.key], form.topic, ellipsis)
+        gap = (rects[left].x + rects[left].width + rects[right].x) // 2
+        x, step = max(0, gap - measure(label) // 2), -1 if before[edge.start] == left else 1
+        row = step
+        while taken.get(row, 0) > x:
+            row += step
+        taken[row] = x + measure(label) + 1
+        placed.append((replace(route, edge=replace(edge, label=label)), x, row))
+    down = -min(0, *taken)
+    routes = tuple(
+        replace(route, cells=tuple((x, y + down) for x, y in route.cells), label_at=(label_x, row + down))
+        for route, label_x, row in placed
+    )
+    return Picture(
+        max(picture.width, *(end - 1 for end in taken.values())),
+        down + 1 + max(0, *taken),
+        {key: (box, replace(rect, y=rect.y + down)) for key, (box, rect) in picture.boxes.items()},
+        routes,
+    )
 
 
 def overview(picture: Picture, width: int, height: int, ellipsis: str = "…") -> Picture:
