@@ -337,7 +337,7 @@ class Pane(Widget, can_focus=True):
     def on_click(self, event: events.Click) -> None:
         if event.screen_offset - self.region.offset != event.offset:
             return  # a widget inside let it pass, counted from its own corner
-        if event.chain == 2 and event.y == 0 and self.framed and event.x < self.extent.width - 5:
+        if event.chain % 2 == 0 and event.y == 0 and self.framed and event.x < self.extent.width - 5:
             event.stop()
             event.prevent_default()
             self.post_message(self.Enlarged(self))

@@ -370,7 +370,7 @@ class ConsoleTable(ScrollView, can_focus=True):
             self._sort_at(event.x)
         elif (index := self.scroll_offset.y + event.y - 1) < len(self._records):
             self._choose(index)
-            if event.chain == 2:
+            if event.chain % 2 == 0:
                 self._open()
         event.stop()
 

@@ -108,9 +108,9 @@ class EditorPane(WindowPane[Editor]):
             return [("Enter", texts("editor.files")), ("^W", texts("editor.close"))]
         return [
             ("^S", texts("editor.save")),
+            ("^X" if self._is_nano else "^W", texts("editor.close")),  # before the others: they go first without room
             ("^F", texts("editor.find")),
             ("^G", texts("editor.line")),
-            ("^X" if self._is_nano else "^W", texts("editor.close")),
         ]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
