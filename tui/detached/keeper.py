@@ -109,6 +109,7 @@ class Keeper:
             if line is not None:
                 line.send(wire.END, str(status).encode())
                 self._part(line)
+        self._serve_parting([])  # who has taken everything
         while self._parting:
             self._serve_parting(select.select([], self._unsent_parting(), [], LAST_SECONDS)[1])
 
