@@ -8,7 +8,7 @@ from day6_tui.core.ros.programs.rviz2.model.scene import Lines
 from day6_tui.tui.render.lines import BIAS, direction, ends_of, numbered, on_screen
 from day6_tui.tui.render.picture import EMPTY, Array, Picture
 
-TOO_CLOSE, FAR_ENOUGH = 2.5, 5.0
+TOO_CLOSE, FAR_ENOUGH = 4.0, 8.0
 """Pixels between neighbours: at the first a line is gone, at the second it is there in full."""
 
 STEPS = (1, 2, 5, 10, 20, 50, 100)
