@@ -324,6 +324,12 @@ class Bench:
                 screen.read(1)
             screen.read(2)
             yield "key to echo, three runaways, one core", _spread(_echoes(screen, self.rounds * 4)), "<= 60 / 200 ms"
+        with self.desktop(120, 40, "--scene", "turtle", cpus=one_core) as screen:
+            screen.first_frame()
+            screen.read(10)
+            screen.send("\x1bOQ")  # F2
+            screen.read(1)
+            yield "key to echo, beside turtle, node, teleop and echo", _spread(_echoes(screen, self.rounds * 4)), "-"
 
     def paste(self) -> Iterator[Row]:
         """A megabyte pasted at the prompt: when its end is on the screen, and what it does to turtlesim meanwhile."""

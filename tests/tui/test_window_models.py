@@ -38,7 +38,8 @@ def model_of(kind: str) -> str:
     module, name = KINDS[kind]
     pane = getattr(import_module(f"{windows.__name__}.{module}"), name)
     bases = [base for cls in pane.__mro__ for base in getattr(cls, "__orig_bases__", ())]
-    (model,) = next(typing.get_args(base) for base in bases if typing.get_origin(base) is WindowPane)
+    origins = ((typing.get_origin(base), typing.get_args(base)) for base in bases)
+    model, *_ = next(given for origin, given in origins if isinstance(origin, type) and issubclass(origin, WindowPane))
     return model.__forward_arg__ if isinstance(model, typing.ForwardRef) else model.__name__
 
 

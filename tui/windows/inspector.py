@@ -2,41 +2,21 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from textual import events
-from textual.app import ComposeResult
-from textual.widget import Widget
-
 from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
-from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.inspector_list import FindingList
+from day6_tui.tui.windows.pane_list import ListPane
 
 
-class InspectorPane(WindowPane[Inspector]):
-    """Draws the frame; the findings are a list that has the keyboard."""
-
-    DEFAULT_CSS = Path(__file__).with_suffix(".tcss").read_text(encoding="utf-8")
+class InspectorPane(ListPane[Inspector, FindingList]):
+    """Keeps the list up to date."""
 
     def __init__(self, window: Window[Inspector], look: Look) -> None:
-        super().__init__(window, look)
+        super().__init__(window, look, FindingList(look))
         self.inspector = window.model
-        self.list = FindingList(look)
         self._shown: tuple[object, ...] = ()
-
-    def compose(self) -> ComposeResult:
-        yield self.list
-
-    @property
-    def focus_target(self) -> Widget:
-        return self.list if self.list.is_attached else self
-
-    def focus(self, scroll_visible: bool = True) -> InspectorPane:
-        self.list.focus(scroll_visible)
-        return self
 
     @property
     def label(self) -> str:
@@ -57,10 +37,4 @@ class InspectorPane(WindowPane[Inspector]):
 
     def restyle(self) -> None:
         self._shown = ()
-        self.list.take_look(self.look)
         super().restyle()
-
-    def on_focus(self, event: events.Focus) -> None:
-        super().on_focus(event)
-        if self.focus_target is not self:
-            self.screen.set_focus(self.focus_target, scroll_visible=False)

@@ -2,62 +2,66 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from textual import events, on
+from textual.widgets import OptionList
+from textual.widgets.option_list import Option
 
-from rich.segment import Segment
-from textual import events
-
-from day6_tui.core.ros.programs.rqt_gui.model import Menu
+from day6_tui.core.ros.programs.rqt_gui.model import Menu, Plugin
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
-from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.pane_list import ListPane, PaneList, Row
 
 
-class RqtPane(WindowPane[Menu]):
-    """Draws `Menu.plugins`; keeps which one the cursor is on."""
+class PluginList(PaneList):
+    """The windows of `Menu.plugins`, each with its number, which is its key too."""
+
+    def __init__(self, menu: Menu, look: Look) -> None:
+        super().__init__(look)
+        self._menu = menu
+
+    def show(self) -> None:
+        """Write the entries in the present language."""
+        at, texts, colours = self.highlighted or 0, self.look.texts, self.look.colours
+        rows = [Row(self, -1, texts("rqt.plugins"), "", colours.muted)]
+        for number, plugin in enumerate(self._menu.plugins, 1):
+            note = f"{plugin.package:<12} {texts(f'rqt.about.{plugin.package}')}"
+            rows.append(Row(self, number, f"{plugin.title:<16}{note}", str(number), colours.text))
+        self.set_options([Option(row, disabled=not number) for number, row in enumerate(rows)])
+        self.highlighted = max(1, at)
+
+    def on_key(self, event: events.Key) -> None:
+        """A number opens its window."""
+        plugins = self._menu.plugins
+        if event.key.isdigit() and 1 <= int(event.key) <= len(plugins):
+            event.stop()
+            self._open(plugins[int(event.key) - 1])
+
+    @on(OptionList.OptionSelected)
+    def open_chosen(self, event: OptionList.OptionSelected) -> None:
+        """Enter or a click."""
+        event.stop()
+        self._open(self._menu.plugins[event.option_index - 1])
+
+    def _open(self, plugin: Plugin) -> None:
+        self._menu.choose(plugin)
+
+
+class RqtPane(ListPane[Menu, PluginList]):
+    """Keeps which entry the cursor is on."""
 
     def __init__(self, window: Window[Menu], look: Look) -> None:
-        super().__init__(window, look)
-        self.menu = window.model
-        self._at = 0
+        super().__init__(window, look, PluginList(window.model, look))
+        self._shown = ""
 
-    def content_line(self, y: int, width: int) -> Iterable[Segment]:
-        colours, plugins = self.look.colours, self.menu.plugins
-        if y == 0:
-            return [
-                Segment(" " + clip(self.look.texts("rqt.plugins"), width - 1, self.look.glyphs.ellipsis), colours.muted)
-            ]
-        if not 1 <= y <= len(plugins):
-            return ()
-        plugin, on = plugins[y - 1], y - 1 == self._at
-        text = f" {y} {plugin.title:<16}"
-        note = f" {plugin.package:<12} {self.look.texts(f'rqt.about.{plugin.package}')}"
-        return [
-            Segment(f" {self.look.glyphs.marker if on else ' '}", colours.accent),
-            Segment(text, colours.choice if on and self.has_focus else colours.strong),
-            Segment(clip(note, max(0, width - 2 - len(text)), self.look.glyphs.ellipsis), colours.muted),
-        ]
+    def pull(self, now: float) -> bool:
+        if self._shown != self.look.texts.language and self.list.is_attached:
+            self._shown = self.look.texts.language
+            self.list.show()
+        return False
+
+    def restyle(self) -> None:
+        self._shown = ""
+        super().restyle()
 
     def key_hints(self) -> list[tuple[str, str]]:
         return [("Enter", self.look.texts("rqt.open"))]
-
-    def on_key(self, event: events.Key) -> None:
-        plugins = self.menu.plugins
-        if event.key in ("up", "down"):
-            self._at = (self._at + (1 if event.key == "down" else -1)) % len(plugins)
-            self.touch()
-        elif event.key == "enter":
-            self.menu.choose(plugins[self._at])
-        elif event.key.isdigit() and 1 <= int(event.key) <= len(plugins):
-            self.menu.choose(plugins[int(event.key) - 1])
-        else:
-            return
-        event.stop()
-        event.prevent_default()
-
-    def on_click(self, event: events.Click) -> None:
-        super().on_click(event)
-        line = event.y - self.inner_offset
-        if 1 <= line <= len(self.menu.plugins):
-            self.menu.choose(self.menu.plugins[line - 1])
