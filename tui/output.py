@@ -21,6 +21,8 @@ _log = logging.getLogger(__name__)
 
 HELD = 8192
 """Bytes that may wait for `flush`."""
+PIECE = 1024
+"""Bytes that are written at a time."""
 
 
 class Leaky:
@@ -31,6 +33,8 @@ class Leaky:
         self._fd = _descriptor(file)
         self._encoding: str = getattr(file, "encoding", None) or "utf-8"
         self._held = bytearray()
+        self.taken = 0
+        """Bytes that the terminal has taken."""
         self.gone = False
         """Whether the terminal no longer accepts output."""
 
@@ -54,7 +58,10 @@ class Leaky:
                 self._file.flush()
                 return
             held, self._held = bytes(self._held), bytearray()
-            _write_all(self._fd, held)
+            for start in range(0, len(held), PIECE):
+                piece = held[start : start + PIECE]
+                _write_all(self._fd, piece)
+                self.taken += len(piece)
         except (OSError, ValueError):
             self.gone = True
 
@@ -80,10 +87,12 @@ def _write_all(fd: int, data: bytes) -> None:
 
 
 _leaving = threading.Event()
+_last_words: list[str] = []
+"""What was written since then: it gives the terminal back, and is never thrown away."""
 FULL_SECONDS = 0.2
 """Seconds a writer waits for room before it checks whether the desktop is exiting."""
 LAST_SECONDS = 1.0
-"""Seconds the exiting desktop waits for the terminal to accept its last output."""
+"""Seconds in which the terminal must take something of the exiting desktop's last output, or it is not waited for."""
 
 
 def install() -> None:
@@ -119,6 +128,8 @@ def _write(self: WriterThread, text: str) -> None:
 
 
 def _put(self: WriterThread, text: str | None) -> None:
+    if text is not None and _leaving.is_set():
+        _last_words.append(text)
     while True:
         try:
             self._queue.put(text, timeout=FULL_SECONDS)
@@ -126,6 +137,9 @@ def _put(self: WriterThread, text: str | None) -> None:
         except Full:
             if _leaving.is_set():
                 _forget(self._queue)  # so that what gives the terminal back comes next
+                self._queue.put("".join(_last_words))  # the beginning may come twice, which is harmless
+                if text is not None:
+                    return
 
 
 def _forget(queue: Queue[str | None]) -> None:
@@ -136,4 +150,8 @@ def _forget(queue: Queue[str | None]) -> None:
 
 def _stop(self: WriterThread) -> None:
     _put(self, None)
-    self.join(LAST_SECONDS if _leaving.is_set() else None)
+    if not _leaving.is_set():
+        self.join()
+    taken = -1
+    while self.is_alive() and taken != (taken := getattr(self._file, "taken", 0)):
+        self.join(LAST_SECONDS)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import errno
 import io
+import os
 import threading
+import time
 
+import pytest
 from textual.drivers._writer_thread import MAX_QUEUED_WRITES, WriterThread
 
 from day6_tui.tui import output
@@ -59,3 +62,38 @@ def test_a_character_that_the_terminal_has_not_costs_this_character_alone() -> N
         writer.write(text)
     writer.stop()
     assert data.getvalue() == b"one ?? two"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a terminal as a pipe")
+def test_a_slow_terminal_gets_everything_that_gives_it_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    output.install()
+    monkeypatch.setattr(output, "_leaving", threading.Event())
+    monkeypatch.setattr(output, "_last_words", [])
+    monkeypatch.setattr(output, "LAST_SECONDS", 0.3)
+    ours, theirs = os.pipe()
+    with open(theirs, "w", encoding="utf-8") as file:
+        writer = WriterThread(file)
+        writer.start()
+
+        def leave() -> None:
+            for _ in range(3 * MAX_QUEUED_WRITES):
+                if writer._queue.full():
+                    output.let_go()
+                writer.write("picture " * 1000)
+            for number in range(2 * MAX_QUEUED_WRITES):
+                writer.write(f"<mode {number} off>")
+            writer.stop()
+
+        leaving = threading.Thread(target=leave, daemon=True)
+        leaving.start()
+        while not output._leaving.is_set():
+            time.sleep(0.01)
+        got = b""
+        while leaving.is_alive() or writer.is_alive():
+            got += os.read(ours, 1500)  # slower than it is written, and longer than it is waited for without a word
+            time.sleep(0.002)
+    while more := os.read(ours, 65536):
+        got += more
+    os.close(ours)
+    for number in range(2 * MAX_QUEUED_WRITES):
+        assert f"<mode {number} off>".encode() in got
