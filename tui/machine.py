@@ -112,6 +112,15 @@ class Machine:
         """Whether somebody publishes or subscribes to it."""
         return name in self._topics()
 
+    def is_heard(self, name: str) -> bool:
+        """Whether a command of ROS (`ros2 topic echo`) listens to a topic."""
+        from day6_tui.core.graph.endpoints import EndpointKind
+
+        if self.desk is None:
+            return False
+        found = self.desk.graph.endpoints(EndpointKind.SUBSCRIPTION, topic=name)
+        return any(endpoint.node.name.startswith("_ros2cli") for endpoint in found)
+
     def _topics(self) -> list[str]:
         from day6_tui.core.graph.endpoints import EndpointKind
 

@@ -112,5 +112,8 @@ class ScenePlay:
     def has_topic(self, name: str) -> bool:
         return self._machine.has_topic(name)
 
+    def is_heard(self, name: str) -> bool:
+        return self._machine.is_heard(name)
+
     def reading_keys(self) -> bool:
         return self._view is not None and self._view.reading_keys

@@ -1,9 +1,9 @@
 """Scenes: the steps a teacher would take, as data, and the player that types them where everybody can see it.
 
 A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
-empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('reading', '') until the
-program reads keys, ('pause', seconds) lets one look. A command that fails ends the scene, as a teacher would stop to read what
-it says.
+empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('heard', name) until
+`ros2 topic echo` listens to it, ('reading', '') until the program reads keys, ('pause', seconds) lets one look. A command that
+fails ends the scene, as a teacher would stop to read what it says.
 """
 
 from __future__ import annotations
@@ -38,6 +38,7 @@ SCENES: dict[str, Scene] = {
             ("terminal", "new"),
             ("type", "ros2 topic echo /turtle1/cmd_vel"),
             ("pause", "0.6"),
+            ("heard", "/turtle1/cmd_vel"),
             ("terminal", "new"),
             ("type", "ros2 run turtlesim turtle_teleop_key"),
             ("reading", ""),
@@ -103,6 +104,9 @@ class Stage(Protocol):
 
     def has_topic(self, name: str) -> bool: ...
 
+    def is_heard(self, name: str) -> bool:
+        """Whether a command of ROS (`ros2 topic echo`) listens to a topic."""
+
     def reading_keys(self) -> bool:
         """Whether the program in that terminal reads single keys."""
 
@@ -151,6 +155,8 @@ class Player:
                 yield STAYS  # a program that refuses its input may have published for a moment
                 if not stage.has_topic(value):
                     return
+            elif kind == "heard":  # an arrow key that waits for the teleop would come before it
+                yield from self._until(partial(stage.is_heard, value))
             elif kind == "reading":
                 yield from self._until(stage.reading_keys)
             elif kind == "pause" and self._visibly:

@@ -36,6 +36,9 @@ class _Stage:
     def has_topic(self, name: str) -> bool:
         return not self.missing
 
+    def is_heard(self, name: str) -> bool:
+        return not self.missing
+
     def reading_keys(self) -> bool:
         return not self.missing
 
