@@ -407,6 +407,16 @@ class Screen(PyteScreen):
         elif not self.alternate and self.scrollback:
             self._scrollback[-1] = ended(self._scrollback[-1])
 
+    def goes_on(self) -> bool:
+        """Whether the last line is what the one above it goes on with: erasing it says something about that one, too."""
+        if self._arriving:
+            last = self._arriving[-1]
+            return last.folded if isinstance(last, Line) else isinstance(last, Folded)
+        if self.lines > 1:
+            above = self._buffer.get(self.lines - 2)
+            return above is not None and above.folded
+        return bool(self.scrollback) and isinstance(self._scrollback[-1], Folded)
+
     def is_at_the_empty_end(self) -> bool:
         """Whether the cursor stands in a last line that nothing was drawn in, so that rows can arrive above it."""
         bottom = self.lines - 1

@@ -50,7 +50,7 @@ class WholeLines:
         screen = self._screen
         if screen.cursor.x or start < self._odd_before or not screen.is_at_the_empty_end():
             return start
-        if not screen.is_simple() or modes.DECSCNM in screen.mode or screen.columns < 2:
+        if not screen.is_simple() or modes.DECSCNM in screen.mode or screen.columns < 2 or screen.goes_on():
             return start
         if start > self._odd_at:
             odd = _ODD.search(text, start)
