@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING
 
 from mouse import Mouse
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 PROMPT = "student@day6:~$"
 
 
-class Hands:
+class Hands(ABC):
     """What both do alike. Panes are named by the number and the beginning of their title, as on the screen: "1 ~"."""
 
     def __init__(self, screen: Terminal, lang: str) -> None:
@@ -33,50 +34,50 @@ class Hands:
 
     # -- what the two do differently -----------------------------------------------------------------------------------
 
+    @abstractmethod
     def welcome(self, choice: str) -> None:
         """Choose an entry of the welcome, by the key of its text."""
-        raise NotImplementedError
 
-    def new_terminal(self, number: int) -> None:
-        raise NotImplementedError
+    @abstractmethod
+    def new_terminal(self, number: int) -> None: ...
 
-    def go_to(self, title: str) -> None:
-        raise NotImplementedError
+    @abstractmethod
+    def go_to(self, title: str) -> None: ...
 
+    @abstractmethod
     def enlarge(self, title: str) -> None:
         """Give the pane that has the keyboard the whole screen, or put it back."""
-        raise NotImplementedError
 
+    @abstractmethod
     def inspect(self) -> None:
         """Open the inspector from the palette."""
-        raise NotImplementedError
 
-    def close_window(self, title: str) -> None:
-        raise NotImplementedError
+    @abstractmethod
+    def close_window(self, title: str) -> None: ...
 
+    @abstractmethod
     def move_graph(self) -> None:
         """Move the picture of rqt_graph, whose pane has the keyboard, by eight columns to the right."""
-        raise NotImplementedError
 
+    @abstractmethod
     def fixed_frame(self, old: str, new: str) -> None:
         """Choose RViz's Fixed Frame."""
-        raise NotImplementedError
 
+    @abstractmethod
     def add_display(self, name: str) -> None:
         """Add a display to RViz."""
-        raise NotImplementedError
 
+    @abstractmethod
     def description_topic(self, topic: str) -> None:
         """Choose the topic of the RobotModel that was added."""
-        raise NotImplementedError
 
+    @abstractmethod
     def look_closely(self) -> None:
         """Take up RViz's offer to show the robot large."""
-        raise NotImplementedError
 
+    @abstractmethod
     def slide(self, joint: str) -> None:
         """Move the first slider of joint_state_publisher_gui, that of `joint`, to the right."""
-        raise NotImplementedError
 
 
 class Keyboard(Hands):

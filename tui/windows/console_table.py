@@ -26,7 +26,6 @@ from day6_tui.core.ros.programs.rqt_console.model import Choice, Record
 from day6_tui.tui.cells import cell_len, clip, fit, harmless
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import in_ascii
-from day6_tui.tui.poor_terminals import renderer_for
 from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import PersonMessage, survive
 from day6_tui.tui.windows.console_order import COLUMNS, Order, SortedRecords
@@ -85,7 +84,6 @@ class ConsoleTable(ScrollView, can_focus=True):
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""
-        ScrollBar.renderer = renderer_for(look)
         colour_scrollbar(self, look)
         self._forget()
 

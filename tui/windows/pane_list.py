@@ -10,7 +10,6 @@ from rich.style import Style as RichStyle
 from textual import events
 from textual.app import ComposeResult
 from textual.message import Message
-from textual.scrollbar import ScrollBar
 from textual.strip import Strip
 from textual.style import Style
 from textual.visual import RenderOptions, Visual
@@ -20,7 +19,6 @@ from textual.widgets import OptionList
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import fit, wrap
 from day6_tui.tui.look import Look
-from day6_tui.tui.poor_terminals import renderer_for
 from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import survive
 from day6_tui.tui.windows import WindowPane
@@ -44,7 +42,6 @@ class PaneList(OptionList):
 
     def take_look(self, look: Look) -> None:
         """Take the colours and characters of the desktop."""
-        ScrollBar.renderer = renderer_for(look)
         colour_scrollbar(self, look)
         self.refresh()
 

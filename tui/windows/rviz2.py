@@ -583,10 +583,6 @@ class RVizPane(WindowPane[RViz]):
         """A click, or Textual itself, gave the keyboard to a part of the panel."""
         if self.screen.focused is event.widget and self.panel_open:
             self._panel_keys = True
-        self.touch()
-
-    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
-        self.touch()  # the frame
 
     def _view_key(self, key: str) -> bool:
         view = self.rviz.view
