@@ -49,7 +49,11 @@ async def login(session: Session, terminal: Terminal) -> int:
             warned = False
             if source.strip():
                 history.add(source)
-                await _run(shell, source, terminal)
+                terminal.runs.begin(source, shell.cwd, terminal.desk.clock.now_ns())
+                try:
+                    await _run(shell, source, terminal)
+                finally:
+                    terminal.runs.end(shell.status, terminal.desk.clock.now_ns())
     except ExitShell as end:
         return end.status
     finally:

@@ -20,6 +20,7 @@ from day6_tui.core.session.streams import OutputStream
 from day6_tui.core.session.task import Signal, let_others_run, sleep_until, wait_for
 from day6_tui.core.shell.discipline import Discipline
 from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.core.shell.runs import Runs
 
 if TYPE_CHECKING:
     from day6_tui.core.session.streams import InputStream
@@ -80,6 +81,8 @@ class Terminal:
         """Takes text as a pty delivers it (with \\r\\n)."""
         self.waiting_at_prompt = False
         """Whether the line editor waits for a key and its line is empty; set by the line editor."""
+        self.runs = Runs()
+        """The lines that were run here."""
         self._unhandled = 0
         """Calls of `send` that the scheduler has not handled yet."""
         self._typed: deque[str] = deque()
@@ -306,6 +309,8 @@ class Terminal:
             self._ring.append(text)
             self._size += len(text)
             self._unshared += len(text)
+            if (run := self.runs.running) is not None:
+                run.keep(text)
             while self._size > RING and len(self._ring) > 1:
                 gone = self._ring.popleft()
                 self._size -= len(gone)
