@@ -171,6 +171,15 @@ def _shell(words: list[str]) -> int:
     return subshell(words)
 
 
+def _lessons(words: list[str]) -> int:
+    from day6_tui.core.ros.environment import activate
+
+    activate()
+    from day6_tui.core.lessons.command import main as lessons
+
+    return lessons(words)
+
+
 def _attach(words: list[str]) -> int:
     from day6_tui.tui.detached.client import attach
 
@@ -212,6 +221,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "ros2": _ros2,
     "colcon": _colcon,
     "export": _export,
+    "lessons": _lessons,
     "shell": _shell,
     "env": _env,
     "complete": _complete,

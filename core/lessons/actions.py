@@ -1,0 +1,78 @@
+"""The actions of lesson files (WRITING.md): what may be written for each. `stage` performs them."""
+
+from __future__ import annotations
+
+import math
+import re
+
+KEYS = {
+    "up": "\x1b[A",
+    "down": "\x1b[B",
+    "right": "\x1b[C",
+    "left": "\x1b[D",
+    "enter": "\r",
+    "space": " ",
+    "tab": "\t",
+    "esc": "\x1b",
+    "backspace": "\x7f",
+    **{f"ctrl+{letter}": chr(ord(letter) - 96) for letter in "abcdefghijklmnopqrstuvwxyz"},
+    "ctrl+\\": "\x1c",
+}
+"""Names of keys and what a terminal sends for them; a single character stands for itself."""
+
+NAMES = ("type", "terminal", "keys", "write", "replace", "wait", "pause", "rviz", "close", "answer")
+MOST_PAUSE = 60.0
+
+_PRESSES = re.compile(r"(\S+?)(?:\*(\d{1,3}))?\Z")
+_PATHS = {"write": {"file", "text"}, "replace": {"file", "old", "new"}}
+
+
+def presses(text: str) -> list[str]:
+    """What is sent for 'up*2 q': ['up', 'up', 'q'] as a terminal sends them. Raises KeyError for an unknown key."""
+    found: list[str] = []
+    for word in text.split():
+        match = _PRESSES.match(word)
+        name, times = (match[1], int(match[2] or 1)) if match is not None else (word, 1)
+        found += [name if len(name) == 1 else KEYS[name]] * times
+    return found
+
+
+def action_mistake(given: object) -> str:
+    """What is wrong with an action of a lesson file; '' if nothing is."""
+    if not isinstance(given, dict) or len(given) != 1:
+        return f"an action is 'name: value', not {str(given)[:40]!r}"
+    name, value = next(iter(given.items()))
+    if name not in NAMES:
+        return f"there is no action '{name}'; there are {', '.join(NAMES)}"
+    if name == "wait":
+        from day6_tui.core.lessons.checks import condition_of
+
+        made = condition_of(value)
+        return f"wait: {made}" if isinstance(made, str) else ""
+    return _judged(str(name), value)
+
+
+def _judged(name: str, value: object) -> str:
+    if name == "keys":
+        try:
+            presses(str(value))
+        except KeyError as unknown:
+            return f"keys: there is no key {unknown}; there are {', '.join(list(KEYS)[:9])}, ctrl+c …"
+    elif name == "pause":
+        number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        if not number or not math.isfinite(float(str(value))) or not 0 <= float(str(value)) <= MOST_PAUSE:
+            return f"pause: a number of seconds from 0 to {MOST_PAUSE:g}"
+    elif name in _PATHS:
+        if not isinstance(value, dict) or value.keys() != _PATHS[name]:
+            return f"{name}: needs {' and '.join(sorted(_PATHS[name]))}"
+        if not all(isinstance(each, str) for each in value.values()):
+            return f"{name}: every value has to be a text"
+    elif name == "rviz":
+        if not isinstance(value, dict) or value.keys() - {"fixed_frame", "add"} or not value:
+            return "rviz: needs 'fixed_frame: NAME' or 'add: TYPE'"
+    elif name == "terminal":
+        if value not in ("new", "idle") and not (isinstance(value, int) and not isinstance(value, bool) and value > 0):
+            return "terminal: 'new', 'idle' or a number from 1"
+    elif not isinstance(value, str):
+        return f"{name}: has to be a text"
+    return ""

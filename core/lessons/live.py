@@ -1,0 +1,253 @@
+"""What checks look at: the running machine, as it is now and as it was since the step began.
+
+Topics are listened to through a hidden node, only those that a check asks about, and only while somebody publishes them: a
+subscription would make the topic.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.graph.endpoints import EndpointKind
+from day6_tui.core.graph.names import full_name
+from rclpy.qos import QoSDurabilityPolicy, QoSProfile, QoSReliabilityPolicy
+
+if TYPE_CHECKING:
+    from day6_tui.core.graph.graph import Graph
+    from day6_tui.core.session.display import Window
+    from day6_tui.core.session.session import Session
+    from day6_tui.core.shell.desk import Desk
+    from day6_tui.core.shell.runs import Run
+    from day6_tui.core.shell.terminal import Terminal
+    from rclpy.node import Node
+    from rclpy.subscription import Subscription
+
+KEPT = 500
+"""Messages that are kept of a topic."""
+
+ASK_SECONDS = 0.5
+"""Between two questions for the same parameter."""
+
+
+class Heard:
+    """The messages of one topic: the last ones with when they came (ns of real time), and how many there were in all."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._last: deque[tuple[int, Any]] = deque(maxlen=KEPT)
+
+    def add(self, now_ns: int, message: Any) -> None:
+        self.count += 1
+        self._last.append((now_ns, message))
+
+    def since(self, count: int) -> list[tuple[int, Any]]:
+        """The messages after the first `count`, as far as they are kept."""
+        new = self.count - count
+        return list(self._last)[-new:] if new > 0 else []
+
+
+class Live:
+    """The machine for the checks of one lesson. Used on the scheduler's thread."""
+
+    def __init__(self, desk: Desk, session: Session, folder: Path) -> None:
+        self.desk = desk
+        self.session = session
+        self.folder = folder
+        """Where the lesson lies."""
+        self.answer = ""
+        """The letter the pupil chose in this step."""
+        self.remembered: dict[str, Any] = {}
+        """What the check that is asked now remembers of this step."""
+        self._memories: dict[int, tuple[object, dict[str, Any]]] = {}
+        self._node: Node | None = None
+        self._heard: dict[str, Heard] = {}
+        self._subscriptions: dict[str, tuple[Subscription[Any], str]] = {}
+        self._parameters: dict[tuple[str, str], tuple[int, Any]] = {}
+        self._asked: dict[tuple[str, str], int] = {}
+        self.lesson_began_ns = self.step_began_ns = self.now_ns()
+
+    # -- time and memory -----------------------------------------------------------------------------------------------
+
+    def now_ns(self) -> int:
+        """Real time, which stamps and arrivals have."""
+        return self.desk.clock.now_ns()
+
+    def begin_step(self) -> None:
+        """Forget what the checks remembered: a new step begins."""
+        self._memories.clear()
+        self.answer = ""
+        self.step_began_ns = self.now_ns()
+        for topic in list(self._heard):
+            self._heard[topic] = Heard()
+
+    def memory(self, owner: object) -> dict[str, Any]:
+        """A dictionary of this owner for this step."""
+        return self._memories.setdefault(id(owner), (owner, {}))[1]
+
+    # -- the graph -----------------------------------------------------------------------------------------------------
+
+    @property
+    def graph(self) -> Graph:
+        return self.desk.graph
+
+    @property
+    def node(self) -> Node:
+        """The hidden node that listens; made when it is first needed."""
+        if self._node is None:
+            name = f"_day6_observer_lesson_{self.session.pid}"
+            self._node = self.session.create_node(name, start_parameter_services=False)
+            self.session.spawn(self.session.spin(self._node))
+        return self._node
+
+    def nodes(self) -> list[str]:
+        """Full names of the nodes, hidden ones left out; one for each, so that doubles count."""
+        return sorted(
+            full_name(node.namespace, node.name) for node in self.graph.nodes if not node.name.startswith("_")
+        )
+
+    def topics(self) -> dict[str, list[str]]:
+        """Topics and their types, hidden ones left out."""
+        found = self.graph.names_and_types(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+        return {name: types for name, types in found if not _hidden(name) and self._ends(name)}
+
+    def publishers(self, topic: str) -> list[str]:
+        """Full names of the nodes that publish a topic, one for each publisher."""
+        return self._nodes_of(EndpointKind.PUBLISHER, topic)
+
+    def subscribers(self, topic: str) -> list[str]:
+        """The same of its subscriptions."""
+        return self._nodes_of(EndpointKind.SUBSCRIPTION, topic)
+
+    def servers(self, service: str) -> list[str]:
+        return self._nodes_of(EndpointKind.SERVICE, service)
+
+    def _ends(self, topic: str) -> bool:
+        return bool(self.publishers(topic) or self.subscribers(topic))
+
+    def _nodes_of(self, kind: EndpointKind, topic: str) -> list[str]:
+        return sorted(
+            full_name(end.node.namespace, end.node.name)
+            for end in self.graph.endpoints(kind, topic=topic)
+            if not end.node.name.startswith("_day6")
+        )
+
+    # -- messages ------------------------------------------------------------------------------------------------------
+
+    def heard(self, topic: str) -> Heard:
+        """What came on a topic since the step began; asking is listening from now on."""
+        heard = self._heard.setdefault(topic, Heard())
+        self._listen(topic)
+        return heard
+
+    def _listen(self, topic: str) -> None:
+        types = {end.type_name for end in self.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)}
+        known = self._subscriptions.get(topic)
+        if known is not None and known[1] not in types:
+            self.node.destroy_subscription(known[0])
+            del self._subscriptions[topic]
+        elif known is None and types:
+            self._subscribe(topic, sorted(types)[0])
+
+    def _subscribe(self, topic: str, type_name: str) -> None:
+        from rosidl_runtime_py.utilities import get_message
+
+        try:
+            kind = get_message(type_name)
+        except (AttributeError, ModuleNotFoundError, ValueError):
+            return  # a type of the pupil's workspace: its package is not on this process's path
+        offered = self.node.get_publishers_info_by_topic(topic)
+        lasting = bool(offered) and all(
+            info.qos_profile.durability == QoSDurabilityPolicy.TRANSIENT_LOCAL for info in offered
+        )
+        durability = QoSDurabilityPolicy.TRANSIENT_LOCAL if lasting else QoSDurabilityPolicy.VOLATILE
+        reliability = QoSReliabilityPolicy.RELIABLE if lasting else QoSReliabilityPolicy.BEST_EFFORT
+        qos = QoSProfile(depth=100, durability=durability, reliability=reliability)
+
+        def take(message: Any) -> None:
+            self._heard.setdefault(topic, Heard()).add(self.now_ns(), message)
+
+        self._subscriptions[topic] = self.node.create_subscription(kind, topic, take, qos), type_name
+
+    def parameter(self, node: str, name: str) -> tuple[bool, Any]:
+        """Whether the node has answered lately, and the parameter's value (None: it has none of that name)."""
+        key = (node, name)
+        now = self.desk.clock.steady_ns()
+        if now - self._asked.get(key, -(10**18)) > ASK_SECONDS * 1e9:
+            self._asked[key] = now
+            self.session.spawn(self._ask(node, name))
+        when, value = self._parameters.get(key, (-(10**18), None))
+        return now - when < 6 * ASK_SECONDS * 1e9, value
+
+    async def _ask(self, node: str, name: str) -> None:
+        from rcl_interfaces.srv import GetParameters
+
+        from rclpy.parameter import parameter_value_to_python
+
+        client = self.node.create_client(GetParameters, f"{node}/get_parameters")
+        try:
+            if not client.service_is_ready():
+                return
+            future = client.call_async(GetParameters.Request(names=[name]))
+            if await self.session.spin_until(future, 1.0) and (answer := future.result()) is not None:
+                values = answer.values
+                value = parameter_value_to_python(values[0]) if values else None
+                self._parameters[node, name] = self.desk.clock.steady_ns(), value
+        finally:
+            self.node.destroy_client(client)
+
+    # -- terminals and windows -----------------------------------------------------------------------------------------
+
+    @property
+    def terminals(self) -> list[Terminal]:
+        return [terminal for terminal in self.desk.terminals if not terminal.closed]
+
+    def runs(self, since_ns: int) -> list[Run]:
+        """The lines that were run in all terminals, or still ran, after a moment; the oldest first."""
+        found = [
+            run
+            for terminal in self.desk.terminals
+            for run in terminal.runs.all
+            if run.ended_ns is None or run.ended_ns >= since_ns
+        ]
+        return sorted(found, key=lambda run: run.began_ns)
+
+    def running(self) -> list[str]:
+        """The lines that run now, in the foreground or the background."""
+        return [" ".join(line.split()) for terminal in self.terminals for line in terminal.running]
+
+    def variables(self) -> list[dict[str, str]]:
+        """The variables of each terminal."""
+        return [dict(terminal.shell.environment) for terminal in self.terminals]
+
+    def windows(self, kind: str | None = None) -> list[Window[object]]:
+        """The open windows (of one kind), oldest first."""
+        display = self.desk.display
+        return [each for each in (display.windows if display is not None else []) if kind in (None, each.kind)]
+
+    # -- files ---------------------------------------------------------------------------------------------------------
+
+    @property
+    def home(self) -> Path:
+        return self.desk.home
+
+    def path(self, text: str) -> Path:
+        """The file that a lesson means: below the home folder where it begins with '~/'."""
+        return self.home / text[2:] if text.startswith("~/") else self.home if text == "~" else self.home / text
+
+    def close(self) -> None:
+        """Stop listening."""
+        if self._node is not None:
+            self._node.destroy_node()
+            self._node = None
+
+
+def _hidden(name: str) -> bool:
+    return any(part.startswith("_") for part in name.split("/"))
+
+
+def first(found: Iterable[str], matches: Callable[[str], bool]) -> str | None:
+    """The first that matches."""
+    return next((each for each in found if matches(each)), None)

@@ -1,0 +1,130 @@
+"""Performs the actions of a lesson on a machine, as somebody at the keyboard would: in terminals, files and windows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from day6_tui.core.lessons.actions import presses
+from day6_tui.core.lessons.checks import condition_of
+
+if TYPE_CHECKING:
+    from day6_tui.core.lessons.live import Live
+    from day6_tui.core.session.session import Session
+    from day6_tui.core.shell.terminal import Terminal
+
+LONGEST_WAIT = 20.0
+"""Seconds that `type` waits for its prompt and `wait` for its check."""
+
+LOOK = 0.02
+"""Seconds between two looks."""
+
+
+class StageError(Exception):
+    """An action could not be performed."""
+
+
+class Stage:
+    """Performs actions on one machine; the terminals it opened are numbered from 1."""
+
+    def __init__(self, live: Live, session: Session) -> None:
+        self._live = live
+        self._session = session
+        self._terminals: list[Terminal] = []
+        self._terminal: Terminal | None = None
+
+    async def perform(self, actions: Iterable[Mapping[str, Any]]) -> None:
+        """Perform them one after the other. Raises StageError."""
+        for action in actions:
+            (name, value), *_ = action.items()
+            await getattr(self, f"_do_{name}")(value)
+
+    @property
+    def _here(self) -> Terminal:
+        if self._terminal is None or self._terminal.closed:
+            self._use("idle")
+        assert self._terminal is not None
+        return self._terminal
+
+    def _use(self, which: str | int) -> None:
+        if isinstance(which, int):
+            if which > len(self._terminals):
+                raise StageError(f"terminal {which} was not opened")
+            self._terminal = self._terminals[which - 1]
+            return
+        idle = next((each for each in self._live.terminals if each.idle), None) if which == "idle" else None
+        if idle is None:
+            idle = self._live.desk.open_terminal()
+        if idle not in self._terminals:
+            self._terminals.append(idle)
+        self._terminal = idle
+
+    async def _until(self, holds: Any, what: str) -> None:
+        waited = 0.0
+        while not holds():
+            if waited > LONGEST_WAIT:
+                raise StageError(what)
+            await self._session.sleep(LOOK)
+            waited += LOOK
+
+    # -- the actions ---------------------------------------------------------------------------------------------------
+
+    async def _do_terminal(self, which: str | int) -> None:
+        self._use(which)
+
+    async def _do_type(self, lines: str) -> None:
+        for line in lines.strip("\n").split("\n"):
+            terminal = self._here
+            await self._until(lambda terminal=terminal: terminal.idle, f"the terminal does not wait for  {line}")
+            before = len(terminal.runs.all)
+            terminal.run_line(line)
+            await self._until(
+                lambda terminal=terminal, before=before: len(terminal.runs.all) != before or not terminal.idle,
+                f"the terminal did not take  {line}",
+            )
+
+    async def _do_keys(self, keys: str) -> None:
+        terminal = self._here
+        for key in presses(keys):
+            terminal.send(key)
+            await self._session.sleep(LOOK)
+
+    async def _do_write(self, file: Mapping[str, str]) -> None:
+        path = self._live.path(file["file"])
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(file["text"], encoding="utf-8", newline="\n")
+
+    async def _do_replace(self, change: Mapping[str, str]) -> None:
+        path = self._live.path(change["file"])
+        text = path.read_text(encoding="utf-8")
+        if text.count(change["old"]) != 1:
+            raise StageError(f"{change['file']} has {change['old']!r} {text.count(change['old'])} times")
+        path.write_text(text.replace(change["old"], change["new"]), encoding="utf-8", newline="\n")
+
+    async def _do_wait(self, given: object) -> None:
+        condition = condition_of(given)
+        assert not isinstance(condition, str)
+        await self._until(
+            lambda: condition.judge(self._live).ok, f"waited in vain: {condition.judge(self._live).text('en')}"
+        )
+
+    async def _do_pause(self, seconds: float) -> None:
+        await self._session.sleep(float(seconds))
+
+    async def _do_rviz(self, change: Mapping[str, str]) -> None:
+        await self._until(lambda: self._live.windows("rviz2"), "RViz is not open")
+        model: Any = self._live.windows("rviz2")[-1].model
+        if "fixed_frame" in change:
+            model.edit(model.fixed, change["fixed_frame"])
+        if "add" in change:
+            kind = change["add"]
+            topic = "/robot_description" if kind == "RobotModel" else ""
+            model.request(lambda: model.add_display(kind, topic))
+        await self._session.sleep(LOOK)
+
+    async def _do_close(self, kind: str) -> None:
+        for window in self._live.windows(kind):
+            window.close_by_user()
+
+    async def _do_answer(self, letter: str) -> None:
+        self._live.answer = letter
