@@ -1,7 +1,7 @@
 """The named checks of lessons: a table of functions, what a lesson file may write for them, and their verdicts.
 
-A check is a function `name(live, arguments…) -> Verdict` in one of the modules here. Its parameters are what WRITING.md documents:
-names, types and defaults are read from the signature. It looks at `Live` and changes nothing.
+A check is a function `name(live, arguments…) -> Verdict` in one of the modules here. Its parameters are what WRITING.md
+documents: names, types and defaults are read from the signature. It looks at `Live` and changes nothing.
 """
 
 from __future__ import annotations
