@@ -231,7 +231,8 @@ class Live:
 
     @property
     def home(self) -> Path:
-        return self.desk.home
+        """The home folder of the pupil: a drill has one of its own."""
+        return self.desk.login_home
 
     def path(self, text: str) -> Path:
         """The file that a lesson means: below the home folder where it begins with '~/'."""

@@ -6,7 +6,6 @@ It tells where to go on, not what somebody can: whoever can edit a file can edit
 from __future__ import annotations
 
 import json
-import os
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -14,6 +13,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from day6_tui.core.link.file_lock import FileLock
 from day6_tui.core.whole_file import make_private_folder, write_private
 
 VERSION = 1
@@ -62,7 +62,7 @@ class StepDone:
 
 @dataclass
 class Progress:
-    """All that is kept of one pupil; `at` is the step (by name) at which each lesson goes on, `last` the lesson of the last time."""
+    """All that is kept of one pupil. `at`: the step at which each lesson goes on; `last`: the lesson of the last time."""
 
     pupil: str = ""
     steps: dict[str, dict[str, StepDone]] = field(default_factory=dict)
@@ -80,6 +80,11 @@ class Progress:
     def solved(self, lesson: str) -> int:
         """How many steps of a lesson are solved."""
         return sum(bool(step.solved) for step in self.steps.get(lesson, {}).values())
+
+    def copy(self) -> Progress:
+        """One that nobody changes."""
+        steps = {lesson: dict(known) for lesson, known in self.steps.items()}
+        return Progress(self.pupil, steps, dict(self.at), self.last, self.changed, list(self.exams))
 
     def joined(self, other: Progress) -> Progress:
         """This one with what another desktop of the same pupil has saved meanwhile."""
@@ -181,21 +186,18 @@ def save(path: Path, progress: Progress) -> Progress:
 
 @contextmanager
 def _alone(path: Path) -> Iterator[None]:
-    """Hold the lock of a pupil's file for a moment; one that was left behind is passed over after `PATIENCE`."""
+    """Hold the lock of a pupil's file for a moment.
+
+    One that is held for longer is passed over: files are written whole with or without it, only joining them profits from it.
+    """
+    lock = FileLock(path)
     deadline = time.monotonic() + PATIENCE
-    while True:
-        try:
-            os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
-            break
-        except FileExistsError:
-            if time.monotonic() > deadline:
-                break  # its owner was killed: writing whole files needs no lock, joining them only profits from one
-            time.sleep(0.02)
+    while not lock.try_acquire() and time.monotonic() < deadline:
+        time.sleep(0.02)
     try:
         yield
     finally:
-        with suppress(OSError):
-            path.unlink()
+        lock.release()
 
 
 def pupils(home: Path) -> list[Progress]:

@@ -19,15 +19,22 @@ LONGEST_WAIT = 20.0
 LOOK = 0.02
 """Seconds between two looks."""
 
+BEFORE_RETURN = 0.25
+"""Seconds between a line that was typed visibly and its Return."""
+
 
 class StageError(Exception):
     """An action could not be performed."""
 
 
 class Stage:
-    """Performs actions on one machine; the terminals it opened are numbered from 1."""
+    """Performs actions on one machine; the terminals it opened are numbered from 1.
 
-    def __init__(self, live: Live, session: Session) -> None:
+    `pace` is how many characters a second are typed, so that people can read along; 0: all at once.
+    """
+
+    def __init__(self, live: Live, session: Session, *, pace: float = 0.0) -> None:
+        self.pace = pace
         self._live = live
         self._session = session
         self._terminals: list[Terminal] = []
@@ -76,12 +83,22 @@ class Stage:
         for line in lines.strip("\n").split("\n"):
             terminal = self._here
             await self._until(lambda terminal=terminal: terminal.idle, f"the terminal does not wait for  {line}")
-            before = len(terminal.runs.all)
-            terminal.run_line(line)
+            before = terminal.runs.count
+            await self._type(terminal, line)
             await self._until(
-                lambda terminal=terminal, before=before: len(terminal.runs.all) != before or not terminal.idle,
+                lambda terminal=terminal, before=before: terminal.runs.count != before or not terminal.idle,
                 f"the terminal did not take  {line}",
             )
+
+    async def _type(self, terminal: Terminal, line: str) -> None:
+        if self.pace > 0:
+            for char in line:
+                terminal.send(char)
+                await self._session.sleep(1.0 / self.pace)
+            await self._session.sleep(BEFORE_RETURN)
+            terminal.send("\r")
+        else:
+            terminal.run_line(line)
 
     async def _do_keys(self, keys: str) -> None:
         terminal = self._here

@@ -86,6 +86,8 @@ class Desk:
         activate()
         self._listen, self._connect, self._secret = listen, connect, secret
         self.home = (default_home() if home is None else home).expanduser().resolve()
+        self.room: Path | None = None
+        """Another home folder for new terminals, while a drill has one of its own."""
         self.user = login_name()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = _own_domain() if domain_id is None else domain_id
@@ -134,6 +136,11 @@ class Desk:
         self._last_pid += 1
         return self._last_pid
 
+    @property
+    def login_home(self) -> Path:
+        """The home folder of a new terminal."""
+        return self.home if self.room is None else self.room
+
     def environment(self) -> dict[str, str]:
         """The variables of a fresh login."""
         real = os.environ
@@ -142,7 +149,7 @@ class Desk:
         kept.setdefault("LANG", "C.UTF-8")
         env = program_environment(kept)
         env.update(
-            HOME=str(self.home),
+            HOME=str(self.login_home),
             USER=self.user,
             LOGNAME=self.user,
             SHELL="/bin/bash",
@@ -156,7 +163,7 @@ class Desk:
     ) -> Shell:
         """A new shell, as after login; with `env` as started by a program that has these variables."""
         env = self.environment() if env is None else dict(env)
-        folder = self.home if cwd is None else cwd
+        folder = self.login_home if cwd is None else cwd
         env["PWD"] = str(folder)
         return Shell(self, env=env, cwd=folder, interactive=interactive)
 

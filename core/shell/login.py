@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.session.session import Session
@@ -29,7 +30,7 @@ async def login(session: Session, terminal: Terminal) -> int:
     editor = LineEditor(session, terminal, history, Completer(shell, session))
     session.on_interrupt = shell.interrupt
     try:
-        if (terminal.desk.home / ".bashrc").is_file():
+        if Path(shell.variables.get("HOME", "/"), ".bashrc").is_file():
             await _run(shell, 'source "$HOME/.bashrc"', terminal)
         warned = False
         while True:

@@ -49,7 +49,8 @@ class Runs:
 
     def __init__(self) -> None:
         self._runs: deque[Run] = deque(maxlen=MOST_RUNS)
-        self._count = 0
+        self.count = 0
+        """How many there were in all."""
         self.running: Run | None = None
 
     @property
@@ -60,8 +61,8 @@ class Runs:
         """Note that a line is run now."""
         if self._runs:
             self._runs[-1].forget_most()
-        self._count += 1
-        run = self.running = Run(self._count, source, cwd, now_ns)
+        self.count += 1
+        run = self.running = Run(self.count, source, cwd, now_ns)
         self._runs.append(run)
         return run
 

@@ -1,0 +1,386 @@
+"""Goes through lessons with a pupil: the model of the lesson window.
+
+Everything happens on the scheduler's thread. The window reads `state` and `progress`, which are replaced as a whole, and asks by
+`request` from any thread.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections import deque
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.lessons.catalogue import Found, days, drills, lessons_in
+from day6_tui.core.lessons.checks import Verdict
+from day6_tui.core.lessons.document import HINTS, Lesson, LessonMistakes, Step, read_lesson
+from day6_tui.core.lessons.live import Live
+from day6_tui.core.lessons.progress import Progress, ProgressError, StepDone, file_of, load, save
+from day6_tui.core.lessons.stage import Stage, StageError
+from day6_tui.core.session.task import Signal
+from day6_tui.core.session.threads import in_thread
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Session
+    from day6_tui.core.shell.desk import Desk
+
+_log = logging.getLogger(__name__)
+
+LOOK_SECONDS = 0.25
+"""Between two looks at the machine."""
+
+READ_SECONDS = 1.0
+"""Between two looks whether the lesson's file was changed."""
+
+READING_PACE = 40.0
+"""Characters a second that are typed for the pupil."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Where the pupil is."""
+
+    lesson: Lesson | None = None
+    index: int = 0
+    verdicts: tuple[Verdict, ...] = ()
+    solved: bool = False
+    before_asked: bool = False
+    """Whether it was solved already when the step was opened."""
+    hints: int = 0
+    missing: tuple[str, ...] = ()
+    """Earlier steps whose state is needed and not there."""
+    answer: str = ""
+    refused: str = ""
+    """The letter of the last wrong answer."""
+    working: bool = False
+    """Whether something is typed or prepared for the pupil now."""
+    problem: str = ""
+    """Why something could not be done, in the words of what failed."""
+    mistakes: LessonMistakes | None = None
+    """The lesson's file was changed and is wrong now; the old text is shown."""
+
+    @property
+    def step(self) -> Step | None:
+        return self.lesson.steps[self.index] if self.lesson is not None else None
+
+    @property
+    def is_last(self) -> bool:
+        return self.lesson is not None and self.index == len(self.lesson.steps) - 1
+
+
+class Course:
+    """One pupil's way through the lessons. `folder`: lessons of a teacher, instead of the six days."""
+
+    def __init__(self, desk: Desk, session: Session, pupil: str = "", folder: Path | None = None) -> None:
+        self._desk = desk
+        self._session = session
+        self._folder = folder
+        self._live: Live | None = None
+        self._stage: Stage | None = None
+        self._requests: deque[Callable[[], Awaitable[None] | None]] = deque()
+        self._wanted = Signal()
+        self._unsaved = False
+        self._saving = False
+        self._read_at = 0.0
+        self._stamp: tuple[int, int] | None = None
+        self._began = 0.0
+        self.version = 0
+        """Grows with every change of what is shown."""
+        self.state = State()
+        self.progress = Progress(pupil)
+        self.saving_failed = ""
+        """Why the progress could not be kept."""
+        self.lessons: tuple[Lesson, ...] = ()
+        self.drills: tuple[Lesson, ...] = ()
+        self.broken: tuple[LessonMistakes, ...] = ()
+        """Lessons of the folder that cannot be used."""
+        self.pace = READING_PACE
+
+    # -- for the window, any thread ------------------------------------------------------------------------------------
+
+    def request(self, action: Callable[[], Awaitable[None] | None]) -> None:
+        """Do something on the program's thread; a coroutine runs beside the looking."""
+        self._requests.append(action)
+        self._desk.scheduler.call_soon_threadsafe(self._wanted.set)
+
+    def lesson(self, name: str) -> Lesson | None:
+        return next((each for each in (*self.lessons, *self.drills) if each.name == name), None)
+
+    # -- life ----------------------------------------------------------------------------------------------------------
+
+    async def run(self) -> None:
+        """Go on until the window is closed."""
+        await self._load()
+        try:
+            while True:
+                while self._requests:
+                    work = self._requests.popleft()()
+                    if work is not None:
+                        self._session.spawn(self._guarded(work))
+                await self._follow_file()
+                self.look()
+                if self._unsaved and not self._saving:
+                    self._session.spawn(self._save())
+                self._wanted.clear()
+                if not self._requests:
+                    await self._session.wait(self._wanted, LOOK_SECONDS)
+        finally:
+            self.leave()
+
+    def leave(self) -> None:
+        """Stop looking; a drill's home folder is no longer the terminals'."""
+        if self._live is not None:
+            self._live.close()
+            self._live = None
+        self._desk.room = None
+
+    async def _load(self) -> None:
+        pupil, folder = self.progress.pupil, self._folder
+        found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(days(), []))
+        self.lessons = tuple(lesson for lesson in found.lessons if not lesson.is_drill)
+        self.drills = (*(lesson for lesson in found.lessons if lesson.is_drill), *await in_thread(drills))
+        self.broken = tuple(found.mistakes)
+        try:
+            progress = await in_thread(lambda: load(file_of(self._desk.home, pupil)))
+        except (ProgressError, OSError) as error:
+            self.saving_failed = str(error)
+            progress = Progress()
+        progress.pupil = pupil
+        self.progress = progress
+        self._changed()
+
+    async def _guarded(self, work: Awaitable[None]) -> None:
+        """Type or prepare something for the pupil; what goes wrong is told, and the lesson goes on."""
+        self._set(working=True, problem="")
+        try:
+            await work
+        except (StageError, OSError, ValueError, KeyError) as error:
+            self._set(problem=str(error))
+        finally:
+            self._set(working=False)
+
+    def _changed(self) -> None:
+        self.version += 1
+        self._desk.scheduler.announce_activity()
+
+    def _set(self, **changes: object) -> None:
+        new = replace(self.state, **changes)  # type: ignore[arg-type]
+        if new != self.state:
+            self.state = new
+            self._changed()
+
+    # -- going through -------------------------------------------------------------------------------------------------
+
+    def open(self, name: str, step: str = "") -> Awaitable[None] | None:
+        """Open a lesson where the pupil stopped, or at a step; a drill prepares its fault first."""
+        lesson = self.lesson(name)
+        if lesson is None:
+            return None
+        self.leave()
+        wanted = step or self.progress.at.get(name, "")
+        index = next((at for at, each in enumerate(lesson.steps) if each.name == wanted), 0)
+        if not step and index < len(lesson.steps) - 1 and self.progress.step(name, lesson.steps[index].name).solved:
+            index += 1  # it was solved, and then the pupil stopped
+        self._live = Live(self._desk, self._session, lesson.path.parent)
+        self._stage = Stage(self._live, self._session, pace=self.pace)
+        self._stamp = _stamp(lesson.path)
+        self.state = State(lesson)
+        self.progress.last = name
+        if lesson.is_drill:
+            self._go_to(0)
+            return self._inject(lesson)
+        self._go_to(index)
+        return None
+
+    async def _inject(self, lesson: Lesson) -> None:
+        """Make the fault of a drill in a home folder of its own, so that no file of the pupil's is touched."""
+        assert self._stage is not None
+        if self._live is not None and self._live.nodes():
+            raise StageError("something-runs")
+        folder = self._desk.home / "drills"
+        number = 1
+        while (room := folder / (lesson.name if number == 1 else f"{lesson.name}-{number}")).exists():
+            number += 1
+        (room / "ros2_ws" / "src").mkdir(parents=True)
+        self._desk.room = room
+        self._stage.pace = 0.0
+        await self._stage.perform([{"terminal": "new"}, *lesson.steps[0].before])
+        self._stage.pace = self.pace
+        if self._live is not None:
+            self._live.begin_step()
+            self._live.lesson_began_ns = self._live.step_began_ns
+
+    def close(self) -> None:
+        """Back to the list of lessons."""
+        self.leave()
+        self.state = State()
+        self._changed()
+
+    def _go_to(self, index: int) -> None:
+        lesson = self.state.lesson
+        if lesson is None or self._live is None:
+            return
+        step = lesson.steps[index]
+        self._live.begin_step()
+        self._began = time.monotonic()
+        done = self.progress.step(lesson.name, step.name)
+        self.state = State(lesson, index, hints=min(done.hints, HINTS))
+        self.progress.at[lesson.name] = step.name
+        self._unsaved = True
+        self.look()
+        self._set(before_asked=self.state.solved)
+        self._changed()
+
+    def next(self) -> None:
+        """To the next step; after the last one back to the list. A step that is not solved is passed over."""
+        state = self.state
+        if state.lesson is None or state.step is None:
+            return
+        if not state.solved:
+            done = self.progress.step(state.lesson.name, state.step.name)
+            if not done.solved:
+                self._note(replace(done, passed_over=True))
+        if state.is_last:
+            self.close()
+        else:
+            self._go_to(state.index + 1)
+
+    def back(self) -> None:
+        """To the step before."""
+        if self.state.lesson is not None and self.state.index:
+            self._go_to(self.state.index - 1)
+
+    def again(self) -> None:
+        """The same step once more: what was done counts no longer."""
+        if self.state.lesson is not None:
+            self._go_to(self.state.index)
+
+    def hint(self) -> None:
+        """Show one more hint; it is counted."""
+        state = self.state
+        if state.lesson is None or state.step is None or state.hints >= HINTS:
+            return
+        self._set(hints=state.hints + 1)
+        if not state.solved:
+            done = self.progress.step(state.lesson.name, state.step.name)
+            self._note(replace(done, hints=max(done.hints, state.hints + 1)))
+
+    def choose(self, letter: str) -> None:
+        """Answer the step's question."""
+        state, live = self.state, self._live
+        if state.step is None or live is None or state.solved:
+            return
+        live.answer = letter
+        self.look()
+        if not self.state.solved and state.lesson is not None:
+            done = self.progress.step(state.lesson.name, state.step.name)
+            self._note(replace(done, refused=done.refused + 1))
+        self._set(answer=letter, refused="" if self.state.solved else letter)
+
+    def prepare(self) -> Awaitable[None] | None:
+        """Play the solutions of the earlier steps that are needed, visibly."""
+        state = self.state
+        if state.lesson is None or not state.missing or state.working:
+            return None
+        return self._prepare(state.lesson, state.missing)
+
+    async def _prepare(self, lesson: Lesson, names: tuple[str, ...]) -> None:
+        for name in names:
+            step = lesson.step(name)
+            if step is not None and self._stage is not None:
+                await self._stage.perform([{"terminal": "idle"}, *step.solve])
+
+    def show_solution(self) -> Awaitable[None] | None:
+        """Play this step's solution, visibly; the step counts as passed over, not as solved by the pupil."""
+        state = self.state
+        if state.step is None or state.working or self._stage is None:
+            return None
+        return self._stage.perform([{"terminal": "idle"}, *state.step.solve])
+
+    # -- looking -------------------------------------------------------------------------------------------------------
+
+    def look(self) -> None:
+        """Ask the checks of the step."""
+        state, live = self.state, self._live
+        if state.lesson is None or state.step is None or live is None:
+            return
+        if state.solved or (state.lesson.is_drill and state.working):
+            return
+        verdicts = tuple(check.judge(live) for check in state.step.checks)
+        solved = all(verdict.ok for verdict in verdicts)
+        missing = () if solved else self._missing(state.lesson, state.step, live)
+        self._set(verdicts=verdicts, solved=solved, missing=missing)
+        if solved:
+            done = self.progress.step(state.lesson.name, state.step.name)
+            if not done.solved:
+                seconds = done.seconds + time.monotonic() - self._began
+                self._note(replace(done, solved=time.time(), seconds=round(seconds, 1), passed_over=False))
+
+    @staticmethod
+    def _missing(lesson: Lesson, step: Step, live: Live) -> tuple[str, ...]:
+        """The needed steps whose state is not there; what only happened once counts as there."""
+        found = []
+        for name in step.needs:
+            needed = lesson.step(name)
+            states = [check for check in needed.checks if not check.is_event] if needed is not None else []
+            if not all(check.judge(live).ok for check in states):
+                found.append(name)
+        return tuple(found)
+
+    def _note(self, done: StepDone) -> None:
+        lesson, step = self.state.lesson, self.state.step
+        if lesson is not None and step is not None:
+            self.progress.note(lesson.name, step.name, done)
+            self._unsaved = True
+            self._changed()
+
+    # -- files ---------------------------------------------------------------------------------------------------------
+
+    async def _save(self) -> None:
+        self._unsaved, self._saving = False, True
+        path, progress = file_of(self._desk.home, self.progress.pupil), self.progress.copy()
+        try:
+            await in_thread(lambda: save(path, progress))
+            self.saving_failed = ""
+        except (ProgressError, OSError) as error:
+            self.saving_failed = str(error)
+        finally:
+            self._saving = False
+            self._changed()
+
+    async def _follow_file(self) -> None:
+        """Read the lesson again when its file was changed."""
+        lesson = self.state.lesson
+        now = time.monotonic()
+        if lesson is None or now - self._read_at < READ_SECONDS:
+            return
+        self._read_at = now
+        stamp = _stamp(lesson.path)
+        if stamp is None or stamp == self._stamp:
+            return
+        self._stamp = stamp
+        try:
+            new = await in_thread(lambda: read_lesson(lesson.path))
+        except LessonMistakes as mistakes:
+            self._set(mistakes=mistakes)
+            return
+        except OSError as error:
+            _log.info("the lesson's file cannot be read: %s", error)
+            return
+        name = self.state.step.name if self.state.step is not None else ""
+        index = next((at for at, step in enumerate(new.steps) if step.name == name), 0)
+        self.lessons = tuple(new if each.path == new.path else each for each in self.lessons)
+        self.drills = tuple(new if each.path == new.path else each for each in self.drills)
+        self.state = replace(self.state, lesson=new)
+        self._go_to(index)
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
