@@ -43,6 +43,7 @@ from day6_tui.tui.guidance import Guidance
 from day6_tui.tui.key_line import KeyLine
 from day6_tui.tui.keyboard import leave
 from day6_tui.tui.leaving import Leaving
+from day6_tui.tui.lessons import LessonAsked, Lessons
 from day6_tui.tui.locale import Texts, detect
 from day6_tui.tui.log_file import keep_log_off_the_screen
 from day6_tui.tui.look import Look
@@ -153,6 +154,8 @@ class Day6App(TerminalApp):
         self.scenes = ScenePlay(options.robot, machine, desktop, self.terminals, look, visibly=fps > 0)
         self.arranging = Arranging(machine, desktop, self.terminals, notices, look)
         self.session = Session(machine, desktop, self.terminals, self.arranging, notices, look)
+        self.lessons = Lessons(machine, desktop, self.terminals, notices, settings, look, options.lessons)
+        self.welcome.last_lesson = lambda: self.lessons.where
         self.looks = looks = Looks(self, look)
         self.detachment = Detachment(self, options.keeper)
         detach = self.detachment.detach if self.detachment.is_possible else None
@@ -162,6 +165,7 @@ class Day6App(TerminalApp):
             self.terminals,
             self.switching,
             self.scenes,
+            self.lessons,
             self.arranging,
             Guidance(desktop, registry, look, self.terminals.run),
             WorldTime(machine, notices, look),
@@ -225,6 +229,8 @@ class Day6App(TerminalApp):
             self.notices.show(one_line(text), NOTICE_SECONDS)
         if self.options.scene is not None:
             self.scenes.start(self.options.scene)
+        elif self.options.lessons is not None:
+            self.lessons.open()
         for pane in self.terminals.panes:
             pane.take_early_keys()
         self.frames.wake()
@@ -425,6 +431,10 @@ class Day6App(TerminalApp):
         else:
             self._leave_welcome()
         self.frames.wake()
+
+    @on(LessonAsked)
+    def follow_lesson(self, event: LessonAsked) -> None:
+        self.lessons.handle(event)
 
     @on(WelcomePane.Closed)
     def close_guide(self) -> None:

@@ -40,6 +40,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--fps", type=_frame_rate, metavar="N", help=texts("cli.fps"))
     options.add_argument("--reduced-motion", action="store_true", help=texts("cli.reduced_motion"))
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.home"))
+    options.add_argument("--lessons", type=_folder, metavar="DIR", help=texts("cli.lessons"))
     options.add_argument("--detach", action="store_true", help=texts("cli.detach"))
     options.add_argument(
         "--listen", type=partial(_endpoint, listening=True), metavar="ENDPOINT", help=texts("cli.listen")
@@ -88,6 +89,13 @@ class _Formatter(argparse.RawDescriptionHelpFormatter):
         from day6_tui.tui.cells import wrap
 
         return wrap(text, width)
+
+
+def _folder(text: str) -> Path:
+    path = Path(text).expanduser()
+    if not path.is_dir():
+        raise argparse.ArgumentTypeError(f"'{text}' is no folder")
+    return path.resolve()
 
 
 def _frame_rate(text: str) -> float:

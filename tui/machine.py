@@ -12,6 +12,7 @@ from day6_tui.tui.options import Options
 if TYPE_CHECKING:
     from day6_tui.core.link.state import Door
     from day6_tui.core.session.display import Window
+    from day6_tui.core.session.session import Main
     from day6_tui.core.shell.desk import Desk
     from day6_tui.core.shell.terminal import Terminal
 
@@ -137,6 +138,11 @@ class Machine:
     def run_tool(self, package: str, executable: str) -> None:
         """Start a program of ours that belongs to the desktop, not to a terminal; it ends when its window is closed."""
         from day6_tui.core.ros.programs import load
+
+        self.start(executable, load(package, executable))
+
+    def start(self, name: str, main: Main) -> None:
+        """The same for any main function of a program."""
         from day6_tui.core.session.streams import InputStream, OutputStream
         from day6_tui.core.shell.language.redirection import Streams
 
@@ -146,7 +152,7 @@ class Machine:
         streams = Streams(InputStream(), OutputStream(), OutputStream())
 
         def start() -> None:
-            desk.start_program([executable], load(package, executable), streams, env=desk.environment(), cwd=desk.home)
+            desk.start_program([name], main, streams, env=desk.environment(), cwd=desk.home)
 
         desk.scheduler.call_soon_threadsafe(start)
 

@@ -22,6 +22,8 @@ class Options:
     """Most frames a second; with 0 only `Frames.step` draws (tests)."""
     home: Path | None = None
     """The folder that is ~ in the terminals."""
+    lessons: Path | None = None
+    """A folder of lessons, in place of the six days."""
     listen: str | None = None
     connect: str | None = None
     secret: str | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from rich.segment import Segment
@@ -33,6 +33,7 @@ WELCOME = (
     Choice("welcome.turtle", "welcome.turtle.more", "action.scene.turtle"),
     Choice("welcome.car", "welcome.car.more", "action.scene.car"),
     Choice("welcome.world", "welcome.world.more", "action.scene.world"),
+    Choice("welcome.lessons", "welcome.lessons.more", "action.lessons"),
     Choice("welcome.empty", "welcome.empty.more", "guide"),
 )
 """The choices of the start, by their text keys."""
@@ -88,6 +89,8 @@ class WelcomePane(Pane):
 
     def __init__(self, look: Look) -> None:
         super().__init__(look, id="welcome")
+        self.last_lesson: Callable[[], str] = lambda: ""
+        """The title of the lesson of the last time."""
         self.guide = False
         self.chosen = 0
         self._leaving = False
@@ -150,45 +153,56 @@ class WelcomePane(Pane):
         return self._built[y] if y < len(self._built) else []
 
     def _build_welcome(self, width: int) -> list[list[Segment]]:
-        texts, colours, height = self.look.texts, self.look.colours, self.inner_height
-        lines: list[list[Segment]] = []
+        """The choices with as much around them as there is room for."""
+        for logo, gaps, details, question in (
+            (True, True, True, True),
+            (False, True, True, True),
+            (False, False, True, True),
+            (False, False, False, True),
+            (False, False, False, False),
+        ):
+            if logo and width < 30:
+                continue
+            lines = self._welcome(width, logo=logo, gaps=gaps, details=details, question=question)
+            if len(lines) <= self.inner_height:
+                break
+        return self._centre_vertically(lines)
+
+    def _welcome(self, width: int, *, logo: bool, gaps: bool, details: bool, question: bool) -> list[list[Segment]]:
+        texts, colours = self.look.texts, self.look.colours
+        lines: list[list[Segment]] = [*self._logo(width), []] if logo else []
         self._rows = {}
-        roomy = height >= 22
-        if roomy and width >= 30:
-            lines += self._logo(width)
-            lines.append([])
-        if height >= 8:
+        if question:
+            lines += [_centred(texts("welcome.heading"), width, colours.strong), []]
+            lines += [_centred(texts("welcome.question"), width, colours.text), []]
+        elif self.inner_height >= len(WELCOME) + 2:
             lines.append(_centred(texts("welcome.heading"), width, colours.strong))
-            if 9 <= height < 12:
-                lines.append([])
-        if height >= 12:
-            lines += [[], _centred(texts("welcome.question"), width, colours.text), []]
         block = min(width - 2, 44)
-        margin = (width - block) // 2
+        margin = Segment(" " * ((width - block) // 2), colours.text)
         for index, choice in enumerate(WELCOME):
             on = index == self.chosen
             style, more = (colours.choice, colours.choice) if on else (colours.strong, colours.muted)
             marker = self.look.glyphs.marker if on else " "
-            name = f" {marker} {index + 1}  {texts(choice.text)}"
             self._rows[len(lines)] = index
-            if height >= 14:
-                lines.append([Segment(" " * margin, colours.text), Segment(fit(name, block), style)])
+            lines.append([margin, Segment(fit(f" {marker} {index + 1}  {texts(choice.text)}", block), style)])
+            if details:
                 self._rows[len(lines)] = index
-                detail = f"      {texts(choice.more)}"
-                lines.append([Segment(" " * margin, colours.text), Segment(fit(detail, block), more)])
-                if height >= 18:
-                    lines.append([])
-            else:
-                lines.append([Segment(" " * margin, colours.text), Segment(fit(name, block), style)])
-        if height >= 16:
-            if height < 18:
+                lines.append([margin, Segment(fit(f"      {self._more(choice)}", block), more)])
+            if gaps and details and choice is not WELCOME[-1]:
                 lines.append([])
-            lines += [_centred(line, width, colours.muted) for line in wrap(texts("welcome.truth"), min(width - 4, 60))]
-        if height >= 6:
-            if height >= 9:
+        if details:
+            truth = wrap(texts("welcome.truth"), min(width - 4, 60))
+            lines += [[], *(_centred(line, width, colours.muted) for line in truth)]
+        if details or self.inner_height > len(lines):
+            if self.inner_height > len(lines) + 1:
                 lines.append([])
             lines.append(_centred(clip(texts("welcome.keys"), width), width, colours.muted))
-        return self._centre_vertically(lines)
+        return lines
+
+    def _more(self, choice: Choice) -> str:
+        """The line below a choice; of the lessons, where one stopped."""
+        last = self.last_lesson() if choice.does == "action.lessons" else ""
+        return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.more)
 
     def _logo(self, width: int) -> list[list[Segment]]:
         """A turtle, drawn as those of turtlesim are."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.lessons.actions import presses
 from day6_tui.core.lessons.checks import condition_of
+from day6_tui.core.whole_file import replace_file
 
 if TYPE_CHECKING:
     from day6_tui.core.lessons.live import Live
@@ -109,14 +110,14 @@ class Stage:
     async def _do_write(self, file: Mapping[str, str]) -> None:
         path = self._live.path(file["file"])
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(file["text"], encoding="utf-8", newline="\n")
+        replace_file(path, file["text"].encode(), sync=False)
 
     async def _do_replace(self, change: Mapping[str, str]) -> None:
         path = self._live.path(change["file"])
         text = path.read_text(encoding="utf-8")
         if text.count(change["old"]) != 1:
             raise StageError(f"{change['file']} has {change['old']!r} {text.count(change['old'])} times")
-        path.write_text(text.replace(change["old"], change["new"]), encoding="utf-8", newline="\n")
+        replace_file(path, text.replace(change["old"], change["new"]).encode(), sync=False)
 
     async def _do_wait(self, given: object) -> None:
         condition = condition_of(given)

@@ -33,7 +33,7 @@ async def test_a_turtle_and_its_trail_on_the_desk(desk, golden, language, size) 
 
 async def test_the_guide_follows_the_choice_of_an_empty_desk(desk, golden) -> None:
     async with opened(desk, 120, 40, lang="en") as (app, pilot):
-        await pilot.press("4")
+        await pilot.press("5")
         await step(app, pilot)
         assert app.screen.focused is app.terminals.current
         golden("guide-en-120x40", screen_text(app))

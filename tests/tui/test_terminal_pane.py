@@ -242,8 +242,8 @@ def test_the_usual_pairs_of_full_screen_programs_can_be_read(theme, pair) -> Non
 async def test_keys_go_to_the_terminal_and_only_the_desks_own_do_not(desk) -> None:
     async with opened(desk, lang="en") as (app, pilot):
         app.desktop.focus_pane(app.terminals.current)
-        await pilot.press("l", "s", "space", "tab", "up", "ctrl+c", "escape", "f5", "enter")
-        assert desk.terminals[0].sent == "ls \t\x1b[A\x03\x1b\x1b[15~\r"
+        await pilot.press("l", "s", "space", "tab", "up", "ctrl+c", "escape", "f10", "enter")
+        assert desk.terminals[0].sent == "ls \t\x1b[A\x03\x1b\x1b[21~\r"
         await pilot.press("f2")
         assert len(desk.terminals) == 2
         await pilot.press("x")

@@ -6,6 +6,7 @@ import typing
 from importlib import import_module
 from pathlib import Path
 
+from day6_tui.core.lessons.program import lessons_of
 from day6_tui.core.session.display import Window
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
@@ -30,6 +31,9 @@ COMMANDS = {
 }
 """What opens a window of each kind."""
 
+STARTED = ("lesson",)
+"""Windows that the desktop itself opens."""
+
 LONGEST = 60.0
 
 
@@ -52,9 +56,10 @@ def open_windows(home: Path) -> list[Window[object]]:
         lines = "\n".join(f"{command} &" for command in COMMANDS.values()) + "\nwait\n"
         main = subshell_main(shell, lambda: shell.run(lines, streams))
         desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
+        desk.start_program(["lesson"], lessons_of(desk, "anna", None), streams, env=shell.environment, cwd=home)
         display = desk.display
         assert display is not None
-        desk.scheduler.run(lambda: len(display.windows) == len(COMMANDS), LONGEST)
+        desk.scheduler.run(lambda: len(display.windows) == len(KINDS), LONGEST)
         return display.windows
     finally:
         desk.hurry()
@@ -62,6 +67,6 @@ def open_windows(home: Path) -> list[Window[object]]:
 
 
 def test_a_pane_is_typed_with_the_model_that_its_program_hands_over(tmp_path) -> None:
-    assert COMMANDS.keys() == KINDS.keys()
+    assert {*COMMANDS, *STARTED} == KINDS.keys()
     handed_over = {window.kind: type(window.model).__name__ for window in open_windows(tmp_path)}
     assert handed_over == {kind: model_of(kind) for kind in KINDS}

@@ -29,6 +29,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),
     "inspector": ("inspector", "InspectorPane"),
+    "lesson": ("lesson", "LessonPane"),
     "rviz2": ("rviz2", "RVizPane"),
 }
 """Kind of window -> module in this package and class in it."""

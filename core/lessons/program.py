@@ -1,0 +1,27 @@
+"""The program behind the lesson window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.lessons.course import Course
+
+if TYPE_CHECKING:
+    from day6_tui.core.session.session import Main, Session
+    from day6_tui.core.shell.desk import Desk
+
+
+def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "") -> Main:
+    """The main function of a program that opens the window; `first` is a lesson that is opened at once."""
+
+    async def main(session: Session) -> int:
+        course = Course(desk, session, pupil, folder)
+        if session.display is not None:
+            session.display.open("lesson", "Lessons", course)
+        if first:
+            course.request(lambda: course.open(first))
+        await course.run()
+        return 0
+
+    return main

@@ -1,0 +1,152 @@
+"""F5: opens the lessons, goes to them and back, and on to the next step when one is solved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.shell.user import login_name
+from day6_tui.tui.actions import Handlers
+from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.look import Look
+from day6_tui.tui.machine import Machine
+from day6_tui.tui.notices import NOTICE_SECONDS, Notices
+from day6_tui.tui.pane import Pane, PaneMessage
+from day6_tui.tui.settings import Settings
+from day6_tui.tui.survival import PersonMessage
+from day6_tui.tui.terminals import Terminals
+
+if TYPE_CHECKING:
+    from day6_tui.core.lessons.document import Lesson
+    from day6_tui.tui.windows.lesson import LessonPane
+
+PUPIL, PLACE = "pupil", "lesson"
+"""Settings: the name of the pupil, and the lesson of the last time."""
+
+
+class LessonAsked(PaneMessage, PersonMessage):
+    """The lesson window asks: to 'type' a command, to go to the 'terminal', to remember what was 'opened'."""
+
+    def __init__(self, pane: Pane, what: str, text: str = "", lesson: Lesson | None = None) -> None:
+        super().__init__(pane)
+        self.what = what
+        self.text = text
+        self.lesson = lesson
+
+
+class Lessons:
+    """Owns the lesson window of the desktop."""
+
+    def __init__(
+        self,
+        machine: Machine,
+        desktop: Desktop,
+        terminals: Terminals,
+        notices: Notices,
+        settings: Settings,
+        look: Look,
+        folder: Path | None = None,
+    ) -> None:
+        self._machine = machine
+        self._desktop = desktop
+        self._terminals = terminals
+        self._notices = notices
+        self._settings = settings
+        self._look = look
+        self._folder = folder
+
+    def actions(self) -> Handlers:
+        return {"lessons": self.toggle, "pupil": self.ask_pupil}
+
+    @property
+    def pupil(self) -> str:
+        """Whose progress is kept: as chosen, else who uses this computer."""
+        return self._settings.text(PUPIL) or login_name()
+
+    @property
+    def pane(self) -> LessonPane | None:
+        """The open window."""
+        from day6_tui.tui.windows.lesson import LessonPane
+
+        return next((pane for pane in self._desktop.panes.values() if isinstance(pane, LessonPane)), None)
+
+    def toggle(self) -> None:
+        """Open the lessons; where they are open go on to the next step if this one is solved, else there or back."""
+        pane = self.pane
+        if pane is None:
+            self.open()
+        elif pane.course.state.solved:
+            pane.course.request(pane.course.next)
+        elif self._desktop.focused_pane is pane:
+            self.back_to_terminal()
+        else:
+            self._desktop.go_to_pane(pane)
+
+    def open(self, first: str = "") -> None:
+        """Open the window, at the lesson of the last time."""
+        from day6_tui.core.lessons.program import lessons_of
+
+        desk = self._machine.desk
+        if desk is None:
+            return
+        self._desktop.welcome.show_guide()
+        self._machine.start("lesson", lessons_of(desk, self.pupil, self._folder, first or self._settings.text(PLACE)))
+
+    def back_to_terminal(self) -> None:
+        """Give the keyboard to the terminal that was used last."""
+        if (pane := self._terminals.current) is not None:
+            self._desktop.go_to_pane(pane)
+
+    def type_command(self, command: str) -> None:
+        """Type a command into an idle terminal; the pupil presses Return."""
+        if (pane := self._terminals.use_idle()) is not None and pane.has_terminal:
+            pane.view.terminal.send(command)
+            self._desktop.go_to_pane(pane)
+
+    def handle(self, event: LessonAsked) -> None:
+        """Do what the window asks for."""
+        if event.what == "type":
+            self.type_command(event.text)
+        elif event.what == "terminal":
+            self.back_to_terminal()
+        elif event.what == "opened":
+            self._remember(event.lesson)
+
+    def _remember(self, lesson: Lesson | None) -> None:
+        """Keep which lesson is open, for the next start; a drill begins anew each time."""
+        if lesson is not None and not lesson.is_drill and lesson.name != self._settings.text(PLACE):
+            for language, title in lesson.title.items():
+                self._settings.put(f"{PLACE}.{language}", title)
+            self._set(PLACE, lesson.name)
+
+    @property
+    def where(self) -> str:
+        """The lesson of the last time, for the welcome choices; '' if there was none."""
+        return self._settings.text(f"{PLACE}.{self._look.texts.language}")
+
+    def ask_pupil(self) -> None:
+        """Ask for the pupil's name; progress is kept under it."""
+        from day6_tui.core.lessons.progress import name_mistake
+        from day6_tui.tui.prompt import Prompt
+
+        texts = self._look.texts
+
+        def take(name: str) -> str | None:
+            if mistake := name_mistake(name):
+                return texts(f"lesson.name.{mistake}")
+            self._set(PUPIL, name.strip())
+            if (pane := self.pane) is not None:
+                pane.close()
+                self.open()
+            return None
+
+        self._desktop.open_overlay(
+            Prompt(self._look, texts("lesson.name"), self.pupil, take, note=texts("lesson.name.note"))
+        )
+
+    def _set(self, name: str, value: str) -> None:
+        try:
+            self._settings.set(name, value)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            self._notices.show(self._look.texts("settings.not_kept", reason=reason), NOTICE_SECONDS)

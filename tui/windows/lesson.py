@@ -1,0 +1,246 @@
+"""The lesson window: the list of lessons, or one step; the pupil works in the terminal beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+from rich.segment import Segment
+from textual import events
+
+from day6_tui.core.lessons.document import HINTS
+from day6_tui.core.session.display import Window
+from day6_tui.tui.lessons import LessonAsked
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+from day6_tui.tui.windows.lesson_page import Action, Entry, Row, list_rows, step_rows
+
+if TYPE_CHECKING:
+    from day6_tui.core.lessons.course import Course
+
+
+class LessonPane(WindowPane["Course"]):
+    """Draws the course, scrolls, and hands on what the pupil chooses."""
+
+    def __init__(self, window: Window[Course], look: Look) -> None:
+        super().__init__(window, look)
+        self.course = window.model
+        self.chosen = 0
+        """The lesson in the list that Enter opens."""
+        self._top = 0
+        self._follow = True
+        """Whether the chosen lesson has to be brought into sight."""
+        self._rows: list[Row] = []
+        self._entries: list[Entry] = []
+        self._built_for: object = None
+        self._shown_step: object = None
+
+    # -- what is shown -------------------------------------------------------------------------------------------------
+
+    @property
+    def label(self) -> str:
+        lesson = self.course.state.lesson
+        return self.look.texts("lesson.title") if lesson is None else lesson.title[self.look.texts.language]
+
+    def pull(self, now: float) -> bool:
+        state = self.course.state
+        step = (state.lesson.name, state.index) if state.lesson is not None else None
+        if step != self._shown_step:
+            self._shown_step = step
+            self._top = 0
+            if step is None:
+                self._choose_last()
+            self.post_message(LessonAsked(self, "opened", lesson=state.lesson))
+        if self._key() != self._built_for:
+            self.touch()
+        return False
+
+    def _key(self) -> tuple[object, ...]:
+        return (
+            self.course.version,
+            self.inner_width,
+            self.inner_height,
+            self.look.texts.language,
+            self.look.colours,
+            self.look.glyphs,
+            self.chosen,
+            self._top,
+        )
+
+    def _choose_last(self) -> None:
+        names = [lesson.name for lesson in (*self.course.lessons, *self.course.drills)]
+        if self.course.progress.last in names:
+            self.chosen = names.index(self.course.progress.last)
+        self._follow = True
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        if self._key() != self._built_for:
+            self._build(width)
+        at = self._top + y
+        if at >= len(self._rows):
+            return []
+        row = self._rows[at]
+        if row.action is not None:
+            self.add_hit(y + self.inner_offset, 1, 1 + width, row.action)
+        return row.line
+
+    def _build(self, width: int) -> None:
+        state = self.course.state
+        if state.step is None:
+            self._rows, self._entries = list_rows(self.course, self.look, width, self.chosen, self._open_entry)
+            if self._follow:
+                self._follow = False
+                self._keep_chosen_in_sight()
+        else:
+            self._entries = []
+            self._rows = step_rows(self.course, state, self.look, width, self._doing)
+        self._top = max(0, min(self._top, len(self._rows) - self.inner_height))
+        self._built_for = self._key()
+
+    def _keep_chosen_in_sight(self) -> None:
+        if self.chosen < len(self._entries):
+            row = self._entries[self.chosen].row
+            first = 0 if self.chosen == 0 else row
+            if first < self._top:
+                self._top = first
+            elif row >= self._top + self.inner_height:
+                self._top = row - self.inner_height + 1
+
+    def status(self) -> list[Piece]:
+        texts, colours, state = self.look.texts, self.look.colours, self.course.state
+        if state.lesson is None:
+            pupil = self.course.progress.pupil
+            return [Piece(f" {pupil} ", colours.muted)] if pupil else []
+        far = texts("lesson.step", number=state.index + 1, all=len(state.lesson.steps))
+        pieces = [Piece(f" {far} ", colours.muted)]
+        if state.working:
+            pieces.append(Piece(f" {texts('lesson.working')} ", colours.accent))
+        return pieces
+
+    def status_right(self) -> list[Piece]:
+        texts, colours, state = self.look.texts, self.look.colours, self.course.state
+        more = self._top + self.inner_height < len(self._rows)
+        pieces = (
+            [Piece(f" {texts('lesson.more')} ", colours.muted, lambda: self._scroll(self.inner_height - 2))]
+            if more
+            else []
+        )
+        if state.lesson is None:
+            return pieces
+        if state.solved:
+            pieces.append(Piece(f" {texts('lesson.next.key')} ", colours.choice, self._next))
+        elif state.hints < HINTS:
+            pieces.append(Piece(f" {texts('lesson.hint.key')} ", colours.accent, self._doing("hint")))
+        return pieces
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts, state = self.look.texts, self.course.state
+        if state.step is None:
+            return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open"))]
+        keys = [("Enter", texts("lesson.key.next"))] if state.solved else []
+        if not state.solved and state.hints < HINTS:
+            keys.append(("h", texts("lesson.key.hint")))
+        if not state.solved and state.hints >= HINTS and state.step.command:
+            keys.append(("Enter", texts("lesson.key.type")))
+        if state.missing:
+            keys.append(("p", texts("lesson.key.prepare")))
+        return [*keys, ("←→", texts("lesson.key.steps")), ("l", texts("lesson.key.list"))]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        return [
+            ("PgUp PgDn", texts("lesson.key.scroll")),
+            ("s", texts("lesson.key.solution")),
+            ("r", texts("lesson.key.again")),
+            ("Esc", texts("lesson.key.terminal")),
+        ]
+
+    # -- what is done --------------------------------------------------------------------------------------------------
+
+    def _doing(self, what: str) -> Action:
+        """What a click or a key does."""
+        course = self.course
+        word, _, rest = what.partition(" ")
+        table: dict[str, Callable[[], object]] = {
+            "hint": course.hint,
+            "prepare": course.prepare,
+            "answer": lambda: course.choose(rest),
+            "next": course.next,
+            "back": course.back,
+            "again": course.again,
+            "list": course.close,
+            "solution": course.show_solution,
+        }
+        return lambda: course.request(table[word])  # type: ignore[arg-type]
+
+    def _next(self) -> None:
+        self.course.request(self.course.next)
+
+    def _open_entry(self, number: int) -> None:
+        self.chosen = number
+        if number < len(self._entries):
+            name = self._entries[number].name
+            self.course.request(lambda: self.course.open(name))
+        self.touch()
+
+    def _scroll(self, rows: int) -> None:
+        self._top = max(0, min(self._top + rows, len(self._rows) - self.inner_height))
+        self.touch()
+
+    def _enter(self) -> None:
+        state = self.course.state
+        if state.step is None:
+            self._open_entry(self.chosen)
+        elif state.solved:
+            self._next()
+        elif state.hints >= HINTS and state.step.command:
+            self.post_message(LessonAsked(self, "type", state.step.command))
+
+    def on_key(self, event: events.Key) -> None:
+        state = self.course.state
+        page = max(1, self.inner_height - 2)
+        letters = {answer.letter for answer in state.step.pages["zh"].answers} if state.step is not None else set()
+        in_list = {"down": lambda: self._choose(1), "up": lambda: self._choose(-1)}
+        in_step: dict[str, Callable[[], object]] = {
+            "down": lambda: self._scroll(1),
+            "up": lambda: self._scroll(-1),
+            "right": self._next,
+            "n": self._next,
+            "left": self._doing("back"),
+            "h": self._doing("hint"),
+            "l": self._doing("list"),
+            "p": self._doing("prepare"),
+            "r": self._doing("again"),
+            "s": self._doing("solution"),
+        }
+        both: dict[str, Callable[[], object]] = {
+            "enter": self._enter,
+            "pagedown": lambda: self._scroll(page),
+            "pageup": lambda: self._scroll(-page),
+            "escape": lambda: self.post_message(LessonAsked(self, "terminal")),
+        }
+        if event.character is not None and event.character in letters:
+            action: Callable[[], object] | None = self._doing(f"answer {event.character}")
+        else:
+            action = both.get(event.key) or (in_list if state.step is None else in_step).get(event.key)
+        if action is not None:
+            event.stop()
+            event.prevent_default()
+            action()
+            self.look.wake()
+
+    def _choose(self, step: int) -> None:
+        count = len(self._entries)
+        if count:
+            self.chosen = max(0, min(self.chosen + step, count - 1))
+            self._follow = True
+            self.touch()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._scroll(3)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._scroll(-3)

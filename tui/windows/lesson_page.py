@@ -1,0 +1,210 @@
+"""What the lesson window shows: the list of lessons, or the page of a step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from rich.segment import Segment
+
+from day6_tui.core.lessons.document import HINTS, Lesson
+from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.windows.lesson_text import Line, text_lines
+
+if TYPE_CHECKING:
+    from day6_tui.core.lessons.course import Course, State
+    from day6_tui.core.lessons.document import Page
+    from day6_tui.tui.look import Look
+
+Action = Callable[[], object]
+
+
+class Row(NamedTuple):
+    """A line of the page, and what a click on it does."""
+
+    line: Line
+    action: Action | None = None
+
+
+class Entry(NamedTuple):
+    """A lesson in the list."""
+
+    name: str
+    row: int
+
+
+def list_rows(
+    course: Course, look: Look, width: int, chosen: int, open_entry: Callable[[int], object]
+) -> tuple[list[Row], list[Entry]]:
+    """The list of lessons and drills with how far the pupil is; also the entries with their lines."""
+    texts, colours = look.texts, look.colours
+    rows: list[Row] = []
+    entries: list[Entry] = []
+
+    def heading(text: str) -> None:
+        if rows:
+            rows.append(Row([]))
+        rows.append(Row([Segment(clip(f" {text}", width), colours.strong)]))
+
+    def entry(lesson: Lesson, name: str) -> None:
+        number = len(entries)
+        on = number == chosen
+        solved, all_steps = course.progress.solved(lesson.name), len(lesson.steps)
+        far = (
+            _mark(look, True)
+            if solved >= all_steps
+            else f"{solved}/{all_steps}"
+            if solved
+            else texts("lesson.minutes", minutes=lesson.minutes)
+        )
+        room = width - cell_len(far) - 2
+        marker = look.glyphs.marker if on else " "
+        style = colours.choice if on else colours.text
+        done = colours.publisher if solved >= all_steps else colours.muted
+        line = [Segment(fit(f" {marker} {name}", room), style), Segment(f" {far} ", done)]
+        rows.append(Row(line, lambda: open_entry(number)))
+        entries.append(Entry(lesson.name, len(rows) - 1))
+
+    heading(texts("lesson.days"))
+    for lesson in course.lessons:
+        entry(lesson, lesson.title[texts.language])
+    if not course.lessons:
+        rows.append(Row([Segment(clip(f"   {texts('lesson.none')}", width), colours.muted)]))
+    for mistakes in course.broken:
+        for each in mistakes.mistakes[:3]:
+            words = f"{mistakes.path.name}:{each.line}: {each.text}"
+            rows += [Row([Segment(f"   {line}", colours.warning)]) for line in wrap(words, width - 4)]
+    if course.drills:
+        heading(texts("lesson.drills"))
+        rows += [Row([Segment(f"   {line}", colours.muted)]) for line in wrap(texts("lesson.drills.more"), width - 4)]
+        for lesson in course.drills:
+            entry(lesson, f"{lesson.fault:2} {lesson.title[texts.language]}")
+    return rows, entries
+
+
+def step_rows(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
+    """The page of the step: picture, text, what to do, how far the checks are, hints, answers."""
+    assert state.step is not None
+    page: Page = state.step.pages[look.texts.language]
+    rows = [*_heading(state, page, look, width), *_picture(page, look, width)]
+    rows += [Row([Segment(" ", look.colours.text), *line]) for line in text_lines(page.body, width - 2, look.colours)]
+    rows.append(Row([]))
+    rows += _do(page, look, width)
+    rows += [Row([])] if page.answers else []
+    for answer in page.answers:
+        rows += _answer(answer.letter, answer.text, answer.reason, state, look, width, doing)
+    rows.append(Row([]))
+    rows += _checks(state, look, width)
+    rows += _hints(state, page, look, width, doing)
+    rows += _problems(course, state, look, width, doing)
+    return rows
+
+
+def _heading(state: State, page: Page, look: Look, width: int) -> list[Row]:
+    colours = look.colours
+    assert state.lesson is not None
+    return [Row([Segment(f" {line}", colours.strong)]) for line in wrap(page.title, width - 2)] + [Row([])]
+
+
+def _picture(page: Page, look: Look, width: int) -> list[Row]:
+    if not page.picture:
+        return []
+    colours = look.colours
+    size = max(map(cell_len, page.picture))
+    left = max(0, (width - size) // 2)
+    rows = [
+        Row([Segment(" " * left, colours.text), Segment(clip(line, width - left), colours.node)])
+        for line in page.picture
+    ]
+    return [*rows, Row([])]
+
+
+def _do(page: Page, look: Look, width: int) -> list[Row]:
+    colours, glyphs = look.colours, look.glyphs
+    lines = text_lines(page.do, width - 4, colours, colours.strong)
+    return [
+        Row([Segment(f" {glyphs.marker if not at else ' '} ", colours.accent), *line]) for at, line in enumerate(lines)
+    ]
+
+
+def _answer(
+    letter: str, text: str, reason: str, state: State, look: Look, width: int, doing: Callable[[str], Action]
+) -> list[Row]:
+    colours = look.colours
+    chosen = state.answer == letter
+    style = colours.publisher if chosen and state.solved else colours.warning if chosen else colours.text
+    lines = text_lines(text, width - 6, colours, style)
+    rows = [
+        Row([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"))
+        for at, line in enumerate(lines)
+    ]
+    if chosen and reason:
+        rows += [
+            Row([Segment("     ", colours.text), *line])
+            for line in text_lines(reason, width - 6, colours, colours.muted)
+        ]
+    return rows
+
+
+def _mark(look: Look, good: bool) -> str:
+    if not look.glyphs.unicode:
+        return "[x]" if good else "[ ]"
+    return "✓" if good else "·"
+
+
+def _checks(state: State, look: Look, width: int) -> list[Row]:
+    colours, language = look.colours, look.texts.language
+    rows: list[Row] = []
+    for verdict in state.verdicts:
+        mark = _mark(look, verdict.ok)
+        style = colours.publisher if verdict.ok else colours.text
+        room = width - cell_len(mark) - 3
+        for at, line in enumerate(wrap(verdict.wanted.text(language), room)):
+            rows.append(Row([Segment(f" {mark if not at else ' ' * cell_len(mark)} {line}", style)]))
+        if not verdict.ok and verdict.saw is not None:
+            for line in wrap(verdict.saw.text(language), room):
+                rows.append(Row([Segment(f" {' ' * cell_len(mark)} {line}", colours.muted)]))
+    if state.solved:
+        key = "lesson.already" if state.before_asked else "lesson.solved"
+        rows += [Row([])] + [Row([Segment(f" {line}", colours.publisher)]) for line in wrap(look.texts(key), width - 2)]
+    return rows
+
+
+def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
+    colours, texts = look.colours, look.texts
+    rows: list[Row] = []
+    for number, hint in enumerate(page.hints[: state.hints], 1):
+        head = texts("lesson.hint", number=number, all=HINTS)
+        rows.append(Row([]))
+        rows.append(Row([Segment(f" {head}", colours.accent)]))
+        rows += [Row([Segment(" ", look.colours.text), *line]) for line in text_lines(hint, width - 2, colours)]
+    return rows
+
+
+def _problems(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
+    """What stands in the way: missing earlier steps, a file that is wrong, progress that cannot be kept."""
+    colours, texts = look.colours, look.texts
+    rows: list[Row] = []
+
+    def say(text: str, action: Action | None = None) -> None:
+        rows.append(Row([]))
+        rows.extend(Row([Segment(f" {line}", colours.warning)], action) for line in wrap(text, width - 2))
+
+    if state.missing and state.lesson is not None and not state.working:
+        steps = [state.lesson.step(name) for name in state.missing]
+        names = texts("list.comma").join(step.pages[texts.language].title for step in steps if step is not None)
+        say(texts("lesson.missing", names=names), doing("prepare"))
+    if state.problem:
+        key = "lesson.something_runs" if state.problem == "something-runs" else "lesson.problem"
+        say(texts(key, reason=state.problem))
+    if state.mistakes is not None:
+        for each in state.mistakes.mistakes[:5]:
+            say(f"{state.mistakes.path.name}:{each.line}: {each.text}")
+    if course.saving_failed:
+        say(texts("lesson.not_saved", reason=course.saving_failed))
+    return rows
+
+
+def wrapped_plain(words: Sequence[str], width: int) -> list[str]:
+    """Texts below each other."""
+    return [line for text in words for line in wrap(text, width)]
