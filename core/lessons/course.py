@@ -98,6 +98,8 @@ class Course:
         self.broken: tuple[LessonMistakes, ...] = ()
         """Lessons of the folder that cannot be used."""
         self.pace = READING_PACE
+        self.ready = False
+        """Whether the lessons and the progress have been read."""
 
     # -- for the window, any thread ------------------------------------------------------------------------------------
 
@@ -150,6 +152,7 @@ class Course:
             progress = Progress()
         progress.pupil = pupil
         self.progress = progress
+        self.ready = True
         self._changed()
 
     async def _guarded(self, work: Awaitable[None]) -> None:

@@ -28,6 +28,7 @@ _NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
 _FENCE = re.compile(r"(~~~+|```+)\s*(\w*)\s*\Z")
 _HEAD = {"lesson", "drill", "order", "minutes", "title", "fault", "topic"}
 _STEP = {"check", "solve", "wrong", "needs", "before", "command"}
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 _HINT = re.compile(r"\d+\.\s+(.*)\Z")
 _ANSWER = re.compile(r"-\s+([a-z]):\s+(.*?)(?:\s*\|\s*(.*))?\Z")
 
@@ -140,6 +141,9 @@ class _Reader:
         self._mistakes.append(Mistake(line, text))
 
     def lesson(self) -> Lesson:
+        for number, line in enumerate(self._lines, 1):
+            if _CONTROL.search(line):
+                self._wrong(number, "a control character: it could disturb the terminal")
         head, begin = self._front_matter()
         steps = [self._step(*each) for each in self._sections(begin)]
         if not steps:

@@ -197,7 +197,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shape.circle": ("circle", "圆"),
     "shape.closed": ("closed figure", "闭合的图形"),
     "trail.saw_none": ("TurtleSim is not open.", "海龟窗口没有开着。"),
-    "trail.saw_little": ("There is no line of it yet.", "还没有画出线。"),
+    "trail.saw_little": ("There is no straight line yet.", "还没有画出直线。"),
     "trail.saw_legs": (
         "The last straight lines: {lengths} long, turned by {turns} degrees in between.",
         "最后几条直线的长度：{lengths}；中间转的角度：{turns} 度。",

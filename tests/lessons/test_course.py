@@ -1,0 +1,309 @@
+"""A pupil's way through a lesson: steps, hints, what was done before it was asked, progress, files that change, drills."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from waiting import until
+
+from day6_tui.core.lessons import catalogue
+from day6_tui.core.lessons.course import Course
+from day6_tui.core.lessons.progress import file_of, load
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.streams import InputStream, OutputStream
+from day6_tui.core.shell.desk import Desk
+from day6_tui.core.shell.language.redirection import Streams
+
+TEXT = """
+## zh 题目
+
+文字
+
+### do
+
+做
+
+### hints
+
+1. 一
+2. 二
+3. 三
+{zh}
+## en Title
+
+text
+
+### do
+
+do
+
+### hints
+
+1. one
+2. two
+3. three
+{en}
+"""
+
+HEAD = "---\nlesson: {name}\norder: 1\nminutes: 5\ntitle: {{zh: 课, en: Lesson}}\n---\n"
+
+STEPS = {
+    "touch": "check:\n  - file: ~/one.txt\nsolve:\n  - type: touch one.txt\n",
+    "list": "check:\n  - ran: ^ls\nsolve:\n  - type: ls\nneeds: [touch]\n",
+    "ask": "check:\n  - answer: b\nsolve:\n  - answer: b\n",
+}
+
+
+def write_lesson(path: Path, steps: dict[str, str], head: str = HEAD.format(name="small")) -> Path:
+    answers = "\n### answers\n\n- a: A | because\n- b: B\n"
+    parts = [
+        f"# {name}\n\n~~~yaml\n{data}~~~\n{TEXT.format(zh=answers, en=answers) if 'answer' in data else TEXT.format(zh='', en='')}"
+        for name, data in steps.items()
+    ]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(head + "\n" + "\n".join(parts), encoding="utf-8")
+    return path
+
+
+class Classroom:
+    """A desk with a lesson window of one pupil."""
+
+    def __init__(self, home: Path, folder: Path) -> None:
+        self.home, self.folder = home, folder
+        self.desk = Desk(home, domain_id=0, join_link=False)
+        self.course: Course = self.begin()
+
+    def begin(self, pupil: str = "anna") -> Course:
+        made: list[Course] = []
+
+        async def main(session: Session) -> int:
+            made.append(Course(self.desk, session, pupil, self.folder))
+            await made[0].run()
+            return 0
+
+        streams = Streams(InputStream(), OutputStream(), OutputStream())
+        self.program = self.desk.start_program(["lesson"], main, streams, env=self.desk.environment(), cwd=self.home)
+        self.wait(lambda: bool(made) and made[0].ready)
+        return made[0]
+
+    def wait(self, condition: Callable[[], object]) -> None:
+        until(lambda: self.desk.scheduler.run(lambda: bool(condition()), 0.05), every=0.0, told=self.told)
+
+    def told(self) -> str:
+        return repr(self.course.state) if hasattr(self, "course") else ""
+
+    def ask(self, action: Callable[[], object]) -> None:
+        self.course.request(action)  # type: ignore[arg-type]
+
+    def go(self, seconds: float = 0.4) -> None:
+        self.desk.scheduler.run(lambda: False, seconds)
+
+    def at(self) -> str:
+        state = self.course.state
+        return state.step.name if state.step is not None else ""
+
+    def open(self, name: str = "small") -> None:
+        self.ask(lambda: self.course.open(name))
+        self.wait(lambda: self.course.state.lesson is not None)
+
+    def solved(self) -> bool:
+        return self.course.state.solved
+
+    def saved(self) -> bool:
+        path = file_of(self.home, "anna")
+        return path.is_file() and load(path).steps == self.course.progress.steps
+
+
+@pytest.fixture
+def room(tmp_path: Path) -> Iterator[Classroom]:
+    write_lesson(tmp_path / "lessons" / "small.md", STEPS)
+    made = Classroom(tmp_path / "home", tmp_path / "lessons")
+    yield made
+    made.desk.hurry()
+    made.desk.close()
+
+
+def test_a_step_is_solved_by_what_the_pupil_does_and_the_next_one_comes_when_asked(room: Classroom) -> None:
+    room.open()
+    room.go()
+    assert (room.at(), room.solved()) == ("touch", False)
+    assert room.course.state.verdicts[0].text("en") == "the file ~/one.txt is there There is no ~/one.txt."
+    (room.home / "one.txt").touch()
+    room.wait(room.solved)
+    assert room.at() == "touch"
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "list")
+    assert not room.solved()
+
+
+def test_what_was_done_before_it_was_asked_is_recognised(room: Classroom) -> None:
+    (room.home / "one.txt").touch()
+    room.open()
+    room.wait(room.solved)
+    assert room.course.state.before_asked
+    terminal = room.desk.open_terminal()
+    room.wait(lambda: terminal.idle)
+    terminal.run_line("ls -l")
+    room.wait(lambda: terminal.runs.count == 1 and terminal.idle)
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "list" and room.solved())
+    assert room.course.state.before_asked
+
+
+def test_hints_are_counted_until_the_step_is_solved(room: Classroom) -> None:
+    room.open()
+    for _ in range(5):
+        room.ask(room.course.hint)
+    room.wait(lambda: room.course.state.hints == 3)
+    (room.home / "one.txt").touch()
+    room.wait(room.solved)
+    assert room.course.progress.step("small", "touch").hints == 3
+
+
+def test_a_step_that_is_passed_over_is_not_solved(room: Classroom) -> None:
+    room.open()
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "list")
+    done = room.course.progress.step("small", "touch")
+    assert (done.passed_over, done.solved) == (True, 0.0)
+
+
+def test_a_missing_earlier_step_is_told_and_prepared(room: Classroom) -> None:
+    room.open()
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.state.missing == ("touch",))
+    room.ask(room.course.prepare)
+    room.wait(lambda: (room.home / "one.txt").exists() and not room.course.state.missing)
+    assert room.at() == "list"
+
+
+def test_a_question_tells_why_an_answer_is_wrong_and_counts_it(room: Classroom) -> None:
+    room.open()
+    room.ask(room.course.next)
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "ask")
+    room.ask(lambda: room.course.choose("a"))
+    room.wait(lambda: room.course.state.refused == "a")
+    assert not room.solved()
+    room.ask(lambda: room.course.choose("b"))
+    room.wait(room.solved)
+    assert room.course.progress.step("small", "ask").refused == 1
+
+
+def test_progress_is_kept_after_every_step_and_goes_on_there(room: Classroom) -> None:
+    room.open()
+    (room.home / "one.txt").touch()
+    room.wait(lambda: room.solved() and room.saved())
+    data = json.loads(file_of(room.home, "anna").read_text())
+    assert data["steps"]["small"]["touch"]["solved"] > 0
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    room.wait(lambda: room.at() == "list")
+
+
+def test_another_pupil_begins_at_the_beginning(room: Classroom) -> None:
+    room.open()
+    (room.home / "one.txt").touch()
+    room.wait(lambda: room.solved() and room.saved())
+    (room.home / "one.txt").unlink()
+    room.program.kill()
+    room.course = room.begin("bert")
+    room.open()
+    room.wait(lambda: room.at() == "touch")
+    assert not room.solved()
+
+
+def test_progress_of_another_version_is_left_alone_and_told(room: Classroom) -> None:
+    path = file_of(room.home, "anna")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text('{"version": 99}')
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    (room.home / "one.txt").touch()
+    room.wait(lambda: room.solved() and "version 99" in room.course.saving_failed)
+    assert path.read_text() == '{"version": 99}'
+
+
+def test_a_lesson_that_is_being_written_is_read_again(room: Classroom) -> None:
+    room.open()
+    path = room.folder / "small.md"
+    good = path.read_text()
+    path.write_text(good.replace("file: ~/one.txt", "flie: ~/one.txt"))
+    room.wait(lambda: room.course.state.mistakes is not None)
+    assert "there is no check 'flie'" in str(room.course.state.mistakes)
+    path.write_text(good.replace("file: ~/one.txt", "file: ~/two.txt"))
+    room.wait(lambda: room.course.state.mistakes is None)
+    (room.home / "two.txt").touch()
+    room.wait(room.solved)
+
+
+def test_a_check_that_fails_is_told_and_the_step_can_be_passed_over(room: Classroom) -> None:
+    write_lesson(room.folder / "small.md", {"odd": "check:\n  - trail: dodecagon\nsolve: []\n", **STEPS})
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    room.ask(lambda: room.desk.display and room.desk.display.open("turtlesim", "T", object()) and None)
+    room.wait(lambda: any(verdict.broken for verdict in room.course.state.verdicts))
+    assert "itself failed" in room.course.state.verdicts[0].text("en")
+    assert not room.solved()
+    room.ask(room.course.next)
+    room.wait(lambda: room.at() == "touch")
+
+
+def test_a_folder_with_broken_lessons_shows_the_others(room: Classroom) -> None:
+    (room.folder / "bad.md").write_text("no lesson")
+    room.program.kill()
+    room.course = room.begin()
+    assert [lesson.name for lesson in room.course.lessons] == ["small"]
+    assert [mistakes.path.name for mistakes in room.course.broken] == ["bad.md"]
+
+
+DRILL = "check:\n  - file: {path: ~/a.txt, has: right}\nbefore:\n  - write: {file: ~/a.txt, text: wrong}\nsolve: []\n"
+
+
+def test_a_drill_happens_in_a_home_of_its_own(room: Classroom) -> None:
+    head = "---\ndrill: slip\norder: 1\nminutes: 3\nfault: 1\ntopic: names\ntitle: {zh: 练, en: Drill}\n---\n"
+    write_lesson(room.folder / "slip.md", {"slip": DRILL}, head)
+    (room.home / "a.txt").write_text("mine")
+    room.program.kill()
+    room.course = room.begin()
+    room.open("slip")
+    place = room.home / "drills" / "slip"
+    room.wait(lambda: (place / "a.txt").is_file() and not room.course.state.working)
+    assert (room.home / "a.txt").read_text() == "mine"
+    terminal = room.desk.open_terminal()
+    room.wait(lambda: terminal.idle)
+    terminal.run_line("echo right > ~/a.txt")
+    room.wait(room.solved)
+    assert (room.home / "a.txt").read_text() == "mine"
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.state.lesson is None)
+    assert room.desk.login_home == room.home
+    room.open("slip")
+    room.wait(lambda: (room.home / "drills" / "slip-2" / "a.txt").is_file())
+
+
+def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
+    head = "---\ndrill: slip\norder: 1\nminutes: 3\nfault: 1\ntopic: names\ntitle: {zh: 练, en: Drill}\n---\n"
+    write_lesson(room.folder / "slip.md", {"slip": DRILL}, head)
+    room.program.kill()
+    room.course = room.begin()
+    room.desk.graph.create_node("mine")
+    room.open("slip")
+    room.wait(lambda: room.course.state.problem == "something-runs")
+    assert not (room.home / "drills").exists()
+
+
+def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
+    room = Classroom(tmp_path / "home", catalogue.HERE / "days")
+    try:
+        assert len(room.course.lessons) == len(list((catalogue.HERE / "days").glob("*.md")))
+        assert len(room.course.drills) == len(list((catalogue.HERE / "drills").glob("*.md")))
+    finally:
+        room.desk.hurry()
+        room.desk.close()
