@@ -229,8 +229,8 @@ class Day6App(TerminalApp):
             self.notices.show(one_line(text), NOTICE_SECONDS)
         if self.options.scene is not None:
             self.scenes.start(self.options.scene)
-        elif self.options.lessons is not None:
-            self.lessons.open()
+        elif self.options.lessons is not None or self.options.lesson is not None:
+            self.lessons.open(self.options.lesson or "", demo=self.options.demo)
         for pane in self.terminals.panes:
             pane.take_early_keys()
         self.frames.wake()

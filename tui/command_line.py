@@ -41,6 +41,8 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--reduced-motion", action="store_true", help=texts("cli.reduced_motion"))
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.home"))
     options.add_argument("--lessons", type=_folder, metavar="DIR", help=texts("cli.lessons"))
+    options.add_argument("--lesson", metavar="NAME", help=texts("cli.lesson"))
+    options.add_argument("--demo", action="store_true", help=argparse.SUPPRESS)
     options.add_argument("--detach", action="store_true", help=texts("cli.detach"))
     options.add_argument(
         "--listen", type=partial(_endpoint, listening=True), metavar="ENDPOINT", help=texts("cli.listen")

@@ -82,15 +82,24 @@ class Lessons:
         else:
             self._desktop.go_to_pane(pane)
 
-    def open(self, first: str = "") -> None:
-        """Open the window, at the lesson of the last time."""
+    def open(self, first: str = "", *, demo: bool = False) -> None:
+        """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself."""
         from day6_tui.core.lessons.program import lessons_of
 
         desk = self._machine.desk
         if desk is None:
             return
         self._desktop.welcome.show_guide()
-        self._machine.start("lesson", lessons_of(desk, self.pupil, self._folder, first or self._settings.text(PLACE)))
+        self._machine.start(
+            "lesson",
+            lessons_of(
+                desk,
+                self.pupil,
+                self._folder,
+                first or self._settings.text(PLACE),
+                self._look.texts.language if demo else "",
+            ),
+        )
 
     def back_to_terminal(self) -> None:
         """Give the keyboard to the terminal that was used last."""
@@ -111,6 +120,8 @@ class Lessons:
             self.back_to_terminal()
         elif event.what == "opened":
             self._remember(event.lesson)
+            if event.lesson is None or event.pane.keeps_focus:
+                self._desktop.go_to_pane(event.pane)  # the list: something has to be chosen
 
     def _remember(self, lesson: Lesson | None) -> None:
         """Keep which lesson is open, for the next start; a drill begins anew each time."""

@@ -24,6 +24,8 @@ def main(arguments: list[str] | None = None) -> int:
 
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
+    if words[:1] == ["demo"] and len(words) > 1 and not words[1].startswith("-"):
+        words = _demo(words[1:])
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:
         return command(words[1:])
@@ -178,6 +180,12 @@ def _lessons(words: list[str]) -> int:
     from day6_tui.core.lessons.command import main as lessons
 
     return lessons(words)
+
+
+def _demo(words: list[str]) -> list[str]:
+    """`day6-tui demo 3 …` is the desktop with lesson day3 that is played by itself."""
+    name = f"day{words[0]}" if words[0].isdecimal() else words[0]
+    return ["--lesson", name, "--demo", *words[1:]]
 
 
 def _attach(words: list[str]) -> int:

@@ -24,6 +24,10 @@ class Options:
     """The folder that is ~ in the terminals."""
     lessons: Path | None = None
     """A folder of lessons, in place of the six days."""
+    lesson: str | None = None
+    """A lesson that is opened at once."""
+    demo: bool = False
+    """Whether it is played by itself."""
     listen: str | None = None
     connect: str | None = None
     secret: str | None = None

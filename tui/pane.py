@@ -69,6 +69,9 @@ class Pane(Widget, can_focus=True):
 
     framed = True
 
+    keeps_focus = False
+    """Whether a terminal that opens by itself leaves it the keyboard."""
+
     slot = 0
     """Its number on the desktop, by which keys and lists name it; 0 where panes have none."""
 

@@ -183,4 +183,7 @@ class Terminals:
                 self.end(pane)
         for terminal in self._machine.terminals():
             if terminal not in self._known and not terminal.closed:
-                self._desktop.focus_pane(self._show(terminal))
+                here = self._desktop.focused_pane
+                pane = self._show(terminal)
+                if here is None or not here.keeps_focus:
+                    self._desktop.focus_pane(pane)

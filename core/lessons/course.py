@@ -7,16 +7,20 @@ Everything happens on the scheduler's thread. The window reads `state` and `prog
 from __future__ import annotations
 
 import logging
+import random
+import threading
 import time
 from collections import deque
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.lessons.catalogue import Found, days, drills, lessons_in
 from day6_tui.core.lessons.checks import Verdict
-from day6_tui.core.lessons.document import HINTS, Lesson, LessonMistakes, Step, read_lesson
+from day6_tui.core.lessons.demonstration import Demonstration
+from day6_tui.core.lessons.document import HINTS, Action, Lesson, LessonMistakes, Step, read_lesson
+from day6_tui.core.lessons.exam import Exam, Result, new_exam
 from day6_tui.core.lessons.live import Live
 from day6_tui.core.lessons.progress import Progress, ProgressError, StepDone, file_of, load, save
 from day6_tui.core.lessons.stage import Stage, StageError
@@ -26,6 +30,7 @@ from day6_tui.core.session.threads import in_thread
 if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
     from day6_tui.core.shell.desk import Desk
+    from day6_tui.core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
 
@@ -34,6 +39,9 @@ LOOK_SECONDS = 0.25
 
 READ_SECONDS = 1.0
 """Between two looks whether the lesson's file was changed."""
+
+ENDING_SECONDS = 6.0
+"""How long a drill waits for what ran before it."""
 
 READING_PACE = 40.0
 """Characters a second that are typed for the pupil."""
@@ -97,7 +105,10 @@ class Course:
         self.drills: tuple[Lesson, ...] = ()
         self.broken: tuple[LessonMistakes, ...] = ()
         """Lessons of the folder that cannot be used."""
-        self.pace = READING_PACE
+        self.unknown = ""
+        """The name of a lesson that was asked for and is not there."""
+        self.exam: Exam | None = None
+        self.demonstration: Demonstration | None = None
         self.ready = False
         """Whether the lessons and the progress have been read."""
 
@@ -137,7 +148,11 @@ class Course:
         if self._live is not None:
             self._live.close()
             self._live = None
-        self._desk.room = None
+        self.demonstration = None
+        room, self._desk.room = self._desk.room, None
+        if room is not None:
+            theirs = [each for each in self._desk.terminals if each.shell.variables.get("HOME") == str(room)]
+            threading.Thread(target=_close, args=(theirs,), name="day6-close-terminals", daemon=True).start()
 
     async def _load(self) -> None:
         pupil, folder = self.progress.pupil, self._folder
@@ -178,9 +193,11 @@ class Course:
     # -- going through -------------------------------------------------------------------------------------------------
 
     def open(self, name: str, step: str = "") -> Awaitable[None] | None:
-        """Open a lesson where the pupil stopped, or at a step; a drill prepares its fault first."""
+        """Open a lesson where the pupil stopped, or at a step ('*': the first); a drill prepares its fault first."""
         lesson = self.lesson(name)
+        self.unknown = name if lesson is None else ""
         if lesson is None:
+            self._changed()
             return None
         self.leave()
         wanted = step or self.progress.at.get(name, "")
@@ -188,7 +205,7 @@ class Course:
         if not step and index < len(lesson.steps) - 1 and self.progress.step(name, lesson.steps[index].name).solved:
             index += 1  # it was solved, and then the pupil stopped
         self._live = Live(self._desk, self._session, lesson.path.parent)
-        self._stage = Stage(self._live, self._session, pace=self.pace)
+        self._stage = Stage(self._live, self._session)
         self._stamp = _stamp(lesson.path)
         self.state = State(lesson)
         self.progress.last = name
@@ -200,27 +217,57 @@ class Course:
 
     async def _inject(self, lesson: Lesson) -> None:
         """Make the fault of a drill in a home folder of its own, so that no file of the pupil's is touched."""
-        assert self._stage is not None
-        if self._live is not None and self._live.nodes():
-            raise StageError("something-runs")
+        live, stage = self._live, self._stage
+        if live is None or stage is None:
+            return
+        waited = 0.0
+        while live.nodes():  # those of the drill before are just ending
+            if waited > ENDING_SECONDS:
+                raise StageError("something-runs")
+            await self._session.sleep(LOOK_SECONDS)
+            waited += LOOK_SECONDS
         folder = self._desk.home / "drills"
         number = 1
         while (room := folder / (lesson.name if number == 1 else f"{lesson.name}-{number}")).exists():
             number += 1
         (room / "ros2_ws" / "src").mkdir(parents=True)
         self._desk.room = room
-        self._stage.pace = 0.0
-        await self._stage.perform([{"terminal": "new"}, *lesson.steps[0].before])
-        self._stage.pace = self.pace
-        if self._live is not None:
-            self._live.begin_step()
-            self._live.lesson_began_ns = self._live.step_began_ns
+        await stage.perform([{"terminal": "new"}, *lesson.steps[0].before])
+        live.begin_step()
+        live.lesson_began_ns = live.step_began_ns
 
     def close(self) -> None:
-        """Back to the list of lessons."""
+        """Back to the list of lessons; an exam ends."""
+        self.leave()
+        self.state = State()
+        self.exam = None
+        self._changed()
+
+    def start_exam(self) -> Awaitable[None] | None:
+        """Some drills in a row, time and hints counted."""
+        if not self.drills:
+            return None
+        self.exam = new_exam(self.drills)
+        return self.open(self.exam.at)
+
+    def random_drill(self) -> Awaitable[None] | None:
+        """A drill that is not solved yet, by chance."""
+        names = [drill.name for drill in self.drills if not self.progress.solved(drill.name)]
+        names = names or [drill.name for drill in self.drills]
+        return self.open(random.choice(names)) if names else None
+
+    def _next_of_exam(self, exam: Exam) -> Awaitable[None] | None:
+        state = self.state
+        seconds = round(time.monotonic() - self._began, 1)
+        exam = self.exam = exam.with_result(Result(exam.at, state.solved, seconds, state.hints))
+        if not exam.over:
+            return self.open(exam.at)
+        self.progress.exams.append(exam.kept())
+        self._unsaved = True
         self.leave()
         self.state = State()
         self._changed()
+        return None
 
     def _go_to(self, index: int) -> None:
         lesson = self.state.lesson
@@ -237,19 +284,22 @@ class Course:
         self._set(before_asked=self.state.solved)
         self._changed()
 
-    def next(self) -> None:
+    def next(self) -> Awaitable[None] | None:
         """To the next step; after the last one back to the list. A step that is not solved is passed over."""
         state = self.state
         if state.lesson is None or state.step is None:
-            return
+            return None
         if not state.solved:
             done = self.progress.step(state.lesson.name, state.step.name)
             if not done.solved:
                 self._note(replace(done, passed_over=True))
+        if self.exam is not None and not self.exam.over:
+            return self._next_of_exam(self.exam)
         if state.is_last:
             self.close()
         else:
             self._go_to(state.index + 1)
+        return None
 
     def back(self) -> None:
         """To the step before."""
@@ -293,15 +343,56 @@ class Course:
     async def _prepare(self, lesson: Lesson, names: tuple[str, ...]) -> None:
         for name in names:
             step = lesson.step(name)
-            if step is not None and self._stage is not None:
-                await self._stage.perform([{"terminal": "idle"}, *step.solve])
+            if step is not None:
+                await self.perform(step.solve)
 
     def show_solution(self) -> Awaitable[None] | None:
         """Play this step's solution, visibly; the step counts as passed over, not as solved by the pupil."""
         state = self.state
         if state.step is None or state.working or self._stage is None:
             return None
-        return self._stage.perform([{"terminal": "idle"}, *state.step.solve])
+        return self.perform(state.step.solve)
+
+    async def perform(
+        self,
+        actions: Sequence[Action],
+        *,
+        pace: Callable[[], float] = lambda: READING_PACE,
+        held: Callable[[], bool] = lambda: False,
+    ) -> None:
+        """Do what a lesson says where everybody can see it. Raises StageError."""
+        if self._stage is not None:
+            self._stage.pace, self._stage.held = pace, held
+            try:
+                await self._stage.perform([{"terminal": "idle"}, *actions])
+            finally:
+                self._stage.pace = lambda: 0.0
+
+    def demonstrate(self, language: str) -> Awaitable[None] | None:
+        """Play the rest of the lesson by itself, or stop that."""
+        if self.demonstration is not None:
+            self.demonstration.stop()
+            return None
+        if self.state.lesson is None or self.state.lesson.is_drill:
+            return None
+        self.demonstration = Demonstration(self, language, READING_PACE)
+        return self._demonstrate(self.demonstration)
+
+    async def _demonstrate(self, demonstration: Demonstration) -> None:
+        try:
+            await demonstration.play()
+        finally:
+            if self.demonstration is demonstration:
+                self.demonstration = None
+            self._changed()
+
+    async def sleep(self, seconds: float) -> None:
+        """World time, so that a paused world holds a demonstration too."""
+        await self._session.sleep(seconds)
+
+    def touch(self) -> None:
+        """Something changed that is shown."""
+        self._changed()
 
     # -- looking -------------------------------------------------------------------------------------------------------
 
@@ -387,3 +478,8 @@ def _stamp(path: Path) -> tuple[int, int] | None:
     except OSError:
         return None
     return found.st_mtime_ns, found.st_size
+
+
+def _close(terminals: Iterable[Terminal]) -> None:
+    for terminal in terminals:
+        terminal.close()

@@ -12,15 +12,20 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.desk import Desk
 
 
-def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "") -> Main:
-    """The main function of a program that opens the window; `first` is a lesson that is opened at once."""
+def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "", demo: str = "") -> Main:
+    """The main function of a program that opens the window.
+
+    `first` is a lesson that is opened at once; with `demo`, a language, it is played by itself from its beginning.
+    """
 
     async def main(session: Session) -> int:
         course = Course(desk, session, pupil, folder)
         if session.display is not None:
             session.display.open("lesson", "Lessons", course)
         if first:
-            course.request(lambda: course.open(first))
+            course.request(lambda: course.open(first, "*" if demo else ""))
+        if demo:
+            course.request(lambda: course.demonstrate(demo))
         await course.run()
         return 0
 

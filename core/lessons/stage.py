@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.lessons.actions import presses
@@ -20,6 +20,9 @@ LONGEST_WAIT = 20.0
 LOOK = 0.02
 """Seconds between two looks."""
 
+LINE_TAKES = 8.0
+"""A line of a file is shown for the time of so many characters."""
+
 BEFORE_RETURN = 0.25
 """Seconds between a line that was typed visibly and its Return."""
 
@@ -31,11 +34,13 @@ class StageError(Exception):
 class Stage:
     """Performs actions on one machine; the terminals it opened are numbered from 1.
 
-    `pace` is how many characters a second are typed, so that people can read along; 0: all at once.
+    `pace` tells how many characters a second are typed, so that people can read along, and files are written by typing them too;
+    0: all at once, unseen. While `held` is true nothing is typed.
     """
 
-    def __init__(self, live: Live, session: Session, *, pace: float = 0.0) -> None:
-        self.pace = pace
+    def __init__(self, live: Live, session: Session) -> None:
+        self.pace: Callable[[], float] = lambda: 0.0
+        self.held: Callable[[], bool] = lambda: False
         self._live = live
         self._session = session
         self._terminals: list[Terminal] = []
@@ -60,12 +65,16 @@ class Stage:
                 raise StageError(f"terminal {which} was not opened")
             self._terminal = self._terminals[which - 1]
             return
-        idle = next((each for each in self._live.terminals if each.idle), None) if which == "idle" else None
+        idle = next(filter(self._is_free, self._live.terminals), None) if which == "idle" else None
         if idle is None:
             idle = self._live.desk.open_terminal()
         if idle not in self._terminals:
             self._terminals.append(idle)
         self._terminal = idle
+
+    def _is_free(self, terminal: Terminal) -> bool:
+        """Whether it waits for a command, or will as soon as its shell has started."""
+        return terminal.idle or (terminal in self._terminals and not terminal.runs.count and not terminal.busy)
 
     async def _until(self, holds: Any, what: str) -> None:
         waited = 0.0
@@ -92,14 +101,34 @@ class Stage:
             )
 
     async def _type(self, terminal: Terminal, line: str) -> None:
-        if self.pace > 0:
-            for char in line:
-                terminal.send(char)
-                await self._session.sleep(1.0 / self.pace)
-            await self._session.sleep(BEFORE_RETURN)
-            terminal.send("\r")
-        else:
+        if self.pace() <= 0:
             terminal.run_line(line)
+            return
+        for char in line:
+            await self._while_held()
+            terminal.send(char)
+            await self._session.sleep(1.0 / self.pace())
+        await self._session.sleep(BEFORE_RETURN)
+        await self._while_held()
+        terminal.send("\r")
+
+    async def _while_held(self) -> None:
+        while self.held():
+            await self._session.sleep(LOOK)
+
+    async def _type_file(self, name: str, text: str) -> None:
+        """Write a file where everybody sees it: `cat > FILE << 'EOF'`."""
+        end = "EOF"
+        while end in text.split("\n"):
+            end += "_"
+        folder = name.rpartition("/")[0]
+        await self._do_type(f"{f'mkdir -p {folder} && ' if folder not in ('', '~') else ''}cat > {name} << '{end}'")
+        terminal = self._here
+        for line in [*text.removesuffix("\n").split("\n"), end]:
+            await self._while_held()
+            terminal.send(line + "\r")
+            await self._session.sleep(LINE_TAKES / self.pace())
+        await self._until(lambda: terminal.idle, f"the terminal did not take {name}")
 
     async def _do_keys(self, keys: str) -> None:
         terminal = self._here
@@ -108,6 +137,9 @@ class Stage:
             await self._session.sleep(LOOK)
 
     async def _do_write(self, file: Mapping[str, str]) -> None:
+        if self.pace() > 0 and _can_be_typed(file["text"]):
+            await self._type_file(file["file"], file["text"])
+            return
         path = self._live.path(file["file"])
         path.parent.mkdir(parents=True, exist_ok=True)
         replace_file(path, file["text"].encode(), sync=False)
@@ -117,6 +149,10 @@ class Stage:
         text = path.read_text(encoding="utf-8")
         if text.count(change["old"]) != 1:
             raise StageError(f"{change['file']} has {change['old']!r} {text.count(change['old'])} times")
+        if self.pace() > 0:
+            for word, lines in (("-", change["old"]), ("+", change["new"])):
+                for line in lines.strip("\n").split("\n"):
+                    await self._do_type(f"# {change['file'].rpartition('/')[2]} {word} {line.strip()}")
         replace_file(path, text.replace(change["old"], change["new"]).encode(), sync=False)
 
     async def _do_wait(self, given: object) -> None:
@@ -146,3 +182,8 @@ class Stage:
 
     async def _do_answer(self, letter: str) -> None:
         self._live.answer = letter
+
+
+def _can_be_typed(text: str) -> bool:
+    """Whether a terminal takes the text as it is: a tab would complete names."""
+    return all(char == "\n" or char.isprintable() for char in text)

@@ -60,7 +60,8 @@ STEPS = {
 def write_lesson(path: Path, steps: dict[str, str], head: str = HEAD.format(name="small")) -> Path:
     answers = "\n### answers\n\n- a: A | because\n- b: B\n"
     parts = [
-        f"# {name}\n\n~~~yaml\n{data}~~~\n{TEXT.format(zh=answers, en=answers) if 'answer' in data else TEXT.format(zh='', en='')}"
+        f"# {name}\n\n~~~yaml\n{data}~~~\n"
+        + TEXT.format_map(dict.fromkeys(("zh", "en"), answers if "answer" in data else ""))
         for name, data in steps.items()
     ]
     path.parent.mkdir(parents=True, exist_ok=True)

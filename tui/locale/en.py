@@ -660,6 +660,8 @@ TEXTS = {
 commands:
   shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
   attach [--home DIR]         come back to the desktop that was started with --detach
+  lessons VERB                lesson files: list, new, check, preview, play, help (how to write them)
+  demo DAY                    play a day of lessons by itself, for a hall
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
   python FILE [ARG ...]       run a Python file unmodified as a ROS program
   ros2 ...                    the ros2 command, on the graph of this machine
@@ -679,6 +681,7 @@ commands:
     "lesson.title": "Lessons",
     "lesson.days": "Six days",
     "lesson.none": "there are no lessons here",
+    "lesson.unknown": "there is no lesson {name}",
     "lesson.minutes": "{minutes} min",
     "lesson.drills": "Find the fault",
     "lesson.drills.more": "Something does not work; find out why. All in a folder of its own: your files are not touched.",
@@ -706,6 +709,20 @@ commands:
     "lesson.key.solution": "show me how",
     "lesson.key.again": "this step again",
     "lesson.key.terminal": "to the terminal",
+    "lesson.key.random": "any drill",
+    "lesson.key.exam": "exam",
+    "lesson.key.hold": "hold",
+    "lesson.key.on": "on",
+    "lesson.key.speed": "speed",
+    "lesson.key.stop": "stop the demo",
+    "lesson.key.demo": "demonstrate from here on",
+    "lesson.key.notes": "notes for the teacher",
+    "lesson.demo": "demonstration {speed}×",
+    "lesson.demo.held": "demonstration held",
+    "lesson.notes": "For the teacher",
+    "lesson.exam.step": "Exam {number} of {all}",
+    "lesson.exam.over": "The exam is over: {solved} of {all} solved",
+    "lesson.exam.result": "{seconds} s, {hints} hints",
     "lesson.name": "What is your name?",
     "lesson.name.note": "Progress is kept under your name",
     "lesson.name.empty": "a name is needed",
@@ -724,5 +741,6 @@ commands:
         "s shows you how. Progress is kept after every step."
     ),
     "manual.lesson": "Lessons",
+    "cli.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",
     "cli.lessons": "take the lessons of this folder (day6-tui lessons help says how they are written)",
 }

@@ -710,6 +710,8 @@ TEXTS = {
 命令：
   shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
   attach [--home DIR]         回到用 --detach 启动的桌面
+  lessons VERB                课程文件：list、new、check、preview、play、help（怎么写课程）
+  demo DAY                    自动演示一天的课程，给全班看
   exec [-c COMMANDS] [FILE]   不开桌面，直接运行模拟终端的命令
   python FILE [ARG ...]       把一个 Python 文件原样当作 ROS 程序运行
   ros2 ...                    ros2 命令，看到的是这台电脑上的节点和话题
@@ -729,6 +731,7 @@ TEXTS = {
     "lesson.title": "课程",
     "lesson.days": "六天的课程",
     "lesson.none": "这里没有课程",
+    "lesson.unknown": "没有叫 {name} 的课程",
     "lesson.minutes": "{minutes} 分钟",
     "lesson.drills": "排错练习",
     "lesson.drills.more": "先遇到毛病，再自己找原因。练习在一个单独的文件夹里进行，不会碰你的文件。",
@@ -756,6 +759,20 @@ TEXTS = {
     "lesson.key.solution": "做给我看",
     "lesson.key.again": "这一步重新来",
     "lesson.key.terminal": "回到终端",
+    "lesson.key.random": "随机一个练习",
+    "lesson.key.exam": "考试",
+    "lesson.key.hold": "停一停",
+    "lesson.key.on": "往下",
+    "lesson.key.speed": "快慢",
+    "lesson.key.stop": "停止演示",
+    "lesson.key.demo": "从这一步起自动演示",
+    "lesson.key.notes": "给老师的话",
+    "lesson.demo": "演示中 {speed}×",
+    "lesson.demo.held": "演示停住了",
+    "lesson.notes": "给老师的话",
+    "lesson.exam.step": "考试 {number}/{all}",
+    "lesson.exam.over": "考试结束：{all} 题做对 {solved} 题",
+    "lesson.exam.result": "{seconds} 秒，提示 {hints}",
     "lesson.name": "你叫什么名字？",
     "lesson.name.note": "学习进度按名字保存",
     "lesson.name.empty": "名字不能是空的",
@@ -772,5 +789,6 @@ TEXTS = {
         "左右方向键看前一步、后一步，l 回到课程表，p 替你准备前面的步骤，s 做给你看。进度每一步都会保存。"
     ),
     "manual.lesson": "课程",
+    "cli.lesson": "打开这一课（day1 … day6，或者练习的名字）",
     "cli.lessons": "用这个文件夹里的课程（day6-tui lessons help 说明怎么写）",
 }

@@ -29,12 +29,15 @@ class LessonPane(WindowPane["Course"]):
         self.chosen = 0
         """The lesson in the list that Enter opens."""
         self._top = 0
+        self._notes = False
+        """Whether the notes for the teacher are shown."""
         self._follow = True
         """Whether the chosen lesson has to be brought into sight."""
         self._rows: list[Row] = []
         self._entries: list[Entry] = []
         self._built_for: object = None
-        self._shown_step: object = None
+        self._shown_step: object = self
+        """The lesson and step that were shown last: at first none."""
 
     # -- what is shown -------------------------------------------------------------------------------------------------
 
@@ -42,6 +45,11 @@ class LessonPane(WindowPane["Course"]):
     def label(self) -> str:
         lesson = self.course.state.lesson
         return self.look.texts("lesson.title") if lesson is None else lesson.title[self.look.texts.language]
+
+    @property
+    def keeps_focus(self) -> bool:  # type: ignore[override]
+        """While something is typed for a hall the keys that hold it and set its pace are needed here."""
+        return self.course.demonstration is not None
 
     def pull(self, now: float) -> bool:
         state = self.course.state
@@ -66,6 +74,7 @@ class LessonPane(WindowPane["Course"]):
             self.look.glyphs,
             self.chosen,
             self._top,
+            self._notes,
         )
 
     def _choose_last(self) -> None:
@@ -94,7 +103,7 @@ class LessonPane(WindowPane["Course"]):
                 self._keep_chosen_in_sight()
         else:
             self._entries = []
-            self._rows = step_rows(self.course, state, self.look, width, self._doing)
+            self._rows = step_rows(self.course, state, self.look, width, self._doing, notes=self._notes)
         self._top = max(0, min(self._top, len(self._rows) - self.inner_height))
         self._built_for = self._key()
 
@@ -112,9 +121,16 @@ class LessonPane(WindowPane["Course"]):
         if state.lesson is None:
             pupil = self.course.progress.pupil
             return [Piece(f" {pupil} ", colours.muted)] if pupil else []
+        exam, demonstration = self.course.exam, self.course.demonstration
         far = texts("lesson.step", number=state.index + 1, all=len(state.lesson.steps))
+        if exam is not None:
+            far = texts("lesson.exam.step", number=len(exam.results) + 1, all=len(exam.drills))
         pieces = [Piece(f" {far} ", colours.muted)]
-        if state.working:
+        if demonstration is not None:
+            key = "lesson.demo.held" if demonstration.held else "lesson.demo"
+            speed = f"{demonstration.speed:g}"
+            pieces.append(Piece(f" {texts(key, speed=speed)} ", colours.accent, demonstration.hold))
+        elif state.working:
             pieces.append(Piece(f" {texts('lesson.working')} ", colours.accent))
         return pieces
 
@@ -137,7 +153,15 @@ class LessonPane(WindowPane["Course"]):
     def key_hints(self) -> list[tuple[str, str]]:
         texts, state = self.look.texts, self.course.state
         if state.step is None:
-            return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open"))]
+            drills = [("r", texts("lesson.key.random")), ("x", texts("lesson.key.exam"))] if self.course.drills else []
+            return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open")), *drills]
+        if self.course.demonstration is not None:
+            return [
+                ("Space", texts("lesson.key.hold")),
+                ("→", texts("lesson.key.on")),
+                ("[ ]", texts("lesson.key.speed")),
+                ("d", texts("lesson.key.stop")),
+            ]
         keys = [("Enter", texts("lesson.key.next"))] if state.solved else []
         if not state.solved and state.hints < HINTS:
             keys.append(("h", texts("lesson.key.hint")))
@@ -152,6 +176,8 @@ class LessonPane(WindowPane["Course"]):
         return [
             ("PgUp PgDn", texts("lesson.key.scroll")),
             ("s", texts("lesson.key.solution")),
+            ("d", texts("lesson.key.demo")),
+            ("t", texts("lesson.key.notes")),
             ("r", texts("lesson.key.again")),
             ("Esc", texts("lesson.key.terminal")),
         ]
@@ -171,6 +197,9 @@ class LessonPane(WindowPane["Course"]):
             "again": course.again,
             "list": course.close,
             "solution": course.show_solution,
+            "demo": lambda: course.demonstrate(self.look.texts.language),
+            "random": course.random_drill,
+            "exam": course.start_exam,
         }
         return lambda: course.request(table[word])  # type: ignore[arg-type]
 
@@ -201,7 +230,12 @@ class LessonPane(WindowPane["Course"]):
         state = self.course.state
         page = max(1, self.inner_height - 2)
         letters = {answer.letter for answer in state.step.pages["zh"].answers} if state.step is not None else set()
-        in_list = {"down": lambda: self._choose(1), "up": lambda: self._choose(-1)}
+        in_list = {
+            "down": lambda: self._choose(1),
+            "up": lambda: self._choose(-1),
+            "r": self._doing("random"),
+            "x": self._doing("exam"),
+        }
         in_step: dict[str, Callable[[], object]] = {
             "down": lambda: self._scroll(1),
             "up": lambda: self._scroll(-1),
@@ -213,7 +247,16 @@ class LessonPane(WindowPane["Course"]):
             "p": self._doing("prepare"),
             "r": self._doing("again"),
             "s": self._doing("solution"),
+            "d": self._doing("demo"),
+            "t": self._toggle_notes,
         }
+        if (demonstration := self.course.demonstration) is not None:
+            in_step |= {
+                "space": demonstration.hold,
+                "right": demonstration.go_on,
+                "left_square_bracket": lambda: demonstration.change_speed(-1),
+                "right_square_bracket": lambda: demonstration.change_speed(1),
+            }
         both: dict[str, Callable[[], object]] = {
             "enter": self._enter,
             "pagedown": lambda: self._scroll(page),
@@ -229,6 +272,10 @@ class LessonPane(WindowPane["Course"]):
             event.prevent_default()
             action()
             self.look.wake()
+
+    def _toggle_notes(self) -> None:
+        self._notes = not self._notes
+        self.touch()
 
     def _choose(self, step: int) -> None:
         count = len(self._entries)

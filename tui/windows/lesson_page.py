@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
@@ -14,6 +14,7 @@ from day6_tui.tui.windows.lesson_text import Line, text_lines
 if TYPE_CHECKING:
     from day6_tui.core.lessons.course import Course, State
     from day6_tui.core.lessons.document import Page
+    from day6_tui.core.lessons.exam import Exam
     from day6_tui.tui.look import Look
 
 Action = Callable[[], object]
@@ -65,6 +66,13 @@ def list_rows(
         rows.append(Row(line, lambda: open_entry(number)))
         entries.append(Entry(lesson.name, len(rows) - 1))
 
+    if course.exam is not None and course.exam.over:
+        rows += _exam_rows(course.exam, course, look, width)
+    if course.unknown:
+        rows += [
+            Row([Segment(f" {line}", colours.warning)])
+            for line in wrap(texts("lesson.unknown", name=course.unknown), width - 2)
+        ]
     heading(texts("lesson.days"))
     for lesson in course.lessons:
         entry(lesson, lesson.title[texts.language])
@@ -82,8 +90,33 @@ def list_rows(
     return rows, entries
 
 
-def step_rows(course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action]) -> list[Row]:
-    """The page of the step: picture, text, what to do, how far the checks are, hints, answers."""
+def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:
+    """The report of an exam that is over."""
+    texts, colours = look.texts, look.colours
+    head = texts("lesson.exam.over", solved=exam.solved, all=len(exam.drills))
+    rows = [Row([Segment(clip(f" {head}", width), colours.strong)])]
+    for result in exam.results:
+        drill = course.lesson(result.drill)
+        name = drill.title[texts.language] if drill is not None else result.drill
+        far = texts("lesson.exam.result", seconds=f"{result.seconds:.0f}", hints=result.hints)
+        room = width - cell_len(far) - 6
+        style = colours.publisher if result.solved else colours.warning
+        rows.append(
+            Row(
+                [
+                    Segment(f" {fit(_mark(look, result.solved), 3)} ", style),
+                    Segment(fit(name, room), style),
+                    Segment(f" {far}", colours.muted),
+                ]
+            )
+        )
+    return rows
+
+
+def step_rows(
+    course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action], *, notes: bool = False
+) -> list[Row]:
+    """The page of the step: picture, text, what to do, how far the checks are, hints, answers, `notes` for the teacher."""
     assert state.step is not None
     page: Page = state.step.pages[look.texts.language]
     rows = [*_heading(state, page, look, width), *_picture(page, look, width)]
@@ -97,6 +130,11 @@ def step_rows(course: Course, state: State, look: Look, width: int, doing: Calla
     rows += _checks(state, look, width)
     rows += _hints(state, page, look, width, doing)
     rows += _problems(course, state, look, width, doing)
+    if notes and page.teacher:
+        rows += [Row([]), Row([Segment(f" {look.texts('lesson.notes')}", look.colours.accent)])]
+        rows += [
+            Row([Segment(" ", look.colours.text), *line]) for line in text_lines(page.teacher, width - 2, look.colours)
+        ]
     return rows
 
 
@@ -203,8 +241,3 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
     if course.saving_failed:
         say(texts("lesson.not_saved", reason=course.saving_failed))
     return rows
-
-
-def wrapped_plain(words: Sequence[str], width: int) -> list[str]:
-    """Texts below each other."""
-    return [line for text in words for line in wrap(text, width)]
