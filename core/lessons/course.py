@@ -95,6 +95,8 @@ class Course:
         self._read_at = 0.0
         self._stamp: tuple[int, int] | None = None
         self._began = 0.0
+        self._shown = False
+        """Whether the solution of this step was played for the pupil."""
         self.version = 0
         """Grows with every change of what is shown."""
         self.state = State()
@@ -278,8 +280,10 @@ class Course:
         self._began = time.monotonic()
         done = self.progress.step(lesson.name, step.name)
         self.state = State(lesson, index, hints=min(done.hints, HINTS))
-        self.progress.at[lesson.name] = step.name
-        self._unsaved = True
+        self._shown = False
+        if self.demonstration is None:
+            self.progress.at[lesson.name] = step.name
+            self._unsaved = True
         self.look()
         self._set(before_asked=self.state.solved)
         self._changed()
@@ -362,6 +366,7 @@ class Course:
     ) -> None:
         """Do what a lesson says where everybody can see it. Raises StageError."""
         if self._stage is not None:
+            self._shown = self._shown or (self.state.step is not None and actions is self.state.step.solve)
             self._stage.pace, self._stage.held = pace, held
             try:
                 await self._stage.perform([{"terminal": "idle"}, *actions])
@@ -409,7 +414,9 @@ class Course:
         self._set(verdicts=verdicts, solved=solved, missing=missing)
         if solved:
             done = self.progress.step(state.lesson.name, state.step.name)
-            if not done.solved:
+            if self._shown and not done.solved:
+                self._note(replace(done, passed_over=True))
+            elif not done.solved:
                 seconds = done.seconds + time.monotonic() - self._began
                 self._note(replace(done, solved=time.time(), seconds=round(seconds, 1), passed_over=False))
 

@@ -11,7 +11,7 @@ from waiting import until
 
 from day6_tui.core.lessons import catalogue
 from day6_tui.core.lessons.course import Course
-from day6_tui.core.lessons.progress import file_of, load
+from day6_tui.core.lessons.progress import StepDone, file_of, load
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
@@ -308,3 +308,96 @@ def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
     finally:
         room.desk.hurry()
         room.desk.close()
+
+
+def drills(room: Classroom, count: int) -> None:
+    for number in range(count):
+        head = (
+            f"---\ndrill: slip{number}\norder: {number}\nminutes: 3\nfault: {number + 1}\ntopic: t{number % 2}\n"
+            "title: {zh: 练, en: Drill}\n---\n"
+        )
+        write_lesson(room.folder / f"slip{number}.md", {"slip": DRILL}, head)
+    room.program.kill()
+    room.course = room.begin()
+    room.course.drills = tuple(drill for drill in room.course.drills if drill.name.startswith("slip"))
+
+
+def test_an_exam_is_five_drills_with_time_and_hints_counted(room: Classroom) -> None:
+    drills(room, 7)
+    room.ask(room.course.start_exam)
+    for number in range(5):
+        room.wait(lambda number=number: room.course.exam and len(room.course.exam.results) == number)
+        room.wait(lambda: room.course.state.lesson is not None and not room.course.state.working)
+        place = room.desk.login_home
+        room.wait(lambda place=place: (place / "a.txt").is_file() and room.course.state.verdicts)
+        if number == 1:
+            room.ask(room.course.hint)
+            room.wait(lambda: room.course.state.hints == 1)
+        if number != 2:
+            (place / "a.txt").write_text("right")
+            room.wait(room.solved)
+        room.ask(room.course.next)
+    room.wait(lambda: room.course.exam is not None and room.course.exam.over)
+    exam = room.course.exam
+    assert exam is not None
+    assert len(set(exam.drills)) == 5
+    assert [result.solved for result in exam.results] == [True, True, False, True, True]
+    assert [result.hints for result in exam.results] == [0, 1, 0, 0, 0]
+    assert room.course.state.lesson is None
+    room.wait(lambda: load(file_of(room.home, "anna")).exams)
+    assert load(file_of(room.home, "anna")).exams == [exam.kept()]
+
+
+def test_any_drill_is_one_that_is_not_solved_yet(room: Classroom) -> None:
+    drills(room, 2)
+    room.course.progress.note("slip0", "slip", StepDone(solved=1.0))
+    room.ask(room.course.random_drill)
+    room.wait(lambda: room.course.state.lesson is not None)
+    assert room.course.state.lesson is not None
+    assert room.course.state.lesson.name == "slip1"
+
+
+def test_a_demonstration_plays_the_lesson_where_everybody_sees_it(room: Classroom) -> None:
+    room.open()
+    room.ask(lambda: room.course.demonstrate("en"))
+    room.wait(lambda: room.course.demonstration is not None)
+    demonstration = room.course.demonstration
+    assert demonstration is not None
+    for _ in range(5):
+        demonstration.change_speed(1)
+    assert demonstration.speed == 4.0
+
+    def taken_on() -> bool:
+        demonstration.go_on()
+        return room.course.demonstration is None
+
+    room.wait(taken_on)
+    assert (room.course.progress.solved("small"), room.at(), room.solved()) == (0, "ask", True)
+    lines = [run.source for terminal in room.desk.terminals for run in terminal.runs.all]
+    assert lines == ["touch one.txt", "ls"]
+
+
+def test_a_demonstration_is_held_and_stopped(room: Classroom) -> None:
+    room.open()
+    room.ask(lambda: room.course.demonstrate("en"))
+    room.wait(lambda: room.course.demonstration is not None)
+    demonstration = room.course.demonstration
+    assert demonstration is not None
+    demonstration.change_speed(1)
+    demonstration.go_on()
+    demonstration.hold()
+    room.go(1.0)
+    assert not any(terminal.runs.all for terminal in room.desk.terminals)
+    room.ask(lambda: room.course.demonstrate("en"))
+    demonstration.hold()
+    room.wait(lambda: room.course.demonstration is None)
+    room.go(0.5)
+    assert room.at() == "touch"
+
+
+def test_what_is_demonstrated_is_not_the_pupils_work(room: Classroom) -> None:
+    room.open()
+    room.ask(room.course.show_solution)
+    room.wait(room.solved)
+    done = room.course.progress.step("small", "touch")
+    assert (done.passed_over, done.solved) == (True, 0.0)
