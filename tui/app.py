@@ -233,6 +233,7 @@ class Day6App(TerminalApp):
             self.lessons.open(self.options.lesson or "", demo=self.options.demo)
         for pane in self.terminals.panes:
             pane.take_early_keys()
+        self.lessons.look_back()
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()

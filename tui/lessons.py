@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
     from day6_tui.core.lessons.document import Lesson
     from day6_tui.tui.windows.lesson import LessonPane
 
-PUPIL, PLACE = "pupil", "lesson"
-"""Settings: the name of the pupil, and the lesson of the last time."""
+PUPIL = "pupil"
+"""The setting with the name of the pupil."""
 
 
 class LessonAsked(PaneMessage, PersonMessage):
@@ -54,6 +55,9 @@ class Lessons:
         self._settings = settings
         self._look = look
         self._folder = folder
+        self._last: dict[str, str] = {}
+        self._wanted = False
+        """Whether F5 was pressed before there was a desk."""
 
     def actions(self) -> Handlers:
         return {"lessons": self.toggle, "pupil": self.ask_pupil}
@@ -84,11 +88,13 @@ class Lessons:
 
     def open(self, first: str = "", *, demo: bool = False) -> None:
         """Open the window at a lesson, else at that of the last time; with `demo` it is played by itself."""
-        from day6_tui.core.lessons.program import lessons_of
-
         desk = self._machine.desk
         if desk is None:
+            self._wanted = True  # a quick key: the desk comes right after the first frame
             return
+        from day6_tui.core.lessons.program import lessons_of
+
+        self._wanted = False
         self._desktop.welcome.show_guide()
         self._machine.start(
             "lesson",
@@ -96,7 +102,7 @@ class Lessons:
                 desk,
                 self.pupil,
                 self._folder,
-                first or self._settings.text(PLACE),
+                first,
                 self._look.texts.language if demo else "",
             ),
         )
@@ -118,22 +124,34 @@ class Lessons:
             self.type_command(event.text)
         elif event.what == "terminal":
             self.back_to_terminal()
-        elif event.what == "opened":
-            self._remember(event.lesson)
-            if event.lesson is None or event.pane.keeps_focus:
-                self._desktop.go_to_pane(event.pane)  # the list: something has to be chosen
-
-    def _remember(self, lesson: Lesson | None) -> None:
-        """Keep which lesson is open, for the next start; a drill begins anew each time."""
-        if lesson is not None and not lesson.is_drill and lesson.name != self._settings.text(PLACE):
-            for language, title in lesson.title.items():
-                self._settings.put(f"{PLACE}.{language}", title)
-            self._set(PLACE, lesson.name)
+        elif event.what == "opened" and (event.pane.keeps_focus or event.lesson is None):
+            self._desktop.go_to_pane(event.pane)  # the list: something has to be chosen
 
     @property
     def where(self) -> str:
-        """The lesson of the last time, for the welcome choices; '' if there was none."""
-        return self._settings.text(f"{PLACE}.{self._look.texts.language}")
+        """The title of the lesson of the last time, for the welcome choices; '' if there was none."""
+        return self._last.get(self._look.texts.language, "")
+
+    def look_back(self) -> None:
+        """The desk is here: do what waited for it, and find out, without keeping anybody waiting, which lesson was the last."""
+        if self._wanted:
+            self.open()
+        desk, pupil = self._machine.desk, self.pupil
+        if desk is None or self._folder is not None:
+            return
+        home = desk.home
+
+        def read() -> None:
+            from day6_tui.core.lessons.progress import ProgressError, file_of, load
+
+            try:
+                self._last = load(file_of(home, pupil)).last_title
+            except (ProgressError, OSError):
+                return  # told when the lessons are opened
+            if self._last:
+                self._look.wake()
+
+        threading.Thread(target=read, name="day6-last-lesson", daemon=True).start()
 
     def ask_pupil(self) -> None:
         """Ask for the pupil's name; progress is kept under it."""

@@ -37,10 +37,6 @@ class Settings:
         value = self._values.get(name)
         return value if isinstance(value, str) else ""
 
-    def put(self, name: str, value: str) -> None:
-        """Change a value; the next `set` keeps it."""
-        self._values[name] = value
-
     def set(self, name: str, value: str) -> None:
         """Remember a value. Raises OSError if the file cannot be written; the value holds until the end then."""
         import json

@@ -143,6 +143,7 @@ class WelcomePane(Pane):
             self.look.texts.language,
             self.look.colours,
             self.has_focus,
+            self.last_lesson(),
         )
         if state != self._built_for:
             self._built_for = state
@@ -184,7 +185,7 @@ class WelcomePane(Pane):
             style, more = (colours.choice, colours.choice) if on else (colours.strong, colours.muted)
             marker = self.look.glyphs.marker if on else " "
             self._rows[len(lines)] = index
-            lines.append([margin, Segment(fit(f" {marker} {index + 1}  {texts(choice.text)}", block), style)])
+            lines.append([margin, Segment(fit(f" {marker} {index + 1}  {self._entry(choice, details)}", block), style)])
             if details:
                 self._rows[len(lines)] = index
                 lines.append([margin, Segment(fit(f"      {self._more(choice)}", block), more)])
@@ -198,6 +199,11 @@ class WelcomePane(Pane):
                 lines.append([])
             lines.append(_centred(clip(texts("welcome.keys"), width), width, colours.muted))
         return lines
+
+    def _entry(self, choice: Choice, details: bool) -> str:
+        """A choice; where there is no line below it, with where one stopped."""
+        last = self.last_lesson() if choice.does == "action.lessons" and not details else ""
+        return self.look.texts("welcome.lessons.on", title=last) if last else self.look.texts(choice.text)
 
     def _more(self, choice: Choice) -> str:
         """The line below a choice; of the lessons, where one stopped."""

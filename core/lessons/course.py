@@ -128,13 +128,9 @@ class Course:
 
     async def run(self) -> None:
         """Go on until the window is closed."""
-        await self._load()
         try:
             while True:
-                while self._requests:
-                    work = self._requests.popleft()()
-                    if work is not None:
-                        self._session.spawn(self._guarded(work))
+                self.handle_requests()
                 await self._follow_file()
                 self.look()
                 if self._unsaved and not self._saving:
@@ -144,6 +140,13 @@ class Course:
                     await self._session.wait(self._wanted, LOOK_SECONDS)
         finally:
             self.leave()
+
+    def handle_requests(self) -> None:
+        """Do what was asked for."""
+        while self._requests:
+            work = self._requests.popleft()()
+            if work is not None:
+                self._session.spawn(self._guarded(work))
 
     def leave(self) -> None:
         """Stop looking; a drill's home folder is no longer the terminals'."""
@@ -156,7 +159,8 @@ class Course:
             theirs = [each for each in self._desk.terminals if each.shell.variables.get("HOME") == str(room)]
             threading.Thread(target=_close, args=(theirs,), name="day6-close-terminals", daemon=True).start()
 
-    async def _load(self) -> None:
+    async def load(self) -> None:
+        """Read the lessons and how far the pupil is."""
         pupil, folder = self.progress.pupil, self._folder
         found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(days(), []))
         self.lessons = tuple(lesson for lesson in found.lessons if not lesson.is_drill)
@@ -210,12 +214,17 @@ class Course:
         self._stage = Stage(self._live, self._session)
         self._stamp = _stamp(lesson.path)
         self.state = State(lesson)
-        self.progress.last = name
-        if lesson.is_drill:
+        if not lesson.is_drill:
+            self.progress.last, self.progress.last_title = name, dict(lesson.title)
+        else:
             self._go_to(0)
             return self._inject(lesson)
         self._go_to(index)
         return None
+
+    def open_last(self) -> Awaitable[None] | None:
+        """Go on where the pupil stopped the last time, if that lesson is here."""
+        return self.open(self.progress.last) if self.lesson(self.progress.last) is not None else None
 
     async def _inject(self, lesson: Lesson) -> None:
         """Make the fault of a drill in a home folder of its own, so that no file of the pupil's is touched."""

@@ -20,12 +20,13 @@ def lessons_of(desk: Desk, pupil: str, folder: Path | None, first: str = "", dem
 
     async def main(session: Session) -> int:
         course = Course(desk, session, pupil, folder)
-        if session.display is not None:
-            session.display.open("lesson", "Lessons", course)
-        if first:
-            course.request(lambda: course.open(first, "*" if demo else ""))
+        await course.load()
+        course.request(lambda: course.open(first, "*" if demo else "") if first else course.open_last())
         if demo:
             course.request(lambda: course.demonstrate(demo))
+        course.handle_requests()
+        if session.display is not None:  # only now: a list needs the keyboard, a step leaves it to the terminal
+            session.display.open("lesson", "Lessons", course)
         await course.run()
         return 0
 

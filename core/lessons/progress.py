@@ -68,6 +68,8 @@ class Progress:
     steps: dict[str, dict[str, StepDone]] = field(default_factory=dict)
     at: dict[str, str] = field(default_factory=dict)
     last: str = ""
+    last_title: dict[str, str] = field(default_factory=dict)
+    """Of that lesson, by language."""
     changed: float = 0.0
     exams: list[dict[str, Any]] = field(default_factory=list)
 
@@ -84,7 +86,7 @@ class Progress:
     def copy(self) -> Progress:
         """One that nobody changes."""
         steps = {lesson: dict(known) for lesson, known in self.steps.items()}
-        return Progress(self.pupil, steps, dict(self.at), self.last, self.changed, list(self.exams))
+        return replace(self, steps=steps, at=dict(self.at), exams=list(self.exams))
 
     def joined(self, other: Progress) -> Progress:
         """This one with what another desktop of the same pupil has saved meanwhile."""
@@ -94,7 +96,9 @@ class Progress:
                 before = steps.setdefault(lesson, {}).get(name)
                 steps[lesson][name] = done if before is None else done.joined(before)
         exams = other.exams + [each for each in self.exams if each not in other.exams]
-        return Progress(self.pupil, steps, {**other.at, **self.at}, self.last or other.last, self.changed, exams)
+        newer = self if self.last else other
+        at = {**other.at, **self.at}
+        return replace(self, steps=steps, at=at, last=newer.last, last_title=newer.last_title, exams=exams)
 
 
 def file_of(home: Path, pupil: str) -> Path:
@@ -151,6 +155,8 @@ def _progress_of(data: dict[str, Any]) -> Progress:
             if isinstance(each, dict)
         }
     progress.at = {lesson: step for lesson, step in _dict(data.get("at")).items() if isinstance(step, str)}
+    titles = _dict(data.get("last_title")).items()
+    progress.last_title = {name: text for name, text in titles if isinstance(text, str)}
     exams = data.get("exams")
     progress.exams = [each for each in exams if isinstance(each, dict)] if isinstance(exams, list) else []
     return progress

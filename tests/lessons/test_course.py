@@ -82,6 +82,7 @@ class Classroom:
 
         async def main(session: Session) -> int:
             made.append(Course(self.desk, session, pupil, self.folder))
+            await made[0].load()
             await made[0].run()
             return 0
 

@@ -17,7 +17,7 @@ from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.lesson_page import Action, Entry, Row, list_rows, step_rows
 
 if TYPE_CHECKING:
-    from day6_tui.core.lessons.course import Course
+    from day6_tui.core.lessons.course import Course, State
 
 
 class LessonPane(WindowPane["Course"]):
@@ -29,6 +29,8 @@ class LessonPane(WindowPane["Course"]):
         self.chosen = 0
         """The lesson in the list that Enter opens."""
         self._top = 0
+        self._news: dict[str, object] = {}
+        """What was last shown of the things that come up while the pupil works."""
         self._notes = False
         """Whether the notes for the teacher are shown."""
         self._follow = True
@@ -36,8 +38,10 @@ class LessonPane(WindowPane["Course"]):
         self._rows: list[Row] = []
         self._entries: list[Entry] = []
         self._built_for: object = None
-        self._shown_step: object = self
-        """The lesson and step that were shown last: at first none."""
+        self._shown: object = self
+        """The lesson and step whose page was built last: at first none."""
+        self._told: object = self
+        """The same that the desktop was told of."""
 
     # -- what is shown -------------------------------------------------------------------------------------------------
 
@@ -47,22 +51,27 @@ class LessonPane(WindowPane["Course"]):
         return self.look.texts("lesson.title") if lesson is None else lesson.title[self.look.texts.language]
 
     @property
+    def takes_focus(self) -> bool:  # type: ignore[override]
+        """A list waits for a choice; a step is done in the terminal."""
+        return self.course.state.lesson is None or self.keeps_focus
+
+    @property
     def keeps_focus(self) -> bool:  # type: ignore[override]
         """While something is typed for a hall the keys that hold it and set its pace are needed here."""
         return self.course.demonstration is not None
 
     def pull(self, now: float) -> bool:
         state = self.course.state
-        step = (state.lesson.name, state.index) if state.lesson is not None else None
-        if step != self._shown_step:
-            self._shown_step = step
-            self._top = 0
-            if step is None:
-                self._choose_last()
+        if self._place(state) != self._told:
+            self._told = self._place(state)
             self.post_message(LessonAsked(self, "opened", lesson=state.lesson))
         if self._key() != self._built_for:
             self.touch()
         return False
+
+    @staticmethod
+    def _place(state: State) -> object:
+        return (state.lesson.name, state.index) if state.lesson is not None else None
 
     def _key(self) -> tuple[object, ...]:
         return (
@@ -96,6 +105,12 @@ class LessonPane(WindowPane["Course"]):
 
     def _build(self, width: int) -> None:
         state = self.course.state
+        if self._place(state) != self._shown:
+            self._shown = self._place(state)
+            self._top = 0
+            self._news = {}
+            if state.step is None:
+                self._choose_last()
         if state.step is None:
             self._rows, self._entries = list_rows(self.course, self.look, width, self.chosen, self._open_entry)
             if self._follow:
@@ -104,8 +119,24 @@ class LessonPane(WindowPane["Course"]):
         else:
             self._entries = []
             self._rows = step_rows(self.course, state, self.look, width, self._doing, notes=self._notes)
+            self._show_news(state)
         self._top = max(0, min(self._top, len(self._rows) - self.inner_height))
         self._built_for = self._key()
+
+    def _show_news(self, state: State) -> None:
+        """Scroll to what has just come up: a hint, that the step is solved, what stands in the way."""
+        news: dict[str, object] = {
+            "problem": (state.missing, state.problem, state.mistakes),
+            "answer": state.answer,
+            "hint": state.hints,
+            "notes": self._notes,
+            "solved": state.solved,
+        }
+        for what, now in news.items():
+            rows = [at for at, row in enumerate(self._rows) if row.news == what]
+            if rows and self._news.get(what, now) != now and rows[-1] >= self._top + self.inner_height:
+                self._top = rows[-1] - self.inner_height + 1
+        self._news = news
 
     def _keep_chosen_in_sight(self) -> None:
         if self.chosen < len(self._entries):

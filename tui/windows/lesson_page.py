@@ -25,6 +25,8 @@ class Row(NamedTuple):
 
     line: Line
     action: Action | None = None
+    news: str = ""
+    """What has come to be seen here: 'solved', 'hint', 'answer', 'problem', 'notes'."""
 
 
 class Entry(NamedTuple):
@@ -204,7 +206,8 @@ def _checks(state: State, look: Look, width: int) -> list[Row]:
                 rows.append(Row([Segment(f" {' ' * cell_len(mark)} {line}", colours.muted)]))
     if state.solved:
         key = "lesson.already" if state.before_asked else "lesson.solved"
-        rows += [Row([])] + [Row([Segment(f" {line}", colours.publisher)]) for line in wrap(look.texts(key), width - 2)]
+        told = wrap(look.texts(key), width - 2)
+        rows += [Row([]), *(Row([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
     return rows
 
 
@@ -215,7 +218,9 @@ def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[st
         head = texts("lesson.hint", number=number, all=HINTS)
         rows.append(Row([]))
         rows.append(Row([Segment(f" {head}", colours.accent)]))
-        rows += [Row([Segment(" ", look.colours.text), *line]) for line in text_lines(hint, width - 2, colours)]
+        rows += [
+            Row([Segment(" ", look.colours.text), *line], news="hint") for line in text_lines(hint, width - 2, colours)
+        ]
     return rows
 
 
@@ -226,7 +231,7 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
 
     def say(text: str, action: Action | None = None) -> None:
         rows.append(Row([]))
-        rows.extend(Row([Segment(f" {line}", colours.warning)], action) for line in wrap(text, width - 2))
+        rows.extend(Row([Segment(f" {line}", colours.warning)], action, "problem") for line in wrap(text, width - 2))
 
     if state.missing and state.lesson is not None and not state.working:
         steps = [state.lesson.step(name) for name in state.missing]
