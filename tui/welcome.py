@@ -91,6 +91,7 @@ class WelcomePane(Pane):
         super().__init__(look, id="welcome")
         self.last_lesson: Callable[[], str] = lambda: ""
         """The title of the lesson of the last time."""
+        self._told_lesson = ""
         self.guide = False
         self.chosen = 0
         self._leaving = False
@@ -133,6 +134,12 @@ class WelcomePane(Pane):
 
     def close(self) -> None:
         self.post_message(self.Closed(self))
+
+    def pull(self, now: float) -> bool:
+        if self.last_lesson() != self._told_lesson:
+            self._told_lesson = self.last_lesson()
+            self.touch()
+        return False
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
         state = (
