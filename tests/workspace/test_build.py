@@ -286,6 +286,16 @@ def test_messages_of_one_s_own_can_be_imported_shown_and_published(workshop: Wor
     ), done
 
 
+def test_a_terminal_that_has_not_sourced_a_message_does_not_know_it_though_another_has(workshop: Workshop) -> None:
+    messages(workshop)
+    pub = "ros2 topic pub --once -w 0 /n day6_msgs/msg/Num '{num: 4}'"
+    assert workshop.run(f"colcon build > /dev/null; source install/setup.bash; {pub}").err == ""
+    fresh = workshop.terminal()
+    assert workshop.run(pub, fresh).err == "The passed message type is invalid\n"
+    workshop.run("source install/setup.bash", fresh)
+    assert workshop.run(pub, fresh).err == ""
+
+
 def test_a_message_that_was_changed_is_another_after_the_next_build(workshop: Workshop) -> None:
     package = messages(workshop)
     show = "source install/setup.bash\nros2 interface proto day6_msgs/msg/Num | head -2\n"
