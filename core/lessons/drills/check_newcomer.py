@@ -1,4 +1,4 @@
-"""Check of drill 18: starts the pupil's ~/drill18/screen.py as somebody who comes late, and looks whether it shows the notice.
+"""Check of drill 18: starts the pupil's ~/screen.py as somebody who comes late, and looks whether it shows the notice.
 
 Twice: the first one may have been there by chance when the notice was sent.
 """
@@ -10,7 +10,7 @@ import time
 
 SECONDS = 1.5
 NOTICE = "trip to the zoo"
-PROGRAM = os.path.expanduser("~/drill18/screen.py")
+PROGRAM = os.path.expanduser("~/screen.py")
 NAMES = ("--ros-args", "-r", "__node:=_newcomer", "-r", "shown:=_newcomer/shown")
 
 
