@@ -35,6 +35,11 @@ def with_executables(path: str) -> str:
     return os.pathsep.join(dict.fromkeys([ours, *entries])) if ours else path
 
 
+def are_on(path: str) -> bool:
+    """Return whether the folder is on a PATH; True where it could not be created, for then no PATH has it."""
+    return any(os.path.basename(entry) == _digest() for entry in path.split(os.pathsep)) or _folder() is None
+
+
 @cache
 def texts(system: str = os.name) -> dict[str, str]:
     """Return the files for a system ('posix' or 'nt'), `{name: text}`."""

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.ros.executables import are_on
 from day6_tui.core.ros.program_index import named_by, place_of_command
 from day6_tui.core.ros.programs import load
 from day6_tui.core.session.session import Main, Session
@@ -81,8 +82,13 @@ def place_of(name: str) -> str:
 def where(name: str, shell: Shell) -> str:
     """The same for every program: ours, else one of the real machine; '' for what is not one."""
     if name in _MODULE_OF:
-        return place_of(name)
+        return "" if _is_unsourced(name, shell.variables) else place_of(name)
     return find_tool(name, shell.variables, shell.cwd)
+
+
+def _is_unsourced(name: str, variables: Mapping[str, str]) -> bool:
+    """Whether it is a command of ROS, and PATH has lost the folder that sourcing /opt/ros puts there."""
+    return bool(place_of_command(name)) and not are_on(variables.get("PATH", ""))
 
 
 LONGEST_ARGUMENT = 128 * 1024
@@ -117,7 +123,7 @@ def find_command(name: str, shell: Shell) -> Main:
         return calling(shell.functions[name])
     if "/" in name:
         return _file(name, shell)
-    if name in _MODULE_OF:
+    if name in _MODULE_OF and not _is_unsourced(name, shell.variables):
         return builtin(name) or _nothing
     if tool := find_tool(name, shell.variables, shell.cwd):
         return running([tool])

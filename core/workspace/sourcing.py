@@ -19,6 +19,7 @@ from day6_tui.core.interfaces.package import package_files
 from day6_tui.core.interfaces.registry import KINDS, package_folder
 from day6_tui.core.ros.distribution import DISTRO
 from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.ros.executables import are_on, with_executables
 from day6_tui.core.workspace.local_setup_util import Environment, source_package, source_workspace
 from day6_tui.core.workspace.setup_scripts import chained_in
 
@@ -93,4 +94,6 @@ def _source_ros(path: Path, distribution: str, environment: Mapping[str, str]) -
     for name in _ROS_VARIABLES[:-1]:
         result.set(name, after[name])
     result.extend("PYTHONPATH", str(PYTHON_PATH))
+    if not are_on(result.variables.get("PATH", "")):
+        result.set("PATH", with_executables(result.variables.get("PATH", "")))
     return result.changed

@@ -218,6 +218,22 @@ def test_ros_itself_is_sourced_as_if_it_were_installed(workshop: Workshop, line:
     assert (done.out, done.err) == (out, err)
 
 
+def test_a_terminal_whose_path_has_lost_ros_finds_no_command_of_it_until_it_is_sourced(workshop: Workshop) -> None:
+    terminal = workshop.terminal()
+    workshop.run("export PATH=/usr/bin:/bin", terminal)
+    done = workshop.run("ros2 topic list", terminal)
+    assert (done.status, done.err) == (127, "bash: ros2: command not found\n")
+    assert workshop.run("rviz2; which ros2; command -v rviz2", terminal).err == "bash: rviz2: command not found\n"
+    assert workshop.run("colcon --help | head -n 1; ls", terminal).err == ""
+    done = workshop.run("source /opt/ros/jazzy/setup.bash; which ros2; ros2 topic list", terminal)
+    assert (done.out.splitlines()[0], done.err) == ("/opt/ros/jazzy/bin/ros2", "")
+
+
+def test_sourcing_ros_again_leaves_a_path_as_it_is(workshop: Workshop) -> None:
+    done = workshop.run('before=$PATH; source /opt/ros/jazzy/setup.bash; [ "$PATH" = "$before" ] && echo same')
+    assert done.out == "same\n"
+
+
 # -- messages of one's own ---------------------------------------------------------------------------------------------
 
 LISTS = """\
@@ -268,6 +284,16 @@ def test_messages_of_one_s_own_can_be_imported_shown_and_published(workshop: Wor
         "int64 a\nint64 b\n---\nint64 sum\n0.0\n"
         "publishing #1: day6_msgs.msg.Num(num=4, where=geometry_msgs.msg.Point(x=1.0, y=0.0, z=0.0))\n\nx.launch.py\n"
     ), done
+
+
+def test_a_terminal_that_has_not_sourced_a_message_does_not_know_it_though_another_has(workshop: Workshop) -> None:
+    messages(workshop)
+    pub = "ros2 topic pub --once -w 0 /n day6_msgs/msg/Num '{num: 4}'"
+    assert workshop.run(f"colcon build > /dev/null; source install/setup.bash; {pub}").err == ""
+    fresh = workshop.terminal()
+    assert workshop.run(pub, fresh).err == "The passed message type is invalid\n"
+    workshop.run("source install/setup.bash", fresh)
+    assert workshop.run(pub, fresh).err == ""
 
 
 def test_a_message_that_was_changed_is_another_after_the_next_build(workshop: Workshop) -> None:

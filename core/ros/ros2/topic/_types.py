@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.environment import SHARE_PATH
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.expand_topic_name import expand_topic_name
 from rclpy.validate_full_topic_name import validate_full_topic_name
@@ -15,20 +18,16 @@ if TYPE_CHECKING:
 POLL_SECONDS = 0.1
 
 
-def message_class(type_name: str) -> Any:
-    """Return the class of a message type that the user named. Raises RuntimeError if there is none."""
-    from rosidl_runtime_py.utilities import get_message
-
+def message_class(type_name: str, environment: Mapping[str, str]) -> Any:
+    """Return the class of a message type that the user named. Raises RuntimeError if this terminal knows none."""
     try:
-        return get_message(type_name)
+        return _class_of(type_name, environment)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError("The passed message type is invalid") from None
 
 
-def class_of_topic(node: Node, topic: str) -> Any | None:
+def class_of_topic(node: Node, topic: str, environment: Mapping[str, str]) -> Any | None:
     """Return the message class of a topic, None if it doesn't exist. Raises RuntimeError for several types or an unknown one."""
-    from rosidl_runtime_py.utilities import get_message
-
     try:
         full_name = expand_topic_name(topic, node.get_name(), node.get_namespace())
         validate_full_topic_name(full_name)
@@ -40,9 +39,22 @@ def class_of_topic(node: Node, topic: str) -> Any | None:
     if len(types) > 1:
         raise RuntimeError(f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
     try:
-        return get_message(types[0])
+        return _class_of(types[0], environment)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError(f"The message type '{types[0]}' is invalid") from None
+
+
+def _class_of(type_name: str, environment: Mapping[str, str]) -> Any:
+    """The class; one of a workspace only where the terminal has sourced it, though another terminal of this process may have."""
+    from rosidl_runtime_py.utilities import get_message
+
+    package = type_name.partition("/")[0]
+    paths = (variables.get("AMENT_PREFIX_PATH", "") for variables in (environment, os.environ))
+    prefixes = [prefix for path in paths for prefix in path.split(os.pathsep) if prefix]
+    shares = [str(SHARE_PATH), *(os.path.join(prefix, "share") for prefix in prefixes)]
+    if not any(os.path.isdir(os.path.join(share, package)) for share in shares):
+        raise ModuleNotFoundError(package)
+    return get_message(type_name)
 
 
 def warn_unpublished(session: Session, topic: str) -> None:
@@ -52,10 +64,10 @@ def warn_unpublished(session: Session, topic: str) -> None:
 
 async def wait_for_class(session: Session, node: Node, topic: str) -> Any:
     """Return the message class of a topic; if it doesn't exist yet, warn and wait until it does."""
-    found = class_of_topic(node, topic)
+    found = class_of_topic(node, topic, session.env)
     if found is None:
         warn_unpublished(session, topic)
     while found is None:
         await session.sleep(POLL_SECONDS)
-        found = class_of_topic(node, topic)
+        found = class_of_topic(node, topic, session.env)
     return found

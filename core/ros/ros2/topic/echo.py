@@ -72,9 +72,14 @@ async def main(session: Session, args: Namespace) -> None:
 
     echo = _Echo(session, args)
     async with graph_node(session, args) as query_node:
-        kind = message_class(args.message_type) if args.message_type is not None else None
+        env = session.env
+        kind = message_class(args.message_type, env) if args.message_type is not None else None
         waited = 0.0
-        while kind is None and (kind := class_of_topic(query_node, args.topic_name)) is None and waited < START_SECONDS:
+        while (
+            kind is None
+            and (kind := class_of_topic(query_node, args.topic_name, env)) is None
+            and waited < START_SECONDS
+        ):
             await session.sleep(POLL_SECONDS)
             waited += POLL_SECONDS
         profile = profile_for_echo(session, query_node, args)

@@ -91,7 +91,7 @@ async def main(session: Session, args: Namespace) -> str | None:
     profile = profile_from_options(args)
     text = (await session.stdin.read_all()).encode() if args.stdin else args.values
     node = await direct_node(session, args, args.node_name)
-    kind = message_class(args.message_type)
+    kind = message_class(args.message_type, session.env)
     values = await safe_load(text)
     if not isinstance(values, dict):
         return "The passed value needs to be a dictionary in YAML format"

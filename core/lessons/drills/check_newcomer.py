@@ -1,0 +1,42 @@
+"""Check of drill 18: starts the pupil's ~/screen.py as somebody who comes late, and looks whether it shows the notice.
+
+Twice: the first one may have been there by chance when the notice was sent.
+"""
+
+import os
+import subprocess
+import sys
+import time
+
+SECONDS = 1.5
+NOTICE = "trip to the zoo"
+PROGRAM = os.path.expanduser("~/screen.py")
+NAMES = ("--ros-args", "-r", "__node:=_newcomer", "-r", "shown:=_newcomer/shown")
+
+
+def late_screen_shows_it() -> bool:
+    screen = subprocess.Popen(
+        [sys.executable, "-u", PROGRAM, *NAMES],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    assert screen.stdout is not None
+    os.set_blocking(screen.stdout.fileno(), False)
+    seen = ""
+    end = time.monotonic() + SECONDS
+    try:
+        while time.monotonic() < end and NOTICE not in seen and screen.poll() is None:
+            time.sleep(0.05)
+            seen += (screen.stdout.read() or b"").decode("utf-8", "replace")
+    finally:
+        screen.kill()
+        screen.wait()
+    return NOTICE in seen
+
+
+if late_screen_shows_it() and late_screen_shows_it():
+    print("A screen that is switched on now shows the notice.")
+else:
+    print("A screen that is switched on now stays empty.")
+    sys.exit(1)
