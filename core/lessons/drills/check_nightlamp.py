@@ -10,10 +10,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from std_msgs.msg import Int32
+
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
-from std_msgs.msg import Int32
 
 FOLDER = Path.home() / "drill37"
 GIVEN = "lamp:\n  ros__parameters:\n    brightness: 80\n"
