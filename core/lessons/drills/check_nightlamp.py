@@ -27,11 +27,11 @@ def main() -> int:
     """Print what was seen; return 0 if the lamp shone as its file said."""
     settings = (FOLDER / "lamp.yaml").read_text(encoding="utf-8")
     if settings == GIVEN:
-        print("lamp.yaml is as it was")
+        print("lamp.yaml 还是原来的样子 (lamp.yaml is as it was)")
         return 1
     changed, numbers = re.subn(r"(brightness\s*:\s*)80\b", rf"\g<1>{HIDDEN}", settings)
     if not numbers:
-        print("lamp.yaml has no brightness of 80")
+        print("lamp.yaml 里没有亮度 80 (lamp.yaml has no brightness of 80)")
         return 1
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "other.yaml"
@@ -45,11 +45,11 @@ def main() -> int:
             finally:
                 lamp.kill()
     if shown is None:
-        print("with another number in the file the lamp does not shine at all")
+        print("文件里换一个数，灯就不亮了 (with another number in the file it does not shine)")
     elif shown != HIDDEN:
-        print(f"with another number in the file the brightness is still {shown}")
+        print(f"文件里换一个数，亮度还是 {shown} (with another number in the file it is still {shown})")
     else:
-        print("the lamp obeys its file")
+        print("灯听文件的话 (the lamp obeys its file)")
     return 0 if shown == HIDDEN else 1
 
 
