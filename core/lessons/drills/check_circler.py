@@ -21,7 +21,7 @@ def main() -> int:
     """Print what was seen; return 0 if the turtle never stood."""
     speeds: list[float] = []
     rclpy.init()
-    node = Node("_lesson_circler")
+    node = Node("_day6_lesson_circler")
     node.create_subscription(Pose, "/turtle1/pose", lambda pose: speeds.append(abs(pose.linear_velocity)), 10)
     executor = SingleThreadedExecutor()
     executor.add_node(node)

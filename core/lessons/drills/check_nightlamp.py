@@ -26,8 +26,9 @@ SECONDS = 4.0
 def main() -> int:
     """Print what was seen; return 0 if the lamp shone as its file said."""
     settings = (FOLDER / "lamp.yaml").read_text(encoding="utf-8")
-    if settings == GIVEN:
-        print("lamp.yaml 还是原来的样子 (lamp.yaml is as it was)")
+    program = (FOLDER / "lamp.py").read_text(encoding="utf-8")
+    if settings == GIVEN and "'brightness', 10, fixed" in program:
+        print("还没有改动 (nothing was changed yet)")
         return 1
     changed, numbers = re.subn(r"(brightness\s*:\s*)80\b", rf"\g<1>{HIDDEN}", settings)
     if not numbers:
