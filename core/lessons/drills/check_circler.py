@@ -9,8 +9,8 @@ import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-SECONDS = 0.7
-ENOUGH = 20
+SECONDS = 0.5
+ENOUGH = 15
 """Poses; a turtle tells 62 a second."""
 
 STANDING = 0.1
