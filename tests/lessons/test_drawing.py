@@ -7,8 +7,10 @@ import random
 
 import pytest
 
-from day6_tui.core.lessons.checks.drawing import judged
+from day6_tui.core.lessons.checks.drawing import _lines, judged
 from day6_tui.core.lessons.texts import Say
+from day6_tui.core.ros.programs.turtlesim.model.simulation import Simulation
+from day6_tui.core.ros.programs.turtlesim.model.turtle import Turtle
 
 WANTED = Say("trail", turtle="turtle1", shape=Say("shape.pentagram"))
 
@@ -84,3 +86,19 @@ def test_what_was_drawn_before_and_after_does_not_spoil_it() -> None:
 def test_a_closed_figure_comes_back() -> None:
     assert judged([regular(6, 60)], "closed", WANTED).ok
     assert not judged([regular(5, 60)], "closed", WANTED).ok
+
+
+@pytest.mark.parametrize(("shape", "sides", "turn"), [("pentagram", 5, 144), ("square", 4, 90)])
+def test_what_a_turtle_draws_is_one_stroke(shape: str, sides: int, turn: float) -> None:
+    simulation, seconds = Simulation(lambda n: 0), 1_000_000_000
+    turtle = Turtle("turtle1", 5.5, 5.5, 0.0, kind="humble", now=0)
+    simulation.add(turtle)
+    for press in range(2 * sides):
+        began = press * 2 * seconds
+        ahead, round_ = (3.0, 0.0) if press % 2 == 0 else (0.0, math.radians(turn) / 1.008)
+        turtle.command(ahead, round_, began)
+        for tick in range(75):
+            simulation.tick(began + tick * 16_000_000)
+    strokes = _lines(simulation, {})
+    assert len(strokes) == 1
+    assert judged(strokes, shape, WANTED).ok

@@ -70,8 +70,9 @@ def _lines(simulation: Any, memory: dict[str, Any]) -> list[list[Point]]:
         new = []
     memory["seen"] = drawn.drawn
     for piece in new:
-        begin = piece.x0 / PIXELS_PER_METRE, -piece.y0 / PIXELS_PER_METRE
-        end = piece.x1 / PIXELS_PER_METRE, -piece.y1 / PIXELS_PER_METRE
+        # A turtle draws from where it is to where it was.
+        begin = piece.x1 / PIXELS_PER_METRE, -piece.y1 / PIXELS_PER_METRE
+        end = piece.x0 / PIXELS_PER_METRE, -piece.y0 / PIXELS_PER_METRE
         if begin == end:
             continue
         if not strokes or math.dist(strokes[-1][-1], begin) > 0.02:
