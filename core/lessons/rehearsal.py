@@ -23,8 +23,8 @@ from day6_tui.core.shell.language.redirection import Streams
 SOON = 0.5
 """Seconds in which a check would notice what is there already, or that a wrong answer was taken."""
 
-SOLVED_WITHIN = 15.0
-REFUSED_WITHIN = 6.0
+SOLVED_WITHIN = 30.0
+REFUSED_WITHIN = 12.0
 LOOK = 0.05
 LONGEST = 600.0
 """Seconds for a whole lesson."""

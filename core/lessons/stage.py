@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from day6_tui.core.session.session import Session
     from day6_tui.core.shell.terminal import Terminal
 
-LONGEST_WAIT = 20.0
+LONGEST_WAIT = 40.0
 """Seconds that `type` waits for its prompt and `wait` for its check."""
 
 LOOK = 0.02

@@ -1,28 +1,60 @@
-"""Every shipped lesson and drill, played: each step begins unsolved, refuses its wrong answers, is solved by its solution."""
+"""Every shipped lesson and drill, played: each step begins unsolved, refuses its wrong answers, is solved by its solution.
+
+Playing is mostly waiting, for processes to start and turtles to arrive: so `day6-tui lessons play` runs for several files at a time,
+beside the other tests, from when the first of these begins.
+"""
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
 from day6_tui.core.lessons.catalogue import HERE
 from day6_tui.core.lessons.document import read_lesson
-from day6_tui.core.lessons.rehearsal import rehearse
 
-FILES = [HERE / "example.md", *sorted((HERE / "days").glob("*.md")), *sorted((HERE / "drills").glob("*.md"))]
+AT_A_TIME = 5
+LONGEST = 400.0
+"""Seconds for one file."""
+
+DAYS = sorted((HERE / "days").glob("*.md"))
+DRILLS = sorted((HERE / "drills").glob("*.md"))
+FILES = [*DAYS, HERE / "example.md", *DRILLS]
+
+Played = Future["subprocess.CompletedProcess[str]"]
+
+
+def play(path: Path) -> subprocess.CompletedProcess[str]:
+    """Play a lesson file as its author would."""
+    command = [sys.executable, "-m", "day6_tui.tui.main", "lessons", "play", str(path)]
+    return subprocess.run(
+        command, capture_output=True, text=True, timeout=LONGEST, env={**os.environ, "DAY6_LINK": "on"}
+    )
+
+
+@pytest.fixture(scope="module")
+def playing() -> Iterator[dict[Path, Played]]:
+    """All files are played from now on, a few at a time."""
+    with ThreadPoolExecutor(AT_A_TIME) as pool:
+        yield {path: pool.submit(play, path) for path in FILES}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_it_is_solved_by_its_solutions_alone(path: Path, tmp_path: Path) -> None:
-    lesson = read_lesson(path)
-    played = rehearse(lesson, tmp_path / "home")
-    assert [(each.step, each.faults) for each in played] == [(step.name, []) for step in lesson.steps]
+def test_it_is_solved_by_its_solutions_alone(path: Path, playing: dict[Path, Played]) -> None:
+    done = playing[path].result()
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
+    lines = done.stdout.splitlines()
+    assert [line[:4] for line in lines] == ["ok  "] * len(read_lesson(path).steps)
 
 
 def test_every_drill_has_three_wrong_answers_and_two_thirds_of_the_steps_have_one() -> None:
-    drills = [read_lesson(path) for path in sorted((HERE / "drills").glob("*.md"))]
+    drills = [read_lesson(path) for path in DRILLS]
     assert [(drill.name, len(drill.steps[0].wrong)) for drill in drills] == [(drill.name, 3) for drill in drills]
-    for path in sorted((HERE / "days").glob("*.md")):
+    assert [drill.fault for drill in drills] == list(range(1, 47))
+    for path in DAYS:
         steps = read_lesson(path).steps
         assert sum(bool(step.wrong) for step in steps) >= len(steps) * 2 // 3, path.name

@@ -12,7 +12,7 @@ from day6_tui.core.shell.runs import Run
 if TYPE_CHECKING:
     from day6_tui.core.lessons.live import Live
 
-SECONDS = 10
+SECONDS = 20
 """How long a Python file may take."""
 
 AGAIN = 1.0
