@@ -65,6 +65,10 @@ ACTIONS: tuple[Action, ...] = (
     Action("normal"),
     Action("motion"),
     Action("detach"),
+    Action("kitchen"),
+    Action("record"),
+    Action("layout.speaker"),
+    *(Action(f"scene.{what}") for what in ("pause", "step", "faster", "slower")),
 )
 
 BY_ID = {action.id: action for action in ACTIONS}

@@ -51,6 +51,7 @@ from day6_tui.tui.looks import Looks
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.tui.options import Options
+from day6_tui.tui.recording import Recording
 from day6_tui.tui.scene_play import ScenePlay
 from day6_tui.tui.session import Session
 from day6_tui.tui.settings import Settings
@@ -86,6 +87,8 @@ SAVE_SECONDS = 20.0
 
 DOOR_SECONDS = 1.0
 """Seconds between checks of the connections to other machines, if there are any."""
+RECORDED_SECONDS = 1.0
+"""Between two times that the upper line shows while the screen is recorded."""
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library costs 50 ms of CPU time and 11 MB."""
 
@@ -160,6 +163,7 @@ class Day6App(TerminalApp):
         self.detachment = Detachment(self, options.keeper)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
+        self.recording = Recording(self, machine, desktop, looks, notices, look)
         self.actions = registry = actions.Actions()
         for owner in (
             self.terminals,
@@ -167,6 +171,7 @@ class Day6App(TerminalApp):
             self.scenes,
             self.lessons,
             self.arranging,
+            self.recording,
             Guidance(desktop, registry, look, self.terminals.run),
             WorldTime(machine, notices, look),
         ):
@@ -183,7 +188,8 @@ class Day6App(TerminalApp):
         )
         if detach is None:
             registry.hidden.add("detach")
-        self.top = Bar(look, TopLine(machine, desktop, registry, look, doors=options.has_doors).pieces, name="top")
+        top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
+        self.top = Bar(look, top.pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
 
@@ -222,11 +228,14 @@ class Day6App(TerminalApp):
         self.set_timer(LINK_SECONDS, self.machine.open_link)
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
+        self.set_interval(RECORDED_SECONDS, lambda: self.frames.wake() if self.recording.running else None)
         if (endpoint := self.options.listen) and not self.options.secret:
             self.notices.show(self.look.texts("notice.open", port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
         if self.settings.fault:
             text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
             self.notices.show(one_line(text), NOTICE_SECONDS)
+        if self.options.record is not None:
+            self.recording.begin(self.options.record)
         if self.options.scene is not None:
             self.scenes.start(self.options.scene)
         elif self.options.lessons is not None or self.options.lesson is not None:
@@ -266,6 +275,7 @@ class Day6App(TerminalApp):
             self.ending.begin()
         if not self._exit and self.machine.desk is not None:
             self.session.save()
+        self.recording.end()
         super().exit(result, return_code, message)
 
     def _handle_exception(self, error: Exception) -> None:
@@ -291,6 +301,8 @@ class Day6App(TerminalApp):
         """Textual's entry: a key of the table was pressed."""
         if id == "quit":
             self.leaving.press_quit()
+        elif id == "pause" and self.scenes.player is not None:
+            self.scenes.toggle_pause()  # of the world, the upper line
         else:
             self.actions[id]()
         self.frames.wake()
@@ -359,7 +371,9 @@ class Day6App(TerminalApp):
                     self.notices.show(self.look.texts("window.hidden", title=unseen.label, key=key))
                 self.session.place_windows()
             self.terminals.follow_desk()
+            self.arranging.follow()
         again = self.scenes.advance(now)
+        self.recording.advance()
         if self.detachment.away:
             return self.notices.expire(now) or again
         if machine.desk is not None:

@@ -10,7 +10,7 @@ from day6_tui.core.whole_file import write_private
 from day6_tui.tui.actions import Handlers
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.json_file import read_object
-from day6_tui.tui.layouts import VERSION, Description, build, describe, grid, presenter, roles_in
+from day6_tui.tui.layouts import VERSION, Description, build, describe, grid, presenter, roles_in, speaker
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import NOTICE_SECONDS, Notices
@@ -37,12 +37,19 @@ class Arranging:
         self._terminals = terminals
         self._notices = notices
         self._look = look
+        self._speaks = False
+        """Whether the layout is the speaker's, which lasts until another one is chosen."""
+        self._arranged: set[Key] = set()
+        self._spoke_in: TerminalPane | None = None
+        """The terminal that gets the keyboard back when the picture is put back."""
 
     def actions(self) -> Handlers:
         return {
             "layout.lesson": self.tidy,
             "layout.four": self.four_terminals,
             "layout.presenter": self.presenter,
+            "layout.speaker": self.speaker,
+            "enlarge": self.enlarge,
             "layout.save": self.ask_for_name,
             "layout.load": self.list_saved,
         }
@@ -71,6 +78,7 @@ class Arranging:
 
     def apply(self, description: object) -> None:
         """Arrange the panes as described, as far as they are there. Raises ValueError for what is no description."""
+        self._speaks = False
         keys = {role: key for key, role in self.roles().items()}
         self._desktop.arrange_as(build(description, keys.get))
 
@@ -89,6 +97,7 @@ class Arranging:
 
     def tidy(self) -> None:
         """Every pane where it is seen best, windows first."""
+        self._speaks = False
         terminals, windows = self._sorts()
         desktop = self._desktop
         order = [*terminals[:1], *windows, *terminals[1:]]
@@ -96,13 +105,44 @@ class Arranging:
 
     def four_terminals(self) -> None:
         """Two by two; opens those that are missing."""
+        self._speaks = False
         self._open_up_to(FOUR)
         _, windows = self._sorts()
         self._desktop.arrange_as(grid([pane.slot for pane in self._terminals.panes], windows, wide=self._is_wide))
 
     def presenter(self) -> None:
         """A big picture and one terminal."""
+        self._speaks = False
         self._desktop.arrange_as(presenter(*self._sorts(), wide=self._is_wide))
+
+    def speaker(self) -> None:
+        """A big terminal and one picture, for a hall; what opens from now on takes its place in it."""
+        self._speaks = True
+        terminals, windows = self._sorts()
+        self._arranged = {*terminals, *windows}
+        self._desktop.arrange_as(speaker(terminals, windows, wide=self._is_wide))
+
+    def follow(self) -> None:
+        """Give what has been opened or closed its place, while somebody speaks."""
+        if self._speaks:
+            terminals, windows = self._sorts()
+            if {*terminals, *windows} != self._arranged:
+                self.speaker()
+
+    def enlarge(self) -> None:
+        """Make the focused pane fill the desktop, or put it back; while somebody speaks, the picture is what is enlarged."""
+        desktop = self._desktop
+        windows = self._sorts()[1]
+        if self._speaks and windows and isinstance(desktop.focused_pane, TerminalPane) and not desktop.enlarged:
+            self._spoke_in = desktop.focused_pane
+            desktop.focus_pane(desktop.slots[windows[0]])
+            desktop.toggle_enlarged()
+            return
+        desktop.toggle_enlarged()
+        if self._spoke_in is not None and not desktop.enlarged:
+            if desktop.holds(self._spoke_in):
+                desktop.focus_pane(self._spoke_in)
+            self._spoke_in = None
 
     # -- saved ones ----------------------------------------------------------------------------------------------------
 
@@ -165,6 +205,7 @@ class Arranging:
 
         texts = self._look.texts
         ready = {"layout.lesson": self.tidy, "layout.four": self.four_terminals, "layout.presenter": self.presenter}
+        ready["layout.speaker"] = self.speaker
         entries = [Entry(texts(f"action.{name}"), "", choose) for name, choose in ready.items()]
         for name, layout in (self._saved_or_told() or {}).items():
             entries.append(Entry(name, texts("layout.own"), partial(self._load, layout)))

@@ -27,7 +27,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
         prog="day6-tui",
         description=texts("cli.description"),
         epilog=f"{texts('cli.commands')}\n\n{texts('cli.more')}",
-        formatter_class=partial(_Formatter, usage=texts("cli.usage")),
+        formatter_class=partial(Formatter, usage=texts("cli.usage")),
         add_help=False,
     )
     options = parser.add_argument_group(texts("cli.options"))
@@ -43,6 +43,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--lessons", type=_folder, metavar="DIR", help=texts("cli.lessons"))
     options.add_argument("--lesson", metavar="NAME", help=texts("cli.lesson"))
     options.add_argument("--demo", action="store_true", help=argparse.SUPPRESS)
+    options.add_argument("--record", type=Path, metavar="FILE.cast", help=texts("cli.record"))
     options.add_argument("--detach", action="store_true", help=texts("cli.detach"))
     options.add_argument(
         "--listen", type=partial(_endpoint, listening=True), metavar="ENDPOINT", help=texts("cli.listen")
@@ -61,7 +62,7 @@ def attach_parser(language: str = "en") -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="day6-tui attach",
         description=texts("cli.attach"),
-        formatter_class=partial(_Formatter, usage=texts("cli.usage")),
+        formatter_class=partial(Formatter, usage=texts("cli.usage")),
         add_help=False,
     )
     options = parser.add_argument_group(texts("cli.options"))
@@ -71,7 +72,7 @@ def attach_parser(language: str = "en") -> argparse.ArgumentParser:
     return parser
 
 
-class _Formatter(argparse.RawDescriptionHelpFormatter):
+class Formatter(argparse.RawDescriptionHelpFormatter):
     """Folds by terminal cells, of which a Chinese character takes two."""
 
     def __init__(self, prog: str, *, usage: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -18,14 +19,18 @@ class HeldKeys:
         self.view: TerminalView | None = None
         """The terminal the scene types in; None before it has chosen one, when every key is held."""
         self.keys: list[events.Key] = []
+        self.paused = False
+        """Whether the scene is paused: keys go to the terminal then, also to the scene's own."""
+        self.steer: Callable[[str], bool] = lambda key: False
+        """Takes a key that steers the scene; such a key is one only while nothing was typed ahead."""
 
     def begin(self) -> None:
         """A scene begins."""
-        self.holding, self.view, self.keys = True, None, []
+        self.holding, self.view, self.keys, self.paused = True, None, [], False
 
     def end(self) -> None:
         """It has ended; what is held is forgotten."""
-        self.holding, self.view, self.keys = False, None, []
+        self.holding, self.view, self.keys, self.paused = False, None, [], False
 
     def take(self, event: events.Key, view: TerminalView | None) -> bool:
         """Keep a key for `view`; False if it has to go there now."""
@@ -33,6 +38,10 @@ class HeldKeys:
             return False
         if event.key == "escape":
             self.end()
+        elif not self.keys and self.steer(event.key):
+            return True
+        elif self.paused:
+            return False
         else:
             self.keys.append(event)
         return True

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from day6_tui.tui.actions import Actions, bar_actions
 from day6_tui.tui.bars import KeyHint, key_pieces
+from day6_tui.tui.cells import cell_len, clip
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import Notices
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.scene_play import ScenePlay
+from day6_tui.tui.speeds import in_words
+
+SCENE_KEYS = 46
+"""Cells for the keys that steer a scene."""
 
 MORE_OF_PANE = 2
 """The weight of the focused pane's keys after its first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
@@ -34,7 +39,7 @@ class KeyLine:
         if self._notices.text:
             return [Piece(f" {self._notices.text} ", look.colours.hint)], []
         if self._scenes.player is not None:
-            return [Piece(f" {texts('bar.playing')} ", look.colours.hint)], []
+            return self._scene(width), []
         pane = self._desktop.focused_pane
         hints = pane.key_hints() if pane is not None else []
         keys = [KeyHint(*hint) if hint is hints[0] else KeyHint(*hint, weight=MORE_OF_PANE) for hint in hints]
@@ -42,3 +47,26 @@ class KeyLine:
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
             keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))
         return key_pieces(look, keys, width), []
+
+    def _scene(self, width: int) -> list[Piece]:
+        """What is typed and how to steer it: pause, step, the speed between its two buttons, stop."""
+        look, texts, scenes, glyphs = self._look, self._look.texts, self._scenes, self._look.glyphs
+        paused = scenes.paused
+        head = texts("bar.scene.paused" if paused else "bar.playing")
+        if scenes.said:
+            head = clip(scenes.said, max(cell_len(head), width - SCENE_KEYS), glyphs.ellipsis)
+        pieces = [Piece(f" {head} ", look.colours.hint)]
+        pause = KeyHint("F9", texts("bar.scene.resume" if paused else "bar.scene.pause"), scenes.toggle_pause)
+        keys = [
+            pause,
+            KeyHint("PgDn", texts("bar.scene.step"), scenes.step),
+            KeyHint("Esc", texts("bar.scene.stop"), scenes.stop),
+        ]
+        speed = [
+            Piece(" - ", look.colours.key, lambda: scenes.change_speed(-1)),
+            Piece(f" {in_words(scenes.speed, unicode=glyphs.unicode)} ", look.colours.bar_strong),
+            Piece(" + ", look.colours.key, lambda: scenes.change_speed(1)),
+            Piece("  ", look.colours.bar),
+        ]
+        room = width - sum(cell_len(piece.text) for piece in (*pieces, *speed)) - 1
+        return [*pieces, Piece(" ", look.colours.bar), *speed, *key_pieces(look, keys, max(0, room))]

@@ -15,6 +15,9 @@ Description: TypeAlias = Mapping[str, object]
 DEEPEST = 20
 """More splits inside each other than anybody makes."""
 
+SPOKEN = 0.6
+"""The part of the desktop that the terminal gets when one speaks."""
+
 PRESENTED = 0.7
 """The part of the desktop that the picture gets when one presents."""
 
@@ -109,6 +112,17 @@ def presenter(terminals: Sequence[Key], windows: Sequence[Key], *, wide: bool) -
     _add_stack(tree, terminals, "right" if wide else "below")
     if isinstance(tree.root, Split):
         tree.root.shares = [PRESENTED, 1 - PRESENTED]
+    return tree
+
+
+def speaker(terminals: Sequence[Key], windows: Sequence[Key], *, wide: bool) -> Tree:
+    """A big terminal, with the others behind it, and one picture on its right or above it, with the other windows behind it."""
+    tree = Tree()
+    _add_stack(tree, terminals, "")
+    _add_stack(tree, windows, "right" if wide else "above")
+    if isinstance(tree.root, Split):
+        shares = [SPOKEN, 1 - SPOKEN]
+        tree.root.shares = shares if wide else shares[::-1]
     return tree
 
 

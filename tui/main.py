@@ -12,7 +12,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from day6_tui.core.session.local import Foreground
+    from day6_tui.tui.locale import Texts
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -54,6 +57,11 @@ def main(arguments: list[str] | None = None) -> int:
     if not (sys.stdin.isatty() and sys.stderr.isatty()):  # Textual draws on stderr
         print(f"day6-tui: {texts('cli.no_terminal')}", file=sys.stderr)
         return 2
+    if options.record is not None:
+        options.record = options.record.absolute()
+        if (reason := _cannot_be_made(options.record, texts)) is not None:
+            print(f"day6-tui: {reason}", file=sys.stderr)
+            return 2
     from day6_tui.core.session.ending import leave
     from day6_tui.tui.app import run
     from day6_tui.tui.options import Options
@@ -63,6 +71,17 @@ def main(arguments: list[str] | None = None) -> int:
     if arguments is None:
         leave(status)
     return status
+
+
+def _cannot_be_made(path: Path, texts: Texts) -> str | None:
+    """Why a new file cannot be made, before there is a screen over it; None if it can."""
+    from day6_tui.core.session.harmless import one_line
+
+    if path.exists() or path.is_symlink():
+        return one_line(f"{path}: {texts('cast.exists.record')}")
+    if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
+        return one_line(f"{path}: {texts('cast.no_folder')}")
+    return None
 
 
 def _thread_failed(failure: threading.ExceptHookArgs) -> None:
@@ -194,6 +213,12 @@ def _attach(words: list[str]) -> int:
     return attach(words)
 
 
+def _cast(words: list[str]) -> int:
+    from day6_tui.tui.cast.command import main as cast
+
+    return cast(words)
+
+
 def _complete(words: list[str]) -> int:
     from day6_tui.core.shell.real_completion import main as complete
 
@@ -232,6 +257,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "lessons": _lessons,
     "shell": _shell,
     "env": _env,
+    "cast": _cast,
     "complete": _complete,
 }
 

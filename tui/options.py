@@ -32,6 +32,8 @@ class Options:
     connect: str | None = None
     secret: str | None = None
     reduced_motion: bool = False
+    record: Path | None = None
+    """A new file into which the screen is recorded."""
     keeper: int | None = None
     """The descriptor of the line to the keeper that holds the terminal (`--detach`)."""
 

@@ -30,6 +30,7 @@ WINDOWS = {
     "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
     "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),
     "lesson": Needs(Extent(34, 10), Extent(38, 21), Extent(60, 40), 2.0),
+    "kitchen": Needs(Extent(36, 9), Extent(60, 14), Extent(110, 30)),
     "editor": Needs(Extent(60, 10), Extent(76, 24), Extent(90, 40)),
 }
 """By the kind of window; the others need what `OTHER` says."""

@@ -6,7 +6,8 @@ from day6_tui.tui.actions import Handlers
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.scenes import SCENES, Player, Scene
+from day6_tui.tui.speeds import changed
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import TerminalView
 from day6_tui.tui.terminals import Terminals
@@ -34,17 +35,29 @@ class ScenePlay:
         self._visibly = visibly
         self.player: Player | None = None
         """The player of the scene; None while no scene is played."""
+        self.speed = 1.0
+        """How fast scenes are typed; the next one too."""
+        self.said = ""
+        """The sentence that is shown."""
+        self._held.steer = self._steer
 
     def actions(self) -> Handlers:
         return {
             "scene.turtle": lambda: self.start("turtle"),
             "scene.car": lambda: self.start("car"),
             "scene.world": lambda: self.start("world"),
+            "scene.pause": self.toggle_pause,
+            "scene.step": self.step,
+            "scene.faster": lambda: self.change_speed(1),
+            "scene.slower": lambda: self.change_speed(-1),
         }
 
     def start(self, name: str) -> None:
         """Type the commands of a scene."""
-        scene = SCENES[name]
+        self.play(SCENES[name])
+
+    def play(self, scene: Scene, *, by_steps: bool = False) -> None:
+        """Play a scene, any list of steps; `by_steps` waits before its first command."""
         self._desktop.welcome.show_guide()
         if (pane := self._terminals.current) is not None:
             self._desktop.focus_pane(pane)
@@ -52,23 +65,76 @@ class ScenePlay:
             visibly = self._visibly and not self._look.reduced_motion
             values = self._machine.robot_words(self._robot) if scene.needs_robot else {}
             self.player = Player(scene, self, values=values, visibly=visibly)
+            self.player.speed = self.speed
             self._held.begin()
+            if by_steps:
+                self.player.step()
         self._look.wake()
+
+    # -- steering ------------------------------------------------------------------------------------------------------
+
+    @property
+    def paused(self) -> bool:
+        return self.player is not None and self.player.paused
+
+    def toggle_pause(self) -> None:
+        """Pause the scene, or go on."""
+        if self.player is not None:
+            self.player.paused = not self.player.paused
+            self._look.wake()
+
+    def step(self) -> None:
+        """Go on with one command, and pause before the next one."""
+        if self.player is not None:
+            self.player.step()
+            self._look.wake()
+
+    def change_speed(self, step: int) -> None:
+        """Type faster or slower."""
+        self.speed = changed(self.speed, step)
+        if self.player is not None:
+            self.player.speed = self.speed
+        self._look.wake()
+
+    def stop(self) -> None:
+        """End the scene where it is."""
+        self._held.end()
+        self._look.wake()
+
+    def _steer(self, key: str) -> bool:
+        """Do what a key means that was pressed in the scene's terminal; False if it is none of these.
+
+        While the scene is paused one may type, so there only keys that write nothing steer: those of a presenter's clicker.
+        """
+        if key == "pagedown":
+            self.step()
+        elif key == "pageup":
+            self.toggle_pause()
+        elif self.paused:
+            return False
+        elif key == "space":
+            self.toggle_pause()
+        elif key in ("plus", "equals_sign", "minus"):
+            self.change_speed(-1 if key == "minus" else 1)
+        else:
+            return False
+        return True
 
     def advance(self, now: float) -> bool:
         """Type what is due at the monotonic time `now`; True while the scene goes on."""
         if self.player is None:
             return False
         if not self._held.holding:  # Esc
-            self.player = None
+            self.player, self.said = None, ""
             return False
         if self._machine.desk is None:
             return True  # a quick key: the desk comes right after the first frame
         if self._held.keys:
             self.player.hurry()
         self.player.advance(now)
+        self._held.paused = self.player.paused
         if not self.player.done:
-            return True
+            return not self.player.paused
         view, keys = self._held.view, self._held.keys
         self._end()
         if (pane := self._pane_of(view)) is not None:
@@ -77,7 +143,7 @@ class ScenePlay:
         return False
 
     def _end(self) -> None:
-        self.player = None
+        self.player, self.said = None, ""
         self._held.end()
 
     # -- what a scene acts on (scenes.Stage) ---------------------------------------------------------------------------
@@ -117,3 +183,6 @@ class ScenePlay:
 
     def reading_keys(self) -> bool:
         return self._view is not None and self._view.reading_keys
+
+    def say(self, text: str) -> None:
+        self.said = text

@@ -2,8 +2,12 @@
 
 A step is a tuple: ('terminal', 'new'|'idle') chooses where to type, ('type', command) types it and presses Return (unless it is
 empty), ('window', kind) waits until such a window is open, ('topic', name) until the topic is there, ('heard', name) until
-`ros2 topic echo` listens to it, ('reading', '') until the program reads keys, ('pause', seconds) lets one look. A command that
-fails ends the scene, as a teacher would stop to read what it says.
+`ros2 topic echo` listens to it, ('reading', '') until the program reads keys, ('say', text) shows a sentence for as long as it
+takes to read it, ('pause', seconds) lets one look. A command that fails ends the scene, as a teacher would stop to read what it
+says.
+
+Whoever looks on can pause a scene anywhere, go on by one command at a time, and choose how fast it is typed. The time for which a
+scene was paused counts for none of its waits.
 """
 
 from __future__ import annotations
@@ -11,6 +15,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple, Protocol
+
+from day6_tui.core.width import text_width
 
 Step = tuple[str, str]
 
@@ -78,6 +84,12 @@ SCENES: dict[str, Scene] = {
 KEYS_PER_SECOND = 40.0
 """Characters per second: slow enough to read along."""
 
+WORDS_SECONDS = 1.5
+"""What a sentence gets at least, before anything is typed."""
+
+READ_PER_SECOND = 15.0
+"""Cells of a sentence that are read in a second."""
+
 LONGEST_WAIT = 6.0
 """Seconds a step waits for a window or program."""
 
@@ -110,6 +122,9 @@ class Stage(Protocol):
     def reading_keys(self) -> bool:
         """Whether the program in that terminal reads single keys."""
 
+    def say(self, text: str) -> None:
+        """Show a sentence, '' for none."""
+
 
 class Player:
     """Plays a scene in small pieces: call `advance` with the time until `done`."""
@@ -120,14 +135,28 @@ class Player:
         self._stage = stage
         self._values = values
         self._visibly = visibly
+        self.paused = False
+        self.speed = 1.0
+        """One of `speeds.SPEEDS`: how fast is typed, and how long one looks."""
+        self._stops_at_command = False
+        """Whether it pauses before the next command."""
         self._play: Iterator[float] = self._perform()
         self._next = 0.0
         self._now = 0.0
+        self._stood = 0.0
+        """Seconds that it was paused so far, and since when it is."""
+        self._stands_since: float | None = None
 
     def advance(self, now: float) -> None:
         """Do what is due at the monotonic time `now`."""
-        self._now = now
-        while not self.done and now >= self._next:
+        if self.paused:
+            self._stands_since = now if self._stands_since is None else self._stands_since
+            return
+        if self._stands_since is not None:
+            self._stood += now - self._stands_since
+            self._stands_since = None
+        self._now = now = now - self._stood
+        while not self.paused and not self.done and now >= self._next:
             try:
                 self._next = self._now + next(self._play)
             except StopIteration:
@@ -136,7 +165,13 @@ class Player:
     def hurry(self) -> None:
         """Type the rest at once (the user pressed a key)."""
         self._visibly = False
+        self._stops_at_command = False
         self._next = 0.0
+
+    def step(self) -> None:
+        """Go on up to the next command, and pause before it."""
+        self.paused = False
+        self._stops_at_command = True
 
     def _perform(self) -> Iterator[float]:
         stage = self._stage
@@ -145,6 +180,7 @@ class Player:
                 stage.use_terminal(value)
             elif kind == "type":
                 yield from self._until(stage.ready)
+                yield from self._stop_before_command()
                 yield from self._type(value.format(**self._values))
             elif kind == "window":
                 yield from self._until(partial(stage.has_window, value))
@@ -159,8 +195,18 @@ class Player:
                 yield from self._until(partial(stage.is_heard, value))
             elif kind == "reading":
                 yield from self._until(stage.reading_keys)
+            elif kind == "say":
+                stage.say(value)
+                if self._visibly:
+                    yield max(WORDS_SECONDS, text_width(value) / READ_PER_SECOND) / self.speed
             elif kind == "pause" and self._visibly:
-                yield float(value)
+                yield float(value) / self.speed
+
+    def _stop_before_command(self) -> Iterator[float]:
+        """Pause here, if the step was to end here; the next one is over at the next command."""
+        if self._stops_at_command:
+            self._stops_at_command, self.paused = False, True
+            yield 0.0
 
     def _type(self, command: str) -> Iterator[float]:
         if not command:
@@ -168,8 +214,8 @@ class Player:
         if self._visibly:
             for char in command:
                 self._stage.send(char)
-                yield 1.0 / KEYS_PER_SECOND
-            yield 0.25
+                yield 1.0 / KEYS_PER_SECOND / self.speed
+            yield 0.25 / self.speed
             self._stage.send("\r")
         else:
             self._stage.send(command + "\r")

@@ -43,7 +43,7 @@ class Switching:
             "previous": lambda: self.cycle(-1),
             "windows": self.list_all,
             "inspector": self.toggle_inspector,
-            "enlarge": self._desktop.toggle_enlarged,
+            "kitchen": self.toggle_kitchen,
             "stack": self.stack_or_spread,
             "close": self.close_focused,
         }
@@ -174,11 +174,18 @@ class Switching:
 
     def toggle_inspector(self) -> None:
         """Open the inspector, or close the one that is open."""
+        self._toggle_tool("inspector", "day6_inspector", "inspector")
+
+    def _toggle_tool(self, kind: str, package: str, executable: str) -> None:
         for pane in self._desktop.panes.values():
-            if pane.window.kind == "inspector":
+            if pane.window.kind == kind:
                 pane.window.close_by_user()
                 return
-        self._machine.run_tool("day6_inspector", "inspector")
+        self._machine.run_tool(package, executable)
+
+    def toggle_kitchen(self) -> None:
+        """Open the kitchen, or close the one that is open."""
+        self._toggle_tool("kitchen", "day6_kitchen", "kitchen")
 
     def close_focused(self) -> None:
         """Close the window or the terminal that has the keyboard."""

@@ -25,6 +25,7 @@ from day6_tui.tui.pixels.ask import Answered
 from day6_tui.tui.terminal_trouble import TerminalTrouble
 
 if TYPE_CHECKING:
+    from day6_tui.tui.cast.recorder import Recorder
     from day6_tui.tui.pixels.pictures import Pictures
 
 READ_SIZE = 65536
@@ -41,6 +42,8 @@ _log = logging.getLogger(__name__)
 class TerminalDriver(LinuxDriver):
     """Reads the keyboard; no input makes it fail."""
 
+    recorder: Recorder | None = None
+    """Is given everything that is written, while the screen is recorded."""
     _reported: frozenset[str] = frozenset()
     _away = False
     """Whether the terminal was left for another one."""
@@ -48,6 +51,8 @@ class TerminalDriver(LinuxDriver):
     def write(self, data: str) -> None:
         """Write to the terminal, if there is one."""
         if not self._away:
+            if self.recorder is not None:
+                self.recorder.write(data)
             super().write(data)
 
     def suspend_application_mode(self) -> None:

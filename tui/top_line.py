@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from day6_tui.tui.actions import Actions
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.doors import door_words
@@ -16,16 +18,35 @@ BAR_NAMES = {"turtlesim": "turtle", "world": "world", "car": "car"}
 class TopLine:
     """Reads the machine at every frame; with `doors`, the state of the connections to other machines too."""
 
-    def __init__(self, machine: Machine, desktop: Desktop, actions: Actions, look: Look, *, doors: bool) -> None:
+    def __init__(
+        self,
+        machine: Machine,
+        desktop: Desktop,
+        actions: Actions,
+        look: Look,
+        *,
+        doors: bool,
+        recording: Callable[[], str],
+    ) -> None:
         self._machine = machine
         self._desktop = desktop
         self._actions = actions
         self._look = look
         self._doors = doors
+        self._recording = recording
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left and from the right."""
-        return [*self._name(), *self._door_pieces(), *self._running()], self._switches()
+        return [*self._name(), *self._recorded(), *self._door_pieces(), *self._running()], self._switches()
+
+    def _recorded(self) -> list[Piece]:
+        """That the screen is being recorded; a click ends it."""
+        if not (words := self._recording()):
+            return []
+        return [
+            Piece(f" {self._look.glyphs.news} {words} ", self._look.colours.error, self._actions["record"]),
+            Piece("  ", self._look.colours.bar),
+        ]
 
     def _name(self) -> list[Piece]:
         colours = self._look.colours

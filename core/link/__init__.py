@@ -16,9 +16,10 @@ from weakref import WeakKeyDictionary
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
     from day6_tui.core.link.link import Link
+    from day6_tui.core.link.passing import Passing
     from day6_tui.core.link.state import Door, LinkState
 
-__all__ = ["doors_of", "join", "leave", "state_of"]
+__all__ = ["doors_of", "join", "leave", "listen_in", "state_of"]
 
 _links: dict[Graph, Link] = {}
 _failures: WeakKeyDictionary[Graph, str] = WeakKeyDictionary()
@@ -105,6 +106,12 @@ def state_of(graph: Graph) -> LinkState:
 
     link = _links.get(graph)
     return link.state if link is not None else LinkState(problem=_failures.get(graph))
+
+
+def listen_in(graph: Graph) -> Passing | None:
+    """Return a counter of what other processes send each other, which its caller closes; None without a link."""
+    link = _links.get(graph)
+    return link.listen_in() if link is not None and not link.closed else None
 
 
 def doors_of(graph: Graph) -> tuple[Door, ...]:

@@ -28,6 +28,7 @@ from day6_tui.core.link.keys import (
 )
 from day6_tui.core.link.limits import MOST_PRESENCE_TOKENS, MOST_WAITING, Refusals
 from day6_tui.core.link.meeting import MeetingPoint
+from day6_tui.core.link.passing import Passing
 from day6_tui.core.link.paths import (
     LinkError,
     Neighbour,
@@ -103,6 +104,7 @@ class Link:
         self._topics: Topics | None = None
         self._services: Services | None = None
         self._announcements: Announcements | None = None
+        self._listeners: list[Passing] = []
         self._token_subscribers: list[zenoh.Subscriber[None]] = []
         self._presence_token: zenoh.LivelinessToken | None = None
         self._remove_listener: Callable[[], None] | None = None
@@ -158,6 +160,8 @@ class Link:
         self._inbox.put(None)
         if self._thread.is_alive() and threading.current_thread() is not self._thread:
             self._thread.join(timeout=2.0)
+        for listener in self._listeners:
+            listener.close()
         if self._remove_listener is not None:
             self._remove_listener()
             self.graph.transport = None
@@ -202,6 +206,12 @@ class Link:
     def connected(self) -> bool:
         """Whether a session is open (a one-shot command has none until it finds a meeting point)."""
         return self._session is not None and not self._closed
+
+    def listen_in(self) -> Passing:
+        """Return a counter of what other processes send each other; it is closed with the link at the latest."""
+        listener = Passing(lambda: self._session, self._is_neighbour)
+        self._listeners = [*(each for each in self._listeners if not each.closed), listener]
+        return listener
 
     # -- the graph's Transport -----------------------------------------------------------------------------------------
 

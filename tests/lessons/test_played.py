@@ -1,7 +1,7 @@
 """Every shipped lesson and drill, played: each step begins unsolved, refuses its wrong answers, is solved by its solution.
 
-Playing is mostly waiting, for processes to start and turtles to arrive: so `day6-tui lessons play` runs for several files at a time,
-beside the other tests, from when the first of these begins.
+Playing is mostly waiting, for processes to start and turtles to arrive: so `day6-tui lessons play` runs for several files at
+a time, beside the other tests, from when the first of these begins.
 """
 
 from __future__ import annotations
@@ -31,9 +31,7 @@ Played = Future["subprocess.CompletedProcess[str]"]
 def play(path: Path) -> subprocess.CompletedProcess[str]:
     """Play a lesson file as its author would."""
     command = [sys.executable, "-m", "day6_tui.tui.main", "lessons", "play", str(path)]
-    return subprocess.run(
-        command, capture_output=True, text=True, timeout=LONGEST, env={**os.environ, "DAY6_LINK": "on"}
-    )
+    return subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
 
 
 @pytest.fixture(scope="module")

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 from fakes import FakeSimulation, turtle
+from rich.cells import cell_len
 from screens import opened, screen_lines, screen_text, step
 from textual import events
 
 from day6_tui.tui.options import Options
-from day6_tui.tui.scenes import SCENES, Player
+from day6_tui.tui.scenes import SCENES, Player, Scene
 
 
 class _Stage:
@@ -41,6 +42,9 @@ class _Stage:
 
     def reading_keys(self) -> bool:
         return not self.missing
+
+    def say(self, text: str) -> None:
+        self.done.append(f"({text})")
 
 
 def _play(scene: str, stage: _Stage, fetch: str = "", **options: object) -> float:
@@ -579,3 +583,169 @@ async def test_a_window_without_a_place_is_announced_and_f4_shows_it(desk) -> No
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
         await step(app, pilot)
         assert "is open" not in screen_lines(app)[-1]
+
+
+# -- presenting ----------------------------------------------------------------------------------------------------------
+
+
+def _running(scene: str = "turtle") -> tuple[_Stage, Player]:
+    stage = _Stage()
+    return stage, Player(SCENES[scene], stage, values={})
+
+
+def _run(player: Player, begin: float, seconds: float) -> float:
+    """Advance for so long; return when that was."""
+    for frame in range(round(seconds * 30)):
+        player.advance(begin + frame / 30)
+    return begin + seconds
+
+
+def test_a_scene_stops_in_the_middle_of_a_word_and_goes_on_there() -> None:
+    stage, player = _running()
+    now = _run(player, 1000.0, 0.5)
+    player.paused = True
+    typed = "".join(stage.done)
+    assert typed.startswith("[idle]ros2 run turt") and not typed.endswith("\r")
+    now = _run(player, now, 300.0)
+    assert "".join(stage.done) == typed
+    player.paused = False
+    _run(player, now, 8.0)
+    assert player.done and "".join(stage.done).count("\r") == 3
+
+
+def test_a_pause_counts_for_no_wait() -> None:
+    stage, player = _running()
+    stage.has_window = lambda kind: False  # type: ignore[method-assign]
+    stage.ready = lambda: stage.done[-1] != "\r"  # type: ignore[method-assign]
+    now = _run(player, 1000.0, 3.0)
+    player.paused = True
+    now = _run(player, now, 60.0)
+    player.paused = False
+    now = _run(player, now, 2.0)
+    assert not player.done, "it still waits for the window"
+    stage.has_window = lambda kind: True  # type: ignore[method-assign]
+    stage.ready = lambda: True  # type: ignore[method-assign]
+    _run(player, now, 8.0)
+    assert player.done and "".join(stage.done).count("\r") == 3
+
+
+def test_one_step_is_one_command() -> None:
+    stage, player = _running()
+    now = 1000.0
+    player.step()
+    now = _run(player, now, 2.0)
+    assert player.paused and "".join(stage.done) == "[idle]"
+    for commands in (1, 2):
+        player.step()
+        now = _run(player, now, 6.0)
+        assert player.paused and "".join(stage.done).count("\r") == commands
+    player.step()
+    _run(player, now, 6.0)
+    assert player.done and "".join(stage.done).count("\r") == 3
+
+
+@pytest.mark.parametrize(
+    ("speed", "least", "most"), [(0.25, 14, 34), (0.5, 7, 17), (1.0, 3, 8), (2.0, 1.5, 5), (4.0, 0.7, 3)]
+)
+def test_the_speed_is_that_of_typing_and_of_looking(speed: float, least: float, most: float) -> None:
+    _, player = _running()
+    player.speed = speed
+    now = 1000.0
+    while not player.done:
+        player.advance(now)
+        now += 1 / 60
+    assert least < now - 1000.0 < most
+
+
+def test_a_scene_may_be_any_list_of_steps_and_say_what_it_does() -> None:
+    stage = _Stage()
+    steps = (("say", "先看看有哪些节点。"), ("terminal", "idle"), ("type", "ros2 node list"), ("say", ""))
+    player = Player(Scene("day", steps), stage, values={})
+    now = _run(player, 1000.0, 1.0)
+    assert stage.done == ["(先看看有哪些节点。)"], "there is time to read it"
+    _run(player, now, 6.0)
+    assert player.done and "".join(stage.done) == "(先看看有哪些节点。)[idle]ros2 node list\r()"
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (40, 12)])
+@pytest.mark.parametrize("lang", ["zh", "en"])
+async def test_the_key_bar_shows_the_speed_and_how_to_steer_a_scene(desk, size, lang) -> None:
+    async with opened(desk, *size, lang=lang, scene="turtle") as (app, pilot):
+        bar = screen_lines(app)[-1]
+        assert "1×" in bar and cell_len(bar) <= size[0]
+        if size[0] >= 80:
+            assert "F9" in bar and "PgDn" in bar and "Esc" in bar
+        for key, shown in (
+            ("plus", "2×"),
+            ("plus", "4×"),
+            ("plus", "4×"),
+            *[("minus", "2×")],
+            ("minus", "1×"),
+            ("minus", "½×"),
+        ):
+            await pilot.press(key)
+            await step(app, pilot)
+            assert shown in screen_lines(app)[-1]
+        assert app.scenes.player is not None and not app.scenes.player.paused
+
+
+async def test_a_paused_scene_leaves_the_terminal_to_whoever_types(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        await pilot.press("space")
+        await step(app, pilot)
+        assert "paused" in screen_lines(app)[-1] and not desk.clock.paused
+        before = desk.terminals[0].sent
+        await pilot.press("l", "s", "space", "enter")
+        await step(app, pilot)
+        assert desk.terminals[0].sent == before + "ls \r" and app.scenes.player is not None
+        await pilot.press("f9")
+        await step(app, pilot)
+        assert "typing for you" in screen_lines(app)[-1] and not desk.clock.paused
+        await pilot.press("escape")
+        await step(app, pilot)
+        assert app.scenes.player is None
+        await pilot.press("f9")
+        assert desk.clock.paused, "without a scene it is the world that stands"
+
+
+async def test_a_click_on_the_key_bar_steers_a_scene(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
+        for text, expected in ((" + ", 2.0), (" - ", 1.0)):
+            await pilot.click(offset=(screen_lines(app)[-1].index(text) + 1, 39))
+            await step(app, pilot)
+            assert app.scenes.player is not None and app.scenes.player.speed == expected
+        await pilot.click(offset=(screen_lines(app)[-1].index("pause"), 39))
+        await step(app, pilot)
+        assert app.scenes.paused
+        await pilot.click(offset=(screen_lines(app)[-1].index("stop"), 39))
+        await step(app, pilot)
+        assert app.scenes.player is None
+
+
+async def test_who_speaks_has_a_big_terminal_and_f8_shows_the_picture(desk) -> None:
+    async with opened(desk, 120, 40, lang="en", scene="empty") as (app, pilot):
+        app.actions["layout.speaker"]()
+        desk.display.open("turtlesim", "TurtleSim", FakeSimulation())
+        for _ in range(3):
+            await step(app, pilot)
+        terminal, (picture,) = app.terminals.current, app.desktop.panes.values()
+        assert terminal.region.x < picture.region.x and terminal.region.width > picture.region.width
+        await pilot.press("f8")
+        await step(app, pilot)
+        assert picture.region.width == 120 and not app.desktop.is_shown(terminal)
+        await pilot.press("f8")
+        await step(app, pilot)
+        assert app.desktop.focused_pane is terminal and terminal.region.width < 120
+        app.terminals.open()
+        for _ in range(3):
+            await step(app, pilot)
+        assert len(app.desktop.plan_now().places) == 2, (
+            "another terminal lies behind the first one, or the other way round"
+        )
+        app.actions["layout.lesson"]()
+        await step(app, pilot)
+        app.terminals.open()
+        for _ in range(3):
+            await step(app, pilot)
+        assert len(app.desktop.plan_now().places) > 2, "another layout ends it"

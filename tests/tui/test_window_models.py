@@ -28,6 +28,7 @@ COMMANDS = {
     "editor": "nano notes.txt",
     "inspector": "ros2 run day6_inspector inspector",
     "rviz2": "rviz2",
+    "kitchen": "ros2 run day6_kitchen kitchen",
 }
 """What opens a window of each kind."""
 

@@ -106,7 +106,7 @@ TEXTS = {
     "notice.open": "anyone who reaches port {port} can read and command; --secret keeps others out",
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
-    "bar.playing": "typing for you … Esc stops it",
+    "bar.playing": "typing for you",
     "bar.external": "student processes run at normal speed",
     # one window on a real terminal
     "single.end": "End",
@@ -672,6 +672,7 @@ commands:
   check_urdf FILE             check a robot description
   urdf_to_graphviz FILE       draw a robot description
   xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
+  cast FILE.cast [--svg FILE] play a recording of the screen, or write its picture as SVG
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
   env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE""",
     "cli.more": "day6-tui COMMAND --help says more.",
@@ -743,4 +744,108 @@ commands:
     "manual.lesson": "Lessons",
     "cli.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",
     "cli.lessons": "take the lessons of this folder (day6-tui lessons help says how they are written)",
+    # the kitchen
+    "action.kitchen": "Kitchen: the graph as cooks, belts and dishes",
+    "help.action.kitchen": "shows the live graph as a kitchen in which dishes move when messages pass; once more closes it",
+    "kitchen.title": "Kitchen",
+    "kitchen.count": "cooks: {cooks}, belts: {belts}",
+    "kitchen.hidden": ", hidden: {count}",
+    "kitchen.trouble": "belts that do not work: {count}",
+    "kitchen.belts": "belt",
+    "kitchen.cooks": "cook",
+    "kitchen.explain": "explain",
+    "kitchen.show_hidden": "hidden ones",
+    "kitchen.hide": "hide again",
+    "kitchen.scroll": "scroll",
+    "kitchen.leave": "choose nothing",
+    "kitchen.empty": (
+        "The kitchen is empty: no node is running.\nStart a cook in a terminal, for example\n"
+        "ros2 run turtlesim turtlesim_node"
+    ),
+    "kitchen.space": " ",
+    "kitchen.nobody": "nobody",
+    "kitchen.unseen": "{count} hidden",
+    "kitchen.note.type": "wrong shape",
+    "kitchen.note.qos": "QoS differs",
+    "kitchen.note.unheard": "nobody takes",
+    "kitchen.note.unfilled": "nobody gives",
+    "kitchen.cook": "{name} is a cook.",
+    "kitchen.cook.gives": "Puts dishes on {belts}.",
+    "kitchen.cook.takes": "Takes dishes from {belts}.",
+    "kitchen.cook.idle": "Stands at no belt that is shown.",
+    "kitchen.cook.twins": "{count} cooks have this name, and nobody can tell them apart!",
+    "kitchen.cook.ros": "ROS: node {name}, publishes {gives}, subscribes to {takes} of these topics.",
+    "kitchen.belt.moves": "The belt {belt} carries {shape} from {givers} to {takers}.",
+    "kitchen.belt.unheard": "{givers} puts {shape} on the belt {belt}, but nobody takes them: they fall off at the end.",
+    "kitchen.belt.unfilled": "{takers} waits at the belt {belt} for {shape}, but nobody puts any on it.",
+    "kitchen.belt.type": "{giver} puts {shape} on the belt {belt}, but the hatch of {taker} only fits {wanted}: nothing gets in.",
+    "kitchen.belt.qos": (
+        "{giver} puts {shape} on the belt {belt}, but {taker} takes dishes on other terms only, and gets none."
+    ),
+    "kitchen.belt.ros": "ROS: topic {belt}, type {type}; publishers: {givers}; subscribers: {takers}.",
+    "kitchen.belt.type.ros": "ROS: on {belt} {giver} publishes {sent} and {taker} subscribes to {detail}: not the same type.",
+    "kitchen.belt.qos.ros": "ROS: on {belt} the QoS of {giver} does not satisfy {taker}: {detail}.",
+    "kitchen.belt.rate": "{rate} messages a second, measured.",
+    "kitchen.belt.still": "No message passes at the moment.",
+    "kitchen.belt.unknown": ("How many messages pass cannot be counted from here: none comes by."),
+    "help.kitchen": (
+        "The live graph as a kitchen. Cooks are nodes, belts are topics, dishes are messages. A dish looks like its message "
+        "type: the same type, the same shape, letter and colour. A cook whose hatch fits another shape gets nothing, and the "
+        "belt is marked.\n\n"
+        "A dish moves when a message really passed. Where many pass, only some are drawn; the number beside the type is the "
+        "measured rate. ?/s: nobody here can count them, because nobody takes them or both cooks are on another machine.\n\n"
+        "■ puts dishes on a belt, ► takes them, × cannot take them. Dotted belts are empty: nobody puts anything on them.\n\n"
+        "/rosout, /parameter_events and hidden nodes are left out; h shows them. A click on a cook or a belt explains it. "
+        "The kitchen itself subscribes to nothing and is not in the picture."
+    ),
+    "manual.kitchen": "Kitchen",
+    # recordings
+    "action.record": "Record the screen, or end the recording",
+    "help.action.record": "writes everything the screen shows into a file for asciinema or day6-tui cast; keys are not recorded",
+    "record.running": "recording {time}",
+    "record.file": "Record the screen into",
+    "record.note": "What the screen shows is recorded, no keys. F7 Record ends it. To play it: day6-tui cast FILE",
+    "record.no_name": "a file needs a name",
+    "record.not_here": "the screen cannot be recorded on this system",
+    "record.broken": "The recording {file} has ended: {reason}",
+    "record.done": "recorded: {file}",
+    "cast.keys": "space pause   + - speed   <- -> 5 s   . step   q quit",
+    "cast.larger": "recorded at {columns}x{lines}",
+    "cast.windows": "casts can be played in a terminal of Linux and macOS; here, --svg writes their pictures",
+    "cast.no_terminal": "to play a cast a terminal is needed; --at SECONDS prints its text, --svg FILE writes its picture",
+    "cast.exists": "exists already; --force overwrites it",
+    "cast.exists.record": "exists already; nothing is overwritten",
+    "cast.no_folder": "no file can be made there",
+    "cast.fault.large": "larger than {most} MB",
+    "cast.fault.text": "this is no text in UTF-8",
+    "cast.fault.head": "this is no asciinema cast: its first line is no JSON object with a version",
+    "cast.fault.version": "version {version} of the format is unknown; version 2 can be played",
+    "cast.fault.size": "the size of the screen is no number of columns and rows from 1 to {most}",
+    "cast.fault.long": "this line is too long",
+    "cast.fault.json": "this is no JSON",
+    "cast.fault.event": "this is no event: [seconds, kind, text]",
+    "cast.fault.time": "this time is no number of seconds, or lies before that of the line above",
+    "cli.record": "record the screen into a new file, for asciinema or day6-tui cast",
+    "cli.cast": "Play a recording of the desktop, or any asciinema cast; or write its picture as SVG.",
+    "cli.cast.file": "a recording in asciinema's format, version 2",
+    "cli.cast.svg": "write the picture at --at, or at the end, into this file",
+    "cli.cast.at": "the time in seconds; without --svg, print the text of the screen then",
+    "cli.cast.frames": "so many pictures from beginning to end, as one moving SVG",
+    "cli.cast.force": "overwrite the SVG file if it exists",
+    # presenting
+    "bar.scene.paused": "paused: type what you like",
+    "bar.scene.pause": "pause",
+    "bar.scene.resume": "go on",
+    "bar.scene.step": "step",
+    "bar.scene.stop": "stop",
+    "action.scene.pause": "Scene: pause or go on",
+    "action.scene.step": "Scene: one command, then pause",
+    "action.scene.faster": "Scene: type faster",
+    "action.scene.slower": "Scene: type slower",
+    "action.layout.speaker": "Layout: speaker, a big terminal and one picture",
+    "help.action.scene.pause": "stops typing, and goes on where it stopped; F9 and Space do the same while a scene is typed",
+    "help.action.scene.step": "goes on up to the next command; Page Down, or a presenter's clicker, does the same",
+    "help.action.scene.faster": "up to four times; + does the same while a scene is typed",
+    "help.action.scene.slower": "down to a quarter; - does the same while a scene is typed",
+    "help.action.layout.speaker": "for a hall; F8 shows the picture alone, and goes back to the terminal",
 }

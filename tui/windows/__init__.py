@@ -31,6 +31,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "inspector": ("inspector", "InspectorPane"),
     "lesson": ("lesson", "LessonPane"),
     "rviz2": ("rviz2", "RVizPane"),
+    "kitchen": ("kitchen", "KitchenPane"),
 }
 """Kind of window -> module in this package and class in it."""
 

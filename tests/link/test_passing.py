@@ -1,0 +1,71 @@
+"""Counting what other processes send each other: nobody notices it, and nothing else is counted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from link_harness import World
+from waiting import until
+
+from day6_tui.core.graph import EndpointKind
+from day6_tui.core.link import listen_in
+
+
+def publisher_of(peer: Any, topic: str) -> Any:
+    found = peer.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)
+    return found[0] if found else None
+
+
+def test_messages_between_two_other_processes_are_counted_and_nobody_notices(world: World) -> None:
+    here, talker, listener = world.here(), world.process(), world.process()
+    says = talker.publisher(talker.node("talker"), "/chatter", depth=100)
+    hears = listener.subscription(listener.node("listener"), "/chatter", depth=100)
+    other = talker.publisher(talker.node("talker2"), "/chatter", depth=100)
+    assert until(lambda: talker.matched(says) == talker.matched(other) == listener.matched(hears) - 1 == 1)
+    assert until(lambda: len(here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter")) == 2)
+    before = talker.endpoints("/chatter"), listener.endpoints("/chatter"), listener.nodes()
+    first = next(
+        each for each in here.graph.endpoints(EndpointKind.PUBLISHER, topic="/chatter") if each.node.name == "talker"
+    )
+    passing = listen_in(here.graph)
+    assert passing is not None and passing.count(first) is None
+    passing.follow([first])
+    assert until(lambda: passing.count(first) == 0)
+    sent = 0
+
+    def heard() -> bool:
+        nonlocal sent
+        talker.publish(says, data=f"{sent}")
+        talker.publish(other, data="not followed")
+        sent += 1
+        return bool(passing.count(first))
+
+    assert until(heard), "as soon as Zenoh knows the way"
+    now = passing.count(first)
+    for number in range(50):
+        talker.publish(says, data=f"more {number}")
+    assert until(lambda: passing.count(first) == now + 50)
+    assert (talker.endpoints("/chatter"), listener.endpoints("/chatter"), listener.nodes()) == before
+    assert not here.graph.endpoints(EndpointKind.SUBSCRIPTION, topic="/chatter")[0].matched
+    assert first.delivered == 0 and talker.matched(says) == 1
+    passing.follow([])
+    assert until(lambda: passing.count(first) is None)
+    passing.close()
+    passing.close()
+
+
+def test_a_link_that_closes_ends_the_counting(world: World) -> None:
+    from day6_tui.core.link import leave
+
+    here, talker, listener = world.here(), world.process(), world.process()
+    talker.publisher(talker.node("talker"), "/chatter")
+    listener.subscription(listener.node("listener"), "/chatter")
+    assert until(lambda: publisher_of(here, "/chatter") is not None)
+    passing, publisher = listen_in(here.graph), publisher_of(here, "/chatter")
+    assert passing is not None
+    passing.follow([publisher])
+    assert until(lambda: passing.count(publisher) == 0)
+    leave(here.graph)
+    assert passing.closed and passing.count(publisher) is None
+    passing.follow([publisher])
+    assert passing.count(publisher) is None and listen_in(here.graph) is None
