@@ -87,8 +87,6 @@ SAVE_SECONDS = 20.0
 
 DOOR_SECONDS = 1.0
 """Seconds between checks of the connections to other machines, if there are any."""
-RECORDED_SECONDS = 1.0
-"""Between two times that the upper line shows while the screen is recorded."""
 LINK_SECONDS = 0.4
 """After the first frame: the prompt comes before the link, whose library costs 50 ms of CPU time and 11 MB."""
 
@@ -228,7 +226,6 @@ class Day6App(TerminalApp):
         self.set_timer(LINK_SECONDS, self.machine.open_link)
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
-        self.set_interval(RECORDED_SECONDS, lambda: self.frames.wake() if self.recording.running else None)
         if (endpoint := self.options.listen) and not self.options.secret:
             self.notices.show(self.look.texts("notice.open", port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
         if self.settings.fault:

@@ -16,8 +16,14 @@ from day6_tui.tui.notices import NOTICE_SECONDS, Notices
 from day6_tui.tui.terminal_app import TerminalApp
 
 if TYPE_CHECKING:
+    from textual.timer import Timer
+
     from day6_tui.tui.cast.recorder import Recorder
     from day6_tui.tui.desktop import Desktop
+
+
+SECONDS = 1.0
+"""Between two times that the upper line shows."""
 
 
 class Recording:
@@ -33,6 +39,7 @@ class Recording:
         self._notices = notices
         self._look = look
         self._recorder: Recorder | None = None
+        self._seconds: Timer | None = None
         self._pixels = ""
         """The set of characters to go back to: pictures of real pixels are in no cast."""
 
@@ -96,6 +103,7 @@ class Recording:
         if self._look.pixels is not None:
             self._pixels, self._look.glyphs = self._look.glyphs.name, GLYPH_SETS["half"]
         self._recorder = driver.recorder = recorder
+        self._seconds = app.set_interval(SECONDS, self._look.wake)
         self._looks.redraw()
         app.screen.refresh(layout=True)
         return None
@@ -130,6 +138,9 @@ class Recording:
         if driver is not None and hasattr(driver, "recorder"):
             driver.recorder = None
         self._recorder = None
+        if self._seconds is not None:
+            self._seconds.stop()
+            self._seconds = None
         if self._pixels:
             self._look.glyphs, self._pixels = GLYPH_SETS[self._pixels], ""
             self._looks.redraw()

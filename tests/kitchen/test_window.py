@@ -271,3 +271,21 @@ def test_names_are_text_whatever_they_are() -> None:
         assert "[2]" in window.text and "×(1)" in window.text, "no letter of theirs is one of ours"
 
     use(lab, act, (60, 20))
+
+
+def test_six_hundred_nodes_hold_nothing_up() -> None:
+    lab = Lab()
+    for number in range(300):
+        lab.says(f"cook_{number}", "/one_for_all", STRING)
+        lab.hears(f"guest_{number}", "/one_for_all", INT)
+        lab.says(f"cook_{number}", f"/own_{number}", STRING)
+
+    async def act(window: _Window) -> None:
+        for _ in range(5):
+            began = time.thread_time()
+            await window.after(0.2)
+            assert time.thread_time() - began < 0.5
+        await window.press("down", "down", "right", "right")
+        assert "cook_" in window.text
+
+    use(lab, act, (120, 40))

@@ -18,6 +18,9 @@ from queue import SimpleQueue
 MOST_WAITING = 32_000_000
 """Characters that may wait for the disk; a slower one ends the recording."""
 
+PATIENCE = 5.0
+"""Seconds that the end waits for a disk that does not answer."""
+
 _PICTURE = re.compile(
     r"\x1b\[[0-9;:]{0,64}[ABCDEFGHJKXdfm]"  # moving, erasing, colours
     r"|\x1b\[\?25[hl]"
@@ -108,13 +111,13 @@ class Recorder:
             self._put([round(self.seconds, 6), "o", kept])
 
     def stop(self) -> None:
-        """End the recording and wait until it is on the disk."""
+        """End the recording and wait until it is on the disk, but not for ever."""
         with self._lock:
             if not self._over:
                 self._over = True
                 self._queue.put(None)
         if threading.current_thread() is not self._thread:
-            self._thread.join()
+            self._thread.join(PATIENCE)
 
     def _put(self, line: object) -> None:
         data = json.dumps(line, ensure_ascii=False).encode("utf-8", "replace") + b"\n"

@@ -196,7 +196,7 @@ class KitchenPane(WindowPane[Kitchen]):
         self._belts = Canvas(self.inner_width, room, left, self._y)
         draw_belts(self._belts, plan, glyphs, self.model.dishes, self._label)
         self._ways = {
-            index * plan.step + 1: (belt.topic, list(ways(plan, belt))) for index, belt in enumerate(content.belts)
+            row + 1: (belt.topic, list(ways(plan, belt))) for row, belt in plan.belts_between(self._y, self._y + room)
         }
         self._moving_rows = self._rows_with_dishes()
         self.touch_lines(range(self.inner_height))

@@ -82,10 +82,19 @@ class Plan:
         index = column // self.pitch
         return self.content.cooks[index] if 0 <= index < len(self.content.cooks) else None
 
+    def cooks_between(self, first: int, end: int) -> Sequence[Cook]:
+        """The cooks who stand from a column to before another one."""
+        return self.content.cooks[max(0, first // self.pitch) : max(0, -(-end // self.pitch))]
+
     def belt_at(self, row: int) -> Belt | None:
         """The belt of a row."""
         index = row // self.step
         return self.content.belts[index] if 0 <= index < len(self.content.belts) else None
+
+    def belts_between(self, first: int, end: int) -> Iterator[tuple[int, Belt]]:
+        """The belts that are seen, wholly or in part, from a row to before another one, each with its first row."""
+        for index in range(max(0, first // self.step), min(len(self.content.belts), -(-end // self.step))):
+            yield index * self.step, self.content.belts[index]
 
     def row(self, topic: str) -> int:
         """The first row of a belt."""
@@ -104,7 +113,7 @@ class Plan:
 
 def draw_cooks(canvas: Canvas, plan: Plan, glyphs: Glyphs, chosen: str, ellipsis: str) -> None:
     """The cooks, in the lines above the belts."""
-    for cook in plan.content.cooks:
+    for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         lane = plan.lane(cook.name)
         name = cook.name + (f" ×{cook.count}" if cook.count > 1 else "")
         text = clip(name.removeprefix("/"), plan.pitch - (5 if plan.framed else 1), ellipsis)
@@ -129,14 +138,12 @@ Label = Callable[[Belt], Sequence[tuple[str, str]]]
 
 def draw_belts(canvas: Canvas, plan: Plan, glyphs: Glyphs, dishes: Dishes, label: Label) -> None:
     """The lines of all cooks, and the belts across them."""
-    for cook in plan.content.cooks:
+    for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         for row in range(canvas.top, canvas.top + canvas.height):
             canvas.put(plan.lane(cook.name), row, glyphs.upright, "frame")
-    for index, belt in enumerate(plan.content.belts):
-        row = index * plan.step
-        if row + 2 > canvas.top and row < canvas.top + canvas.height:
-            _draw_label(canvas, plan, belt, row, label(belt))
-            _draw_belt(canvas, plan, belt, row + 1, glyphs, dishes)
+    for row, belt in plan.belts_between(canvas.top, canvas.top + canvas.height):
+        _draw_label(canvas, plan, belt, row, label(belt))
+        _draw_belt(canvas, plan, belt, row + 1, glyphs, dishes)
 
 
 def _draw_label(canvas: Canvas, plan: Plan, belt: Belt, row: int, runs: Sequence[tuple[str, str]]) -> None:
@@ -154,7 +161,7 @@ def _draw_belt(canvas: Canvas, plan: Plan, belt: Belt, row: int, glyphs: Glyphs,
     style = "warning" if belt.refusals else "faint" if belt.lonely else "belt"
     canvas.put(first, row, line * (last - first + 1), style)
     lanes = {hand.cook: plan.lane(hand.cook) for hand in (*belt.givers, *belt.takers)}
-    for cook in plan.content.cooks:
+    for cook in plan.cooks_between(canvas.left, canvas.left + canvas.width):
         lane = plan.lane(cook.name)
         if first < lane < last:
             canvas.put(lane, row, glyphs.crossing if line == glyphs.belt else glyphs.upright, style)
@@ -203,23 +210,21 @@ class Way(NamedTuple):
 
 def ways(plan: Plan, belt: Belt) -> Iterator[Way]:
     """The ways of all dishes on a belt: from each giver to the farthest taker on either side, or off the end."""
+    places = []
+    """Of each taker: the column of its line, and how many cells before it a dish stops."""
+    for taker in belt.takers:
+        places.append((plan.lane(taker.cook), DISH + 1 if belt.refusal_of(taker) is not None else 1))
+    first, last = min(places, default=(0, 0)), max(places, default=(0, 0))
+    off_the_end = plan.ends(belt)[1] - DISH + 1
     for giver in belt.givers:
         lane = plan.lane(giver.cook)
-        right: list[int] = []
-        left: list[int] = []
-        for taker in belt.takers:
-            at = plan.lane(taker.cook)
-            in_vain = DISH + 1 if belt.refusal_of(taker) is not None else 1
-            if at > lane:
-                right.append(at - in_vain - DISH)
-            elif at < lane:
-                left.append(at + in_vain + 1)
-        if right or not left:
-            yield Way(
-                giver, lane + 1, max([*right, lane + 1]) if right else max(lane + 1, plan.ends(belt)[1] - DISH + 1)
-            )
-        if left:
-            yield Way(giver, lane - DISH, min(*left, lane - DISH))
+        to_the_left = bool(places) and first[0] < lane
+        if places and last[0] > lane:
+            yield Way(giver, lane + 1, max(lane + 1, last[0] - last[1] - DISH))
+        elif not to_the_left:
+            yield Way(giver, lane + 1, max(lane + 1, off_the_end))
+        if to_the_left:
+            yield Way(giver, lane - DISH, min(lane - DISH, first[0] + first[1] + 1))
 
 
 def dish_places(way: Way, on_the_way: Sequence[float]) -> list[int]:

@@ -6,8 +6,10 @@ on other terms (QoS), stands at the belt and gets nothing: that is a `Refusal`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 from day6_tui.core.graph.qos import QoS, incompatible_policies
 
@@ -16,6 +18,9 @@ QUIET_TOPICS = ("/rosout", "/parameter_events")
 
 TYPED_BY_HAND = "_ros2cli"
 """Nodes of `ros2 topic echo` and `pub`: hidden in ROS's lists, but somebody put them there, and they take and give dishes."""
+
+MOST_COMPARED = 30
+"""Of more cooks on one side of a belt it is not looked who gets on with whom."""
 
 DAEMON = "_ros2cli_daemon"
 
@@ -85,10 +90,18 @@ class Belt:
 
     def refusal_of(self, taker: Hand) -> Refusal | None:
         """Why this taker gets nothing from anybody who puts dishes on the belt; None if there is somebody it gets them from."""
-        refusals = [each for each in self.refusals if each.taker == taker]
-        refused = {each.giver for each in refusals}
-        starved = bool(refusals) and not self.unseen_givers and all(giver in refused for giver in self.givers)
-        return refusals[0] if starved else None
+        return self._starved.get(taker)
+
+    @cached_property
+    def _starved(self) -> dict[Hand, Refusal]:
+        refused: dict[Hand, dict[Hand, Refusal]] = {}
+        for each in self.refusals:
+            refused.setdefault(each.taker, {})[each.giver] = each
+        return {
+            taker: next(iter(by_giver.values()))
+            for taker, by_giver in refused.items()
+            if not self.unseen_givers and by_giver.keys() >= set(self.givers)
+        }
 
 
 @dataclass(frozen=True)
@@ -146,15 +159,18 @@ def select(facts: Facts, *, everything: bool = False) -> Content:
     busy = {hand.cook for belt in belts for hand in (*belt.givers, *belt.takers)}
     if not everything:  # `ros2 topic list` is no cook
         seen_nodes = [name for name in seen_nodes if name in busy or name not in typed_by_hand]
-    hidden = [name for name in facts.nodes if name not in seen_nodes]
+    drawn = set(seen_nodes)
+    hidden = [name for name in facts.nodes if name not in drawn]
     hidden += [end.topic for end in facts.ends if end.topic not in shown]
     return Content(_cooks(seen_nodes, belts), tuple(belts), tuple(dict.fromkeys(hidden)))
 
 
 def _belt(topic: str, ends: list[End], seen: set[str]) -> Belt:
     refusals = []
-    for giver in (end for end in ends if end.gives and end.node in seen):
-        for taker in (end for end in ends if not end.gives and end.node in seen):
+    givers = list(dict.fromkeys(end for end in ends if end.gives and end.node in seen))
+    takers = list(dict.fromkeys(end for end in ends if not end.gives and end.node in seen))
+    for giver in givers[:MOST_COMPARED]:
+        for taker in takers[:MOST_COMPARED]:
             why, detail = _refused(giver, taker)
             if why:
                 refusals.append(Refusal(Hand(giver.node, giver.type), Hand(taker.node, taker.type), why, detail))
@@ -194,10 +210,10 @@ def _cooks(names: list[str], belts: list[Belt]) -> tuple[Cook, ...]:
                 place[hand.cook] = place.get(hand.cook, 0) - 1
             for hand in belt.takers:
                 place[hand.cook] = place.get(hand.cook, 0) + 1
-    team = _teams(belts)
+    team, counts = _teams(belts), Counter(names)
     return tuple(
-        Cook(name, tuple(gives.get(name, ())), tuple(takes.get(name, ())), names.count(name))
-        for name in sorted(set(names), key=lambda each: (team.get(each, len(belts)), place.get(each, 0), each))
+        Cook(name, tuple(gives.get(name, ())), tuple(takes.get(name, ())), counts[name])
+        for name in sorted(counts, key=lambda each: (team.get(each, len(belts)), place.get(each, 0), each))
     )
 
 

@@ -7,11 +7,12 @@ is not known: never 0.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from day6_tui.core.graph import EndpointKind, Graph, GraphEvent, Publisher
-from day6_tui.core.graph.qos import incompatible_policies
+from day6_tui.core.graph.endpoints import Endpoint
+from day6_tui.core.graph.qos import QoS, incompatible_policies
 from day6_tui.core.ros.programs.day6_kitchen.belts import Content, End, Facts, select
 from day6_tui.core.ros.programs.day6_kitchen.dishes import Conveyor, Dishes, Lane
 from day6_tui.core.ros.programs.day6_kitchen.rates import Rate
@@ -43,6 +44,9 @@ class Kitchen:
         self._counts: dict[tuple[int, bool], int] = {}
         """What was counted at the last look, by publisher and by whether it was heard or passed through here."""
         self._measured: dict[str, Rate] = {}
+        self._sent_elsewhere: set[int] = set()
+        self._topics: set[str] = set()
+        """The topics that are shown."""
         self.everything = False
         """Whether hidden nodes and topics are shown."""
         self.content = Content()
@@ -69,7 +73,12 @@ class Kitchen:
         """Read what is due at the monotonic time `now` (s): the graph, if it has changed, and the counters."""
         if self._stale and now - self._read >= GRAPH_SECONDS:
             self._stale, self._read = False, now
-            self._show(select(self._facts(), everything=self.everything))
+            endpoints = self._graph.endpoints(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+            publishers = [each for each in endpoints if isinstance(each, Publisher)]
+            self._sent_elsewhere = _sent_elsewhere(
+                publishers, (each for each in endpoints if each.kind == EndpointKind.SUBSCRIPTION)
+            )
+            self._show(select(self._facts(endpoints), everything=self.everything))
         if now - self._looked >= LOOK_SECONDS:
             self._looked = now
             self._count(now)
@@ -81,9 +90,10 @@ class Kitchen:
         for type_name in sorted({kind for belt in content.belts for kind in belt.types}):
             self.dishes.of(type_name)
         self.content = content
+        self._topics = {belt.topic for belt in content.belts}
         self.version += 1
 
-    def _facts(self) -> Facts:
+    def _facts(self, endpoints: Iterable[Endpoint]) -> Facts:
         """Everything but this program's own node."""
         ends = [
             End(
@@ -93,7 +103,7 @@ class Kitchen:
                 endpoint.type_name,
                 endpoint.qos,
             )
-            for endpoint in self._graph.endpoints(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION)
+            for endpoint in endpoints
             if endpoint.node.name != self._own_name
         ]
         return Facts(tuple(node.full_name for node in self._graph.nodes if node.name != self._own_name), tuple(ends))
@@ -108,11 +118,10 @@ class Kitchen:
             topic, copies = publisher.topic, _copies(publisher)
             passed: int | None = publisher.delivered
             if not copies:
-                if self.content.belt(topic) is not None and self._goes_elsewhere(publisher):
+                passed = None
+                if publisher.entity_id in self._sent_elsewhere and topic in self._topics:
                     elsewhere.append(publisher)
-                passed = (
-                    self._passing.count(publisher) if self._passing is not None and publisher in elsewhere else None
-                )
+                    passed = self._passing.count(publisher) if self._passing is not None else None
             if passed is None:
                 fresh.setdefault(topic, None)
                 continue
@@ -139,16 +148,6 @@ class Kitchen:
             rates[topic] = rate.hertz(now)
         self._measured, self.rates = measured, rates
 
-    def _goes_elsewhere(self, publisher: Publisher) -> bool:
-        """Whether what another process publishes goes to a third one: else it is not sent, and nobody can hear it."""
-        return any(
-            other.origin is not None
-            and other.origin != publisher.origin
-            and other.type_name == publisher.type_name
-            and not incompatible_policies(publisher.qos, other.qos)
-            for other in self._graph.endpoints(EndpointKind.SUBSCRIPTION, topic=publisher.topic)
-        )
-
 
 def _copies(publisher: Publisher) -> int:
     """How often one of its messages is counted here; 0 where none of them passes through this process.
@@ -156,3 +155,25 @@ def _copies(publisher: Publisher) -> int:
     The link counts a message of another process once for each subscription here.
     """
     return 1 if publisher.origin is None else len(publisher.matched)
+
+
+def _sent_elsewhere(publishers: Iterable[Publisher], subscriptions: Iterable[Endpoint]) -> set[int]:
+    """The entity ids of those publishers of other processes whose messages go to a third one.
+
+    What only its own process takes, or nobody, is not sent, and nobody can hear it.
+    """
+    takers: dict[str, dict[tuple[str, QoS, object], None]] = {}
+    for each in subscriptions:
+        if each.origin is not None:
+            takers.setdefault(each.topic, {})[each.type_name, each.qos, each.origin] = None
+    return {
+        publisher.entity_id
+        for publisher in publishers
+        if publisher.origin is not None
+        and any(
+            type_name == publisher.type_name
+            and origin != publisher.origin
+            and not incompatible_policies(publisher.qos, qos)
+            for type_name, qos, origin in takers.get(publisher.topic, ())
+        )
+    }
