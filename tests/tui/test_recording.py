@@ -33,11 +33,11 @@ async def test_a_recording_that_breaks_is_told_and_over(desk: FakeDesk, tmp_path
 
 async def test_what_cannot_be_recorded_is_told(desk: FakeDesk, tmp_path: Path) -> None:
     (tmp_path / "mine").write_text("mine")
-    async with opened(desk, 120, 24, lang="en", scene="empty") as (app, pilot):
+    async with opened(desk, 250, 24, lang="en", scene="empty") as (app, pilot):
         app.recording.begin(tmp_path / "a.cast")
         await step(app, pilot)
         assert "cannot be recorded on this system" in screen_text(app)
-    async with opened(desk, 120, 24, lang="en", scene="empty") as (app, pilot):
+    async with opened(desk, 250, 24, lang="en", scene="empty") as (app, pilot):
         app._driver.recorder = None
         app.recording.begin(tmp_path / "mine")
         await step(app, pilot)
