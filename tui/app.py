@@ -437,9 +437,7 @@ class Day6App(TerminalApp):
         if kind == "action":
             self.actions[rest]()
         elif event.does.startswith("type:"):
-            if (pane := self.terminals.use_idle()) is not None:
-                pane.view.terminal.send(event.does.removeprefix("type:"))
-                self.desktop.focus_pane(pane)
+            self.terminals.type(event.does.removeprefix("type:"))
         else:
             self._leave_welcome()
         self.frames.wake()
@@ -447,6 +445,12 @@ class Day6App(TerminalApp):
     @on(LessonAsked)
     def follow_lesson(self, event: LessonAsked) -> None:
         self.lessons.handle(event)
+
+    @on(WindowPane.CommandChosen)
+    def type_command(self, event: WindowPane.CommandChosen) -> None:
+        """Type a command where it can be seen, without Return."""
+        self.terminals.type(event.command)
+        self.frames.wake()
 
     @on(WelcomePane.Closed)
     def close_guide(self) -> None:

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
 
 
+CUT_LINE = "\x05\x15"
+"""Ctrl-E and Ctrl-U: the line editor cuts what was typed; Ctrl-Y brings it back."""
+
+
 class Terminals:
     """Keeps one pane for each terminal of the desk, and carries out the user's actions on terminals."""
 
@@ -133,6 +137,13 @@ class Terminals:
         """Run a command in a terminal that waits for one."""
         if (pane := self.use_idle()) is not None:
             pane.view.terminal.run_line(command)
+            self._desktop.focus_pane(pane)
+
+    def type(self, text: str) -> None:
+        """Type a text into a terminal that waits for a command, without Return; what was typed there before is cut."""
+        if (pane := self.use_idle()) is not None:
+            terminal = pane.view.terminal
+            terminal.send(text if terminal.idle else f"{CUT_LINE}{text}")
             self._desktop.focus_pane(pane)
 
     def use_idle(self) -> TerminalPane | None:

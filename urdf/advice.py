@@ -9,9 +9,15 @@ import math
 import re
 
 from day6_tui.urdf.explain import Hint
-from day6_tui.urdf.kinematics import rotate
-from day6_tui.urdf.model import Cylinder, Joint, Link, Robot
+from day6_tui.urdf.kinematics import compose, link_transforms, rotate
+from day6_tui.urdf.model import Box, Cylinder, Joint, Link, Robot
 from day6_tui.urdf.xmlreader import Lines
+
+_UNEVEN = 0.05
+"""Part of a wheel's radius by which two wheels may differ in height."""
+
+_BELOW = 0.2
+"""Part of a wheel's radius by which a body may reach below the wheels: less is often only the drawing."""
 
 _TEXTS = {
     "tumbles": (
@@ -44,6 +50,65 @@ def advice_of(robot: Robot, text: str, language: str = "en") -> Hint | None:
             advice = _TEXTS[key][1 if language == "zh" else 0].format(joint=joint.name, link=joint.child, low=low)
             return Hint(*_place(text, joint.name), advice)
     return None
+
+
+def first_mistake(robot: Robot) -> tuple[str, Joint] | None:
+    """Return the key of the first mistake ('tumbles', 'no_axis', 'stuck') and its joint, None if there is none."""
+    return next(((key, joint) for joint in robot.joints if (key := _mistake(joint, robot.link(joint.child)))), None)
+
+
+def uneven_wheels(robot: Robot) -> tuple[tuple[str, ...], float] | None:
+    """Return wheels of one size that do not stand on one floor, and by how much (metres); None if all do."""
+    bottoms = _bottoms(robot)
+    if len(bottoms) < 2 or len({round(radius, 4) for radius, _ in bottoms.values()}) > 1:
+        return None
+    heights = [bottom for _, bottom in bottoms.values()]
+    difference = max(heights) - min(heights)
+    smallest = min(radius for radius, _ in bottoms.values())
+    return (tuple(bottoms), difference) if difference > _UNEVEN * smallest else None
+
+
+def low_body(robot: Robot) -> tuple[str, tuple[str, ...], float] | None:
+    """Return a link that reaches below all wheels, the wheels, and by how much (metres); None if there is none."""
+    bottoms = _bottoms(robot)
+    if len(bottoms) < 2:
+        return None
+    floor = min(bottom for _, bottom in bottoms.values())
+    places = link_transforms(robot, {})
+    radius = min(radius for radius, _ in bottoms.values())
+    for link in robot.links:
+        for visual in link.visuals if link.name not in bottoms else ():
+            shape = visual.geometry
+            if isinstance(shape, Box):
+                place = compose(places[link.name], visual.origin)
+                reach = sum(abs(rotate(place.rotation, axis)[2]) / 2 for axis in _edges(shape))
+                below = floor - (place.xyz[2] - reach)
+                if below > _BELOW * radius:
+                    return link.name, tuple(bottoms), below
+    return None
+
+
+def _edges(box: Box) -> tuple[tuple[float, float, float], ...]:
+    x, y, z = box.size
+    return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
+
+
+def _bottoms(robot: Robot) -> dict[str, tuple[float, float]]:
+    """Return the links that look like wheels on horizontal axes: radius and lowest point (metres)."""
+    places = link_transforms(robot, {})
+    found = {}
+    for joint in robot.joints:
+        child = robot.link(joint.child)
+        if joint.type != "continuous" or _disc(child) is None or not math.hypot(*joint.axis):
+            continue
+        place = places[joint.child]
+        if abs(rotate(place.rotation, joint.axis)[2]) > 0.1 * math.hypot(*joint.axis):
+            continue
+        visual = child.visuals[0]
+        assert isinstance(visual.geometry, Cylinder)
+        radius = visual.geometry.radius
+        found[joint.child] = radius, compose(place, visual.origin).xyz[2] - radius
+    return found
 
 
 def _mistake(joint: Joint, child: Link) -> str:

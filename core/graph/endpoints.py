@@ -7,7 +7,7 @@ no lock: the graph replaces the tuples of matched endpoints as a whole, and queu
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import Enum
 from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -111,10 +111,15 @@ class Endpoint:
         self.node.graph.remove_endpoint(self)
 
 
+def _seen(endpoints: Sequence[Endpoint]) -> int:
+    return sum(not endpoint.node.is_observer for endpoint in endpoints)
+
+
 class Publisher(Endpoint):
     """Sends messages of one type to a topic.
 
-    `matched` are the matching subscriptions of this process, `remote_matched` those of others. `copy` returns an independent
+    `matched` are the matching subscriptions of this process, `remote_matched` those of others; both include observers', which
+    count nowhere. `copy` returns an independent
     copy of a message for one subscription.
     """
 
@@ -148,7 +153,7 @@ class Publisher(Endpoint):
     @property
     def subscription_count(self) -> int:
         """Number of matched subscriptions, here and elsewhere."""
-        return len(self.matched) + len(self.remote_matched)
+        return _seen(self.matched) + _seen(self.remote_matched)
 
     def publish(self, message: Any) -> None:
         """Deliver a copy of `message` to every matched subscription; if transient local, keep one for late joiners."""
@@ -239,9 +244,14 @@ class Subscription(Endpoint):
         self._accepts_all = not self.watches
 
     @property
+    def received(self) -> int:
+        """Number of messages that were taken so far."""
+        return self._received
+
+    @property
     def publisher_count(self) -> int:
         """Number of matched publishers, here and elsewhere."""
-        return len(self.matched)
+        return _seen(self.matched)
 
     def receive(self, sample: Sample) -> None:
         """Queue one sample (called by publishers)."""

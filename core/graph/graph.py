@@ -56,6 +56,9 @@ Listener = Callable[[GraphEvent], None]
 class Graph:
     """The nodes and endpoints of one ROS domain, those of this process and, through the link, those of others.
 
+    Nodes that only look on (`Node.is_observer`) and their endpoints get what is sent, but no query names or counts them.
+    Listeners hear of them, because the link announces them: there their names hide them too.
+
     Thread-safe. Listeners and endpoint callbacks run on the thread that made the change, after the lock is released.
     `now_ns` returns the time for timestamps of messages (epoch ns). The link sets `transport`, and `identify`, which returns
     the GID (16 bytes) by which other processes know an endpoint.
@@ -66,8 +69,11 @@ class Graph:
         self.now_ns: Callable[[], int] = time.time_ns
         self.transport: Transport | None = None
         self.identify: Callable[[Endpoint], bytes] = lambda _: self.new_gid()
+        self.tell_insides: Callable[[], bytes] | None = None
+        """Tells another process of this user about this one, if somebody asks (`core/link/insides`); rclpy sets it."""
         self._lock = threading.RLock()
         self._nodes: tuple[Node, ...] = ()
+        self._observers: tuple[Node, ...] = ()
         self._by_name: dict[tuple[bool, str], list[Endpoint]] = {}
         self._listeners: tuple[Listener, ...] = ()
         self._entity_ids = count(1)
@@ -135,7 +141,10 @@ class Graph:
         """Add a node. Names are not checked (rclpy validates and remaps them first); several nodes may share a name."""
         node = Node(self, name, namespace, enclave, origin)
         with self._changing():
-            self._nodes = (*self._nodes, node)
+            if node.is_observer:
+                self._observers = (*self._observers, node)
+            else:
+                self._nodes = (*self._nodes, node)
             self._announce(Change.NODE_ADDED, node)
         return node
 
@@ -148,6 +157,7 @@ class Graph:
                 self.remove_endpoint(endpoint)
             node.destroyed = True
             self._nodes = tuple(each for each in self._nodes if each is not node)
+            self._observers = tuple(each for each in self._observers if each is not node)
             self._announce(Change.NODE_REMOVED, node)
 
     def add_endpoint(self, endpoint: AnyEndpoint) -> AnyEndpoint:
@@ -202,6 +212,11 @@ class Graph:
         """All nodes, in order of creation."""
         return self._nodes
 
+    @property
+    def observers(self) -> tuple[Node, ...]:
+        """The nodes that only look on, in order of creation."""
+        return self._observers
+
     def find_nodes(self, name: str, namespace: str) -> list[Node]:
         """Return the nodes with a name and namespace (several may share them)."""
         return [node for node in self._nodes if node.name == name and node.namespace == namespace]
@@ -214,7 +229,7 @@ class Graph:
                 for (_, name), peers in self._by_name.items()
                 if topic is None or name == topic
                 for endpoint in peers
-                if endpoint.kind in kinds
+                if endpoint.kind in kinds and not endpoint.node.is_observer
             ]
 
     def names_and_types(self, *kinds: EndpointKind) -> list[tuple[str, list[str]]]:

@@ -1,6 +1,7 @@
 """Matches the endpoints of one topic or service. Every pair is considered once, when its second endpoint appears.
 
-Called by the graph with its lock held. `raised` collects the events whose callbacks must be called afterwards.
+Called by the graph with its lock held. `raised` collects the events whose callbacks must be called afterwards; a node that only
+looks on raises none.
 """
 
 from __future__ import annotations
@@ -32,6 +33,8 @@ def disconnect(endpoint: Endpoint, raised: RaisedEvents) -> None:
     if isinstance(endpoint, Publisher):
         for subscription in (*endpoint.matched, *endpoint.remote_matched):
             subscription.matched = tuple(each for each in subscription.matched if each is not endpoint)
+            if _is_watched(endpoint, subscription):
+                continue
             if subscription.note_gone(endpoint):
                 raised.append((subscription, EventKind.LIVELINESS_CHANGED))
             _count(subscription, -1, raised)
@@ -40,7 +43,8 @@ def disconnect(endpoint: Endpoint, raised: RaisedEvents) -> None:
         for publisher in endpoint.matched:
             publisher.matched = tuple(each for each in publisher.matched if each is not endpoint)
             publisher.remote_matched = tuple(each for each in publisher.remote_matched if each is not endpoint)
-            _count(publisher, -1, raised)
+            if not _is_watched(publisher, endpoint):
+                _count(publisher, -1, raised)
         endpoint.matched = ()
     elif isinstance(endpoint, (Service, Client)):
         for other in endpoint.matched:
@@ -55,6 +59,9 @@ def _pair(publisher: Publisher, subscription: Subscription, raised: RaisedEvents
         # No event: like Fast DDS, which never raises INCOMPATIBLE_TYPE for another type name.
         return
     policies = incompatible_policies(publisher.qos, subscription.qos)
+    watched = _is_watched(publisher, subscription)
+    if policies and watched:
+        return
     if policies:
         for endpoint in (publisher, subscription):
             status = endpoint.events[EventKind.INCOMPATIBLE_QOS]
@@ -67,14 +74,20 @@ def _pair(publisher: Publisher, subscription: Subscription, raised: RaisedEvents
         publisher.matched = (*publisher.matched, subscription)
     else:
         publisher.remote_matched = (*publisher.remote_matched, subscription)
-    _count(publisher, 1, raised)
-    _count(subscription, 1, raised)
+    if not watched:
+        _count(publisher, 1, raised)
+        _count(subscription, 1, raised)
     if subscription.origin is None:
         # A process asserts the liveliness of its automatic publishers; within one process Fast DDS raises no event.
         far_and_automatic = publisher.origin is not None and publisher.qos.liveliness == Liveliness.AUTOMATIC
-        if far_and_automatic and subscription.note_alive(publisher, publisher.node.graph.now_ns()):
+        if far_and_automatic and not watched and subscription.note_alive(publisher, publisher.node.graph.now_ns()):
             raised.append((subscription, EventKind.LIVELINESS_CHANGED))
         publisher.replay(subscription)
+
+
+def _is_watched(publisher: Publisher, subscription: Subscription) -> bool:
+    """Return whether one of the two belongs to a node that only looks on."""
+    return publisher.node.is_observer or subscription.node.is_observer
 
 
 def _serve(service: Service, client: Client) -> None:

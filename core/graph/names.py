@@ -17,6 +17,12 @@ MAX_TOPIC_NAME = 247
 """The 255 characters of a DDS topic name less the 8 that rmw reserves for prefix and suffix."""
 MAX_NAMESPACE = 245
 
+OBSERVER_PREFIX = "_day6_observer"
+"""Nodes whose names begin like this look on: they receive messages and are in no list, no count and no event of this graph.
+
+To a real ROS 2 on the link they are hidden nodes, as those of `ros2` are.
+"""
+
 _ALNUM_ = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")
 _DIGITS = frozenset("0123456789")
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
@@ -167,6 +173,11 @@ def expand(name: str, node_name: str, namespace: str) -> str:
 
         name = _SUBSTITUTION.sub(value, name)
     return name if name.startswith("/") else full_name(namespace, name)
+
+
+def is_observer(node_name: str) -> bool:
+    """Return whether a node of that name (without namespace) only looks on."""
+    return node_name.startswith(OBSERVER_PREFIX)
 
 
 def is_hidden(name: str) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from day6_tui.core.graph.endpoints import Client, Copier, Endpoint, Publisher, Service, Subscription
-from day6_tui.core.graph.names import full_name
+from day6_tui.core.graph.names import full_name, is_observer
 from day6_tui.core.graph.qos import QoS
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ class Node:
         self.entity_id = graph.next_entity_id()
         self.endpoints: tuple[Endpoint, ...] = ()
         self.destroyed = False
+        self.is_observer = is_observer(name)
+        """Whether it only looks on (`names.OBSERVER_PREFIX`)."""
 
     @property
     def full_name(self) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.graph.names import full_name
+from day6_tui.core.graph.names import OBSERVER_PREFIX, full_name
 from rclpy.qos import QoSDurabilityPolicy, QoSProfile, QoSReliabilityPolicy
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ class Live:
     def node(self) -> Node:
         """The hidden node that listens; made when it is first needed."""
         if self._node is None:
-            name = f"_day6_observer_lesson_{self.session.pid}"
+            name = f"{OBSERVER_PREFIX}_lesson_{self.session.pid}"
             self._node = self.session.create_node(name, start_parameter_services=False)
             self.session.spawn(self.session.spin(self._node))
         return self._node

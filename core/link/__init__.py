@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from day6_tui.core.link.passing import Passing
     from day6_tui.core.link.state import Door, LinkState
 
-__all__ = ["doors_of", "join", "leave", "listen_in", "state_of"]
+__all__ = ["doors_of", "join", "leave", "link_of", "listen_in", "state_of"]
 
 _links: dict[Graph, Link] = {}
 _failures: WeakKeyDictionary[Graph, str] = WeakKeyDictionary()
@@ -112,6 +112,11 @@ def listen_in(graph: Graph) -> Passing | None:
     """Return a counter of what other processes send each other, which its caller closes; None without a link."""
     link = _links.get(graph)
     return link.listen_in() if link is not None and not link.closed else None
+
+
+def link_of(graph: Graph) -> Link | None:
+    """Return the link of `graph`, None if it has none."""
+    return _links.get(graph)
 
 
 def doors_of(graph: Graph) -> tuple[Door, ...]:

@@ -73,6 +73,11 @@ def presence_token(domain_id: int, kind: str, zid: str) -> str:
     return f"{PRESENCE_PREFIX}{domain_id}/{kind}/{zid}"
 
 
+def insides_key(domain_id: int, zid: str) -> str:
+    """Return the key under which a process answers about its insides; `*` as `zid` means all of them."""
+    return f"{PRESENCE_PREFIX}{domain_id}/insides/{zid}"
+
+
 def node_token(node: Node, zid: str) -> str:
     """Return the token of a node of the session `zid`."""
     return f"{_session_part(node, zid)}/{node.entity_id}/{_NODE}/{_node_part(node)}"

@@ -18,6 +18,7 @@ from day6_tui.core.link.config import command_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gateway import Gateway
 from day6_tui.core.link.gid import gid_of
+from day6_tui.core.link.insides import Question, answer, offer
 from day6_tui.core.link.keys import (
     PRESENCE_PREFIX,
     all_presence_tokens,
@@ -65,8 +66,8 @@ _RETRY_SECONDS = 1.0
 """Seconds between attempts to admit what was refused because a limit was reached."""
 
 
-_Entry: TypeAlias = "zenoh.Sample | tuple[bool, str] | threading.Event | Node | Endpoint | None"
-"""An entry of the link thread's inbox: a token (present or gone), an event to set, a local node or endpoint, or None."""
+_Entry: TypeAlias = "zenoh.Sample | zenoh.Query | tuple[bool, str] | threading.Event | Node | Endpoint | None"
+"""An entry of the link thread's inbox: a token (present or gone), a question, an event, a local node or endpoint, or None."""
 
 
 class Link:
@@ -107,6 +108,7 @@ class Link:
         self._listeners: list[Passing] = []
         self._token_subscribers: list[zenoh.Subscriber[None]] = []
         self._presence_token: zenoh.LivelinessToken | None = None
+        self._insides: zenoh.Queryable[None] | None = None
         self._remove_listener: Callable[[], None] | None = None
         # Zenoh's threads never touch the graph's structure, they only put entries here: they may hold locks of Zenoh's.
         self._inbox: SimpleQueue[_Entry] = SimpleQueue()
@@ -191,7 +193,7 @@ class Link:
         if announcements is not None:
             announcements.clear()
         self._token_subscribers.clear()
-        self._presence_token = None
+        self._presence_token = self._insides = None
         for carrier in (self._topics, self._services):
             if carrier is not None:
                 carrier.close()
@@ -311,7 +313,7 @@ class Link:
         self.graph.identify = self._identify
         self.graph.transport = self
         self._remove_listener = self.graph.add_listener(self._on_graph_event)
-        for node in self.graph.nodes:
+        for node in (*self.graph.nodes, *self.graph.observers):
             self._follow(node)
             for endpoint in node.endpoints:
                 self._follow(endpoint)
@@ -319,6 +321,8 @@ class Link:
         if not self._one_shot:
             if self._place.tcp:
                 self._place.own_socket(self.zid).touch()
+            if self.graph.tell_insides is not None:
+                self._insides = offer(session, self.graph, self.zid, self._inbox.put)
             self._presence_token = session.liveliness().declare_token(presence_token(domain_id, "here", self.zid))
 
     def _subscribe_tokens(self, session: zenoh.Session) -> None:
@@ -416,6 +420,9 @@ class Link:
         if isinstance(entry, (Node, Endpoint)):
             self._follow(entry)
             return
+        if isinstance(entry, zenoh.Query):
+            answer(entry, self.graph, self.zid)
+            return
         if isinstance(entry, zenoh.Sample):
             entry = entry.kind == zenoh.SampleKind.PUT, str(entry.key_expr)
         present, key = entry
@@ -461,6 +468,17 @@ class Link:
         if now - self._last_retry > _RETRY_SECONDS:
             self._last_retry = now
             self._remote.admit_waiting()
+
+    # -- the insides of other processes --------------------------------------------------------------------------------
+
+    def ask_insides(self) -> Question | None:
+        """Ask all processes of this machine about their insides; None while there is no session."""
+        session = self._session
+        return Question(session, self.graph.domain_id) if session is not None and not self._closed else None
+
+    def present(self) -> frozenset[str]:
+        """Return the sessions of this user's processes on this machine, without this one."""
+        return frozenset(zid for zid in set(self._presence["here"]) if zid != self.zid and self._is_neighbour(zid))
 
     # -- state and errors ----------------------------------------------------------------------------------------------
 

@@ -44,7 +44,163 @@ TEXTS = {
     "inspector.refused_names": "{count} announcements of other processes were refused: ROS does not allow such names",
     "inspector.refused_messages": "{count} messages of other processes could not be read and were dropped",
     "inspector.refused_sessions": "{count} items from other machines were refused: they claim to come from this one",
+    "inspector.no_package": (
+        "`{line}`: there is no package {package}, neither installed nor in a workspace: is its name right?"
+    ),
+    "inspector.not_built": "`{line}`: {package} is in {folder}, but it has not been built yet",
+    "inspector.not_sourced": (
+        "`{line}`: {package} is built, but terminal {number} does not know it: it was opened before, or nothing was "
+        "sourced in it"
+    ),
+    "inspector.nowhere_sourced": "{packages}: built, but no terminal knows it yet",
+    "inspector.no_executable": "`{line}`: {package} has no executable {executable}",
+    "inspector.no_entry_point": (
+        "`{line}`: {executable} is a file of {package}, but entry_points in setup.py does not name it: add {entry} "
+        "and build again"
+    ),
+    "inspector.entry_not_built": "`{line}`: setup.py names {executable}, but {package} was not built since",
+    "inspector.no_setup_cfg": (
+        "{package}: its executables were installed where `ros2 run` does not look: setup.cfg with script_dir is missing"
+    ),
+    "inspector.entry_py": "{package}: the entry point {entry} says {wrong}; a module has no .py: write {right}",
+    "inspector.entry_module": "{package}: the entry point {entry} names {module}, but there is no such file",
+    "inspector.entry_function": (
+        "{package}: the entry point {entry} names {module}:{function}, but that file has no function {function}"
+    ),
+    "inspector.entry_form": "{package}: the entry point {entry} is not written as 'name = package.file:main'",
+    "inspector.launch_not_built": "`{line}`: {file} was added to setup.py of {package}, but it was not built since",
+    "inspector.launch_not_installed": (
+        "{package}: {file} is not installed: {where} does not name it (data_files), so `ros2 launch` cannot find it"
+    ),
+    "inspector.no_launch_file": "{package} has no launch file {file}",
+    "inspector.not_rebuilt": "{package}: {files} was changed after the build; what runs is the old one",
+    "inspector.no_ros": "`{line}`: {command} is not known, because ROS was not sourced in this shell",
+    "inspector.duplicates": "{package} is there more than once ({folders}): colcon builds neither. Hide or remove one",
+    "inspector.inner_package": (
+        "the package {inner} is inside the folder of {outer}: colcon does not look there. Move it into src"
+    ),
+    "inspector.stray_build": (
+        "there is a second build in {folder}: somebody ran colcon there. Build in the workspace only, and remove "
+        "this one"
+    ),
+    "inspector.gone": "terminal {number}: {variable} names {entry}, which does not exist any more",
+    "inspector.unreadable": "could not be read: {what}",
+    "inspector.other_python": "`{line}`: this is another Python (conda, venv), for which rclpy was not made",
+    "inspector.no_rclpy": (
+        "`{line}`: this Python does not find rclpy: ROS was not sourced here, or its paths were switched off"
+    ),
+    "inspector.no_module": "{where}: there is no Python module {module}",
+    "inspector.no_type": "`{line}`: the type {type} is not known here: is its name right, and its package sourced?",
+    "inspector.bad_yaml": "`{line}`: the values do not fit the type: {reason}",
+    "inspector.two_types_said": "{topic} has publishers of different types; only one can be right",
+    "inspector.mixed_types": "{topic}: {nodes} publish different types: {types}",
+    "inspector.no_router": "`{line}`: rmw_zenoh finds no router; it has to run first",
+    "inspector.no_super": (
+        "{where}: the first line of __init__ has to be super().__init__('NAME'): without it a {kind} is no node"
+    ),
+    "inspector.no_init": "{where}: rclpy.init() has to come before the first node",
+    "inspector.submodule": "{where}: rclpy.{name} has to be imported by itself: import rclpy.{name}",
+    "inspector.no_depth": "{where}: create_{kind} also needs the length of its queue as the last argument, e.g. 10",
+    "inspector.not_a_message": (
+        "{where}: publish(…) wants a whole {type}, not a {got}: make one, fill in its fields, publish that"
+    ),
+    "inspector.field_type": "{where}: the field {field} has to be of type {type}: write 1.0 and not 1",
+    "inspector.called_callback": "{where}: hand over the function itself, without (): self.callback and not self.callback()",
+    "inspector.undeclared": (
+        "{where}: the parameter {parameter} was never declared: declare_parameter('{parameter}', VALUE) comes first"
+    ),
+    "inspector.parameter_type": (
+        "{where}: the parameter {parameter} got a value of another type than its own: 1.0 is a double, 1 an integer"
+    ),
+    "inspector.attribute": "{where}: a {type} has no {name}: is the name right?",
+    "inspector.exception": "{where}: the program ended with {error}",
+    "inspector.ctrl_c": "`{line}`: this traceback is only your Ctrl-C; nothing is broken",
+    "inspector.shut_twice": "`{line}`: harmless: Ctrl-C had shut rclpy down already. rclpy.try_shutdown() does not complain",
+    "inspector.setuptools": "`{line}`: SetuptoolsDeprecationWarning is a warning and no error: the package was built",
+    "inspector.no_frame": "`{line}`: nobody sends the frame {frame}: is its name right, does its publisher run?",
+    "inspector.extrapolation": (
+        "`{line}`: a transform was asked for a time at which there is none (the {direction}): two clocks differ, or "
+        "it came too late"
+    ),
+    "inspector.waits_service": "`{line}` waits for a service that nobody offers: is the name right, does its server run?",
+    "inspector.waits_action": "`{line}` waits for an action that nobody offers: is the name right, does its server run?",
+    "inspector.goal_rejected": "`{line}`: the server has refused this goal; its own terminal says why",
+    "inspector.twin_said": "two nodes are called {name}: their logs and parameters get mixed up",
+    "inspector.no_server": "{nodes} wants to call {name}, but nobody offers it",
+    "inspector.service_near": "{nodes} wants to call {name}, but only {near} is offered: is one of the names a typo?",
+    "inspector.said_too_soon": (
+        "{topic}: {node} published before anybody who listens had found it, and nothing since: wait for a subscriber "
+        "first"
+    ),
+    "inspector.gone_too_soon": (
+        "{topic}: {node} was there for only {seconds} s and nobody has heard it: who publishes once waits for a "
+        "subscriber first"
+    ),
+    "inspector.never_spun": "{node} is never spun: its callbacks cannot run. {program} needs rclpy.spin(node)",
+    "inspector.spin_ended": (
+        "{node}: nobody spins it now, so its callbacks wait. Has {program} left its spin, or does it sleep?"
+    ),
+    "inspector.ended_unspun": (
+        "{program} ended at once: nothing in it spins, so no callback could run. It needs rclpy.spin(node)"
+    ),
+    "inspector.calls_in_callback": (
+        "{node}: {what} waits for an answer by call() ({where}); while it waits nobody can receive the answer. Use "
+        "call_async"
+    ),
+    "inspector.spins_in_callback": (
+        "{node}: {what} spins inside a callback ({where}); that never comes back. Use call_async and a done callback"
+    ),
+    "inspector.rate_in_callback": "{node}: {what} sleeps by a Rate ({where}), whose timer cannot run meanwhile. Use a timer",
+    "inspector.waits_in_callback": "{node}: {what} waits for a service ({where}); no other callback runs meanwhile",
+    "inspector.sleeps_in_callback": "{node}: {what} sleeps at {where}: {text}; no other callback runs meanwhile. Use a timer",
+    "inspector.stays_in_callback": "{node}: {what} does not come back ({where}: {text}); no other callback runs meanwhile",
+    "inspector.rate_alone": "{node}: rate.sleep() at {where} waits for ever: a second thread has to spin the node",
+    "inspector.call_alone": "{node}: call() at {where} waits for ever: a second thread has to spin the node",
+    "inspector.program_waits_service": "{node} waits at {where} for the service {name}, which nobody offers",
+    "inspector.program_waits_action": "{node} waits at {where} for the action {name}, which nobody offers",
+    "inspector.hidden_error": "{node} has lost an exception that nobody sees: {error} ({where})",
+    "inspector.no_clock": "{node} uses simulated time, but nobody has sent /clock: its timers stand still",
+    "inspector.tells_nothing": (
+        "{node}: its program does not answer; it is stopped (Ctrl-Z) or very busy, so nobody can look into it"
+    ),
+    "inspector.parameter_file": "the parameter file {file} cannot be read: {reason}",
+    "inspector.parameter_keys": "{file} is for {keys}, but no node is called so (there is {nodes}): its values are ignored",
+    "inspector.parameter_nothing": "{file} has no ros__parameters: its values are ignored",
+    "inspector.domains": "terminal {number} is in ROS_DOMAIN_ID {domain} and sees nothing of {nodes}, which run in {other}",
+    "inspector.no_stamp": "{topic}: header.stamp is 0, so robot_state_publisher ignores it: set it to the clock's now()",
+    "inspector.unequal_joints": "{topic} has {names} names and {positions} positions; such messages are ignored",
+    "inspector.no_state_publisher": (
+        "{nodes} sends {topic}, but robot_state_publisher does not run: nobody makes transforms of it"
+    ),
+    "inspector.rviz_no_description": (
+        "RViz waits for a robot, but nobody publishes /robot_description: does robot_state_publisher run?"
+    ),
+    "inspector.bad_description": "the robot description is broken: {reason}",
+    "inspector.wheel_tumbles": (
+        'the wheel {link} turns about another axis than its cylinder\'s, so it tumbles: rpy="1.5707963 0 0" in <visual>'
+    ),
+    "inspector.wheel_no_axis": "the joint {joint} has no axis to turn about: 0 0 0 is not a direction",
+    "inspector.wheel_stuck": "the joint {joint} may only move from one angle to the same: wheels need the type continuous",
+    "inspector.wheel_height": (
+        "the wheels {links} do not stand on one floor: their lowest points are {difference} m apart (origin of their "
+        "joints)"
+    ),
+    "inspector.body_low": (
+        "{link} reaches {difference} m below the wheels {links}: the robot would lie on its belly (origin of the "
+        "wheels' joints)"
+    ),
+    "inspector.fixed_frame": "RViz: nobody sends the Fixed Frame {frame}; choose {other} (known: {frames})",
+    "inspector.no_transforms": "RViz: nobody sends transforms, so not even the Fixed Frame {frame} is known",
+    "inspector.untransformed": "RViz: no transform from {links} to {frame}: nobody sends the joints that lead there",
+    "inspector.no_robot_model": "RViz shows no robot, because it has no RobotModel display: Add, RobotModel",
+    "inspector.robot_model_deaf": (
+        "RViz: the RobotModel listens to {topic} and has no description: set its Description Topic to {right}"
+    ),
+    "inspector.unseen.terminals": "not looked at: the terminals (they are on the desktop only)",
+    "inspector.unseen.files": "not looked at: the files of the workspaces",
+    "inspector.unseen.programs": "not looked at: the insides of other programs",
     "inspector.well": "nothing is wrong",
+    "inspector.well_so_far": "nothing is wrong in what was looked at",
     # Beside the car
     "car.waiting_for_description": "nobody has published /robot_description yet: is robot_state_publisher running?",
     "car.loading": "reading the robot description",

@@ -23,6 +23,7 @@ from day6_tui.core.session.write_errors import report_write_error
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
     from day6_tui.core.session.host import Host
+    from day6_tui.core.session.overview import Overview
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
     from rclpy.node import Node
@@ -78,6 +79,8 @@ class Session:
         """Whether no shell waits for it: it was launched, or started with `&`, or without a terminal."""
         self.host: Host | None = None
         """The shell that started the program; None in `local`."""
+        self.overview: Overview | None = None
+        """The machine's terminals and windows, for programs that look at all of it; None in `local`."""
         self.python: Callable[[Session, list[str]], Awaitable[int]] | None = None
         """Runs `python3 ARGS` as a process with this session's streams and returns its status; see `run_python`."""
         self.on_write_error: Callable[[Session, OSError], int] = report_write_error
@@ -124,7 +127,7 @@ class Session:
             file = LogFile(Path(self.argv[0]).name if self.argv else "program", self.pid, self.env)
             self.defer(file.close)
             write = LogOutput(self).write
-            self._context = Context._for_session(graph, self.clock, self.argv, self.env, write, file)
+            self._context = Context._for_session(graph, self.clock, self.argv, self.env, write, file, str(self.cwd))
             self._context.on_shutdown(lambda: self._ros_wake.set())
         return self._context
 

@@ -23,6 +23,7 @@ from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.redirection import Streams
+from day6_tui.core.shell.overview import DeskOverview
 from day6_tui.core.shell.user import login_name
 
 if TYPE_CHECKING:
@@ -102,6 +103,7 @@ class Desk:
         self.programs: dict[int, Program] = {}
         """Running programs by process id."""
         self.terminals: list[Terminal] = []
+        self.overview = DeskOverview(self)
         self._join_link = join_link and os.environ.get("DAY6_LINK") != "off"
         self._joined: set[Graph] = set()
         self._on_demand = False
@@ -199,6 +201,7 @@ class Desk:
             display=self.display,
         )
         session.host = shell
+        session.overview = self.overview
         session.python = run_python
         program = Program(session, main)
         self.programs[program.pid] = program

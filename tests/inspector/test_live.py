@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import JointState
-from std_msgs.msg import Float64MultiArray, String
+from std_msgs.msg import Float64MultiArray, Header, String
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
@@ -20,11 +20,14 @@ from screens import opened, screen_text, step
 from stepped_machine import Running, SteppedMachine
 
 from day6_tui.core.graph.endpoints import EndpointKind
-from day6_tui.core.ros.programs.day6_inspector.model import LOOKS, Inspector
+from day6_tui.core.graph.names import OBSERVER_PREFIX
+from day6_tui.core.ros.programs.day6_inspector.model import Inspector
+from day6_tui.core.ros.programs.day6_inspector.pace import LOOKS
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.session import Session
 from day6_tui.urdf import shipped_model
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.time import Time
 
 WHEELS = ["left_wheel_joint", "right_wheel_joint"]
 
@@ -34,7 +37,7 @@ class Lab(SteppedMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.inspector = Inspector(self.make("_day6_inspector_1"), self.clock)
+        self.inspector = Inspector(self.make(f"{OBSERVER_PREFIX}_inspector_1"), self.clock)
         self.node.destroy_node()
 
     def make(self, name: str) -> Any:
@@ -57,7 +60,9 @@ class Lab(SteppedMachine):
         """Publish joint states as wheel_spinner does, while the inspector looks."""
         self.inspector.refresh()
         for turn in range(times):
-            publisher.publish(JointState(name=names, position=[0.02 * turn] * len(names)))
+            stamp = Time(nanoseconds=self.clock.now_ns()).to_msg()
+            position = [0.02 * turn] * len(names)
+            publisher.publish(JointState(header=Header(stamp=stamp), name=names, position=position))
             self.advance(every)
 
     def findings(self) -> dict[str, str]:

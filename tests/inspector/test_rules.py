@@ -31,7 +31,7 @@ def test_a_slip_in_a_name_is_named_once_and_not_as_two_lonely_topics(wrong: str)
 def test_alike_names_of_other_types_are_no_slip() -> None:
     facts = Facts({"/chatter": (Endpoint("/talker", STRING),)}, {"/chattel": (Endpoint("/turtlesim", TWIST),)})
     assert texts(facts) == [
-        "warning: /chattel: /turtlesim subscribes, but nobody publishes",
+        "info: /chattel: /turtlesim subscribes, but nobody publishes",
         "info: /chatter: /talker publishes, but nobody subscribes",
     ]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import sys
 from collections.abc import Awaitable, Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,7 @@ class Model:
     """What the window reads of an Inspector."""
 
     findings: tuple[Finding, ...] = ()
+    unseen: tuple[str, ...] = ()
     version: int = 1
 
     def find(self, *findings: Finding) -> None:
@@ -127,3 +128,38 @@ def test_the_names_of_joints_are_text_and_nothing_else(glyphs: str) -> None:
         assert "[b]^[[2J^G" in text and "\x1b" not in text
 
     use(Model((finding("unknown_joint", "error", topic="/joint_states", joint="[b]\x1b[2J\x07"),)), act, glyphs=glyphs)
+
+
+SOURCE = replace(finding("not_built", "error", line="ros2 run a b", package="a", folder="/a"), next="colcon build")
+
+
+@pytest.mark.parametrize("how", ["enter", "click"])
+def test_enter_or_a_click_writes_the_next_command_into_a_terminal_and_does_not_run_it(how: str) -> None:
+    async def act(app: Any, pilot: Any) -> None:
+        await pilot.press("f8")
+        await step(app, pilot)
+        terminal = app.machine.desk.terminals[0]
+        assert "$ colcon build" in screen_text(app)
+        for _ in range(2):
+            pane = next(pane for pane in app.desktop.panes.values() if getattr(pane, "label", "") == "Inspector")
+            app.desktop.focus_pane(pane)
+            await step(app, pilot)
+            if how == "enter":
+                await pilot.press("down", "up", "enter")
+            else:
+                row = next(y for y, line in enumerate(screen_lines(app)) if "$ colcon" in line)
+                column = screen_lines(app)[row].index("$ colcon")
+                await pilot.click(offset=(column + 3, row))
+            await step(app, pilot)
+        assert terminal.sent == "colcon build\x05\x15colcon build", "a second time it takes the place of the first"
+        assert app.desktop.focused_pane.view.terminal is terminal
+
+    use(Model((SOURCE,)), act, (100, 30))
+
+
+def test_nothing_is_wrong_is_only_said_of_what_was_looked_at() -> None:
+    async def act(app: Any, pilot: Any) -> None:
+        text = screen_text(app)
+        assert "nothing is wrong in what was looked at" in text and "not looked at: the files" in text
+
+    use(Model(unseen=("files",)), act)

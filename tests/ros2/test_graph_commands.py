@@ -6,6 +6,8 @@ import pytest
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 
+from day6_tui.core.graph.names import OBSERVER_PREFIX
+
 
 def server(node):
     def answer(request, response):
@@ -247,3 +249,20 @@ def test_doctor_reports_this_machine_its_network_and_its_packages(machine):
     assert f"release          : {platform.release()}\n" in report
     assert "latest=N/A, local=" in next(line for line in report.splitlines() if line.startswith("turtlesim "))
     assert "PACKAGE VERSIONS" not in machine.ros2("doctor", "--report", "-ep").stdout
+
+
+def test_who_only_looks_on_is_in_no_list_and_no_count(machine):
+    heard = []
+    machine.node(OBSERVER_PREFIX, lambda node: node.create_subscription(String, "/chatter", heard.append, 10))
+    assert "/chatter" not in machine.ros2("topic", "list", "--include-hidden-topics").stdout
+    pub = machine.start("topic", "pub", "--once", "/chatter", "std_msgs/msg/String", "{data: hello}")
+    pub.step(2.0)
+    assert "Waiting for at least 1 matching subscription(s)..." in pub.stdout and pub.status is None
+    assert heard == []
+    machine.node("listener", lambda node: node.create_subscription(String, "/chatter", print, 10))
+    pub.step(4.0)
+    assert pub.status == 0 and [message.data for message in heard] == ["hello"]
+    machine.daemon = True
+    assert machine.ros2("node", "list").stdout == "/listener\n"
+    assert OBSERVER_PREFIX not in machine.ros2("node", "list", "-a").stdout
+    assert "Subscription count: 1" in machine.ros2("topic", "info", "-v", "/chatter").stdout

@@ -36,6 +36,11 @@ class FakeTerminal:
         return [self.title] if self.busy else []
 
     @property
+    def idle(self) -> bool:
+        """Whether nothing stands at the prompt."""
+        return not self.busy and (not self.sent or self.sent.endswith("\r"))
+
+    @property
     def columns(self) -> int:
         return self.screen.columns
 

@@ -227,7 +227,7 @@ TEXTS = {
     "inspector.title": "Inspector",
     "inspector.count": "{errors} errors, {all} in all",
     "action.inspector": "Inspect",
-    "help.action.inspector": "what is wrong with the graph right now",
+    "help.action.inspector": "what is wrong right now, and what to type next",
     "editor.save": "save",
     "editor.find": "find",
     "editor.line": "go to line",
@@ -545,8 +545,11 @@ TEXTS = {
         "comes back, whatever happens. Any other editor on the same files works as well: a change on the disk shows up here."
     ),
     "help.inspector": (
-        "What is wrong with the graph right now: names that differ by a letter, types and QoS that do not match, two publishers "
-        "that fight, joints the robot does not have. Red keeps messages from arriving."
+        "What is wrong right now: in the graph (names that differ by a letter, types and QoS that do not match, two publishers "
+        "that fight, joints the robot does not have), in the terminals (nothing sourced or built, what a program failed of), "
+        "in the files (changed and not built again, what setup.py lacks), and inside programs (nobody spins, a callback that "
+        "does not come back).\n\nRed keeps something from working. The line below is a command that helps: Enter, or a click, "
+        "writes it into a terminal, where another Enter runs it.\n\nThe inspector only looks on: it is in no list and no count."
     ),
     "help.topics": (
         "All topics, with their types. Enter, or a click on the box, listens to a topic: then its bandwidth, its rate and its "

@@ -16,6 +16,7 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.modal import Modal
 from day6_tui.tui.pane import Pane, PaneMessage
 from day6_tui.tui.pane_host import PaneHost
+from day6_tui.tui.survival import PersonMessage
 
 KINDS: dict[str, tuple[str, str]] = {
     "turtlesim": ("turtlesim", "TurtleSimPane"),
@@ -47,6 +48,13 @@ class WindowPane(Pane, Generic[Model]):
         def __init__(self, pane: WindowPane[object], error: Exception) -> None:
             super().__init__(pane)
             self.error = error
+
+    class CommandChosen(PaneMessage, PersonMessage):
+        """A command of the window's is to be typed into a terminal."""
+
+        def __init__(self, pane: Pane, command: str) -> None:
+            super().__init__(pane)
+            self.command = command
 
     takes_focus = False
     """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textual import on
+
 from day6_tui.core.ros.programs.day6_inspector.model import Inspector
 from day6_tui.core.session.display import Window
 from day6_tui.tui.look import Look
@@ -31,9 +33,16 @@ class InspectorPane(ListPane[Inspector, FindingList]):
         state = (self.inspector.version, self.look.texts.language)
         if state != self._shown and self.list.is_attached:
             self._shown = state
-            self.list.show(self.inspector.findings)
+            self.list.show(self.inspector.findings, self.inspector.unseen)
             self.touch()
         return False
+
+    @on(FindingList.Chosen)
+    def type_command(self, event: FindingList.Chosen) -> None:
+        """Have the command that helps typed into a terminal."""
+        event.stop()
+        if event.finding.next:
+            self.post_message(self.CommandChosen(self, event.finding.next))
 
     def restyle(self) -> None:
         self._shown = ()

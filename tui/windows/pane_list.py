@@ -47,25 +47,43 @@ class PaneList(OptionList):
 
 
 class Row(Visual):
-    """An entry: a mark, and the text beside it, as high as it needs."""
+    """An entry: a mark, and the text beside it, as high as it needs; `below` it a line of its own in another style."""
 
-    def __init__(self, entries: PaneList, index: int, text: str, mark: str, style: RichStyle) -> None:
+    def __init__(
+        self,
+        entries: PaneList,
+        index: int,
+        text: str,
+        mark: str,
+        style: RichStyle,
+        below: str = "",
+        below_style: RichStyle | None = None,
+    ) -> None:
         self._list = entries
         self._index = index
         self._text = text
         self._mark = mark
         self._style = style
+        self._below = below
+        self._below_style = below_style or style
 
-    def _lines(self, width: int) -> list[str]:
+    def _lines(self, width: int) -> list[tuple[str, RichStyle]]:
         before = f" {self._mark} " if self._mark else " "
-        lines = wrap(self._text, max(10, width - len(before) - 1))
-        return [(before if not number else " " * len(before)) + line for number, line in enumerate(lines)]
+        room = max(10, width - len(before) - 1)
+        lines = [(line, self._style) for line in wrap(self._text, room)]
+        if self._below:
+            lines += [(line, self._below_style) for line in wrap(self._below, room)]
+        return [
+            ((before if not number else " " * len(before)) + line, style) for number, (line, style) in enumerate(lines)
+        ]
 
     def render_strips(self, width: int, height: int | None, style: Style, options: RenderOptions) -> list[Strip]:
         entries = self._list
         chosen = entries.highlighted == self._index and entries.has_focus
-        drawn = entries.look.colours.choice if chosen else self._style
-        return [Strip([Segment(fit(line, width), drawn)], width) for line in self._lines(width)]
+        choice = entries.look.colours.choice
+        return [
+            Strip([Segment(fit(line, width), choice if chosen else drawn)], width) for line, drawn in self._lines(width)
+        ]
 
     def get_optimal_width(self, rules: Any, container_width: int) -> int:
         return container_width

@@ -1,4 +1,7 @@
-"""The inspector: what is wrong with the graph right now, in plain words.
+"""The inspector: what is wrong right now, in plain words, and what to type next.
 
-`rules` holds the rules over plain facts, `model` gathers the facts through a node, `inspector` is the program.
+`facts` are what is known, gathered by `model` from the graph (`graph_facts`, `listening`, `publications`), from the terminals
+(`outputs`) and windows of the desktop, from files (`files`) and from other programs (`asking`, `insides`). The rules turn facts
+into findings: `rules` those about the graph, `output_rules`, `file_rules`, `program_rules` and `robot_rules` the others.
+`inspector` is the program.
 """

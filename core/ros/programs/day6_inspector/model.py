@@ -1,175 +1,196 @@
-"""Gathers the facts through a node of its own, as any node could.
+"""Gathers the facts and keeps the findings: the model of the window.
 
-The facts: nodes, the endpoints and QoS of all topics, joint states, the robot description, the link to other processes.
+The graph is looked at through a node that only looks on; terminals, windows and files through what the session has of the
+machine; the insides of other processes by asking them.
 """
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable
-from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
 
-from sensor_msgs.msg import JointState
-from std_msgs.msg import String
-
+from day6_tui.core.graph.endpoints import EndpointKind
 from day6_tui.core.graph.names import full_name
 from day6_tui.core.link.state import LinkState
-from day6_tui.core.ros.programs.day6_inspector.rules import Endpoint, Facts, Finding, findings
-from day6_tui.urdf.check import check_text
-from day6_tui.urdf.model import MOVING_TYPES
-from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, qos_check_compatible
+from day6_tui.core.ros.programs.day6_inspector.facts import Facts
+from day6_tui.core.ros.programs.day6_inspector.files import Files, Where
+from day6_tui.core.ros.programs.day6_inspector.finding import Finding
+from day6_tui.core.ros.programs.day6_inspector.graph_facts import deaf_pairs, endpoint, participants, shown
+from day6_tui.core.ros.programs.day6_inspector.insides import Process
+from day6_tui.core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
+from day6_tui.core.ros.programs.day6_inspector.pace import Pace
+from day6_tui.core.ros.programs.day6_inspector.program_rules import script_of
+from day6_tui.core.ros.programs.day6_inspector.publications import Publications
+from day6_tui.core.ros.programs.day6_inspector.rules import findings
+from day6_tui.core.ros.programs.day6_inspector.windows import rviz_views, world_remarks
 
 if TYPE_CHECKING:
+    from day6_tui.core.graph.graph import Graph
     from day6_tui.core.session.clock import WorldClock
+    from day6_tui.core.session.overview import Overview, TerminalView
     from rclpy.node import Node
-    from rclpy.subscription import Subscription
 
-JOINT_STATES, DESCRIPTION = "/joint_states", "/robot_description"
-JOINT_STATE = "sensor_msgs/msg/JointState"
-MEMORY = 20
-"""Arrivals kept to measure a rate."""
 
-LOOKS = 21
-"""As many looks at the clock tell whether it keeps up: ten seconds of them, so that the start of a program is no finding."""
+class Insides(Protocol):
+    """Asks the other processes (`asking.Asking`)."""
 
-LEAST_NS = 3_000_000_000
-"""Less of the world's time tells nothing."""
+    @property
+    def processes(self) -> tuple[Process, ...]: ...
 
-STILL_S = 3.0
-"""A topic that has been silent for so long has no rate."""
+    def silent(self) -> tuple[str, ...]:
+        """Return nodes of processes that do not answer."""
+
+    def ask(self) -> None: ...
+
+    def hear(self) -> None: ...
 
 
 class Inspector:
     """The model of the window: when the findings change, `findings` is replaced as a whole and `version` incremented."""
 
-    def __init__(self, node: Node, clock: WorldClock, link: Callable[[], LinkState] = LinkState) -> None:
+    def __init__(
+        self,
+        node: Node,
+        clock: WorldClock,
+        link: Callable[[], LinkState] = LinkState,
+        *,
+        graph: Graph | None = None,
+        overview: Overview | None = None,
+        insides: Insides | None = None,
+    ) -> None:
         self._node = node
         self._clock = clock
         self._link = link
-        self._progress: deque[tuple[int, int]] = deque(maxlen=LOOKS)
-        self._arrivals: deque[int] = deque(maxlen=MEMORY)
-        self._joint_names: tuple[str, ...] = ()
-        self._joints: frozenset[str] | None = None
+        self._graph = graph
+        self._overview = overview
+        self._insides = insides
+        self._files: Files | None = None
+        self._clock_pace = Pace(clock)
+        self._pace = clock.speed
+        self._listening = Listening(node)
+        self._publications = Publications(graph) if graph is not None else None
         self.findings: tuple[Finding, ...] = ()
+        self.unseen: tuple[str, ...] = ()
+        """What could not be looked at: 'terminals', 'files', 'programs', 'domains'."""
         self.version = 0
-        self._subscriptions: dict[str, Subscription[Any]] = {}
-        self.listen()
 
-    def listen(self) -> None:
-        """Subscribe to the topics that have publishers, and to no others.
-
-        A subscription makes a topic: `ros2 topic list` would name /robot_description while robot_state_publisher does not run.
-        """
-        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        for topic, kind, callback, qos in (
-            (JOINT_STATES, JointState, self._on_joints, QoSProfile(depth=100)),
-            (DESCRIPTION, String, self._on_description, latched),
-        ):
-            published = self._node.count_publishers(topic) > 0
-            if published and topic not in self._subscriptions:
-                self._subscriptions[topic] = self._node.create_subscription(kind, topic, callback, qos)
-            elif not published and topic in self._subscriptions:
-                self._node.destroy_subscription(self._subscriptions.pop(topic))
-                if topic == DESCRIPTION:
-                    self._joints = None
+    def close(self) -> None:
+        """Stop following the graph."""
+        if self._publications is not None:
+            self._publications.close()
 
     def refresh(self) -> None:
-        """Look at the graph again (on the program's thread)."""
-        self.listen()
+        """Look again (on the program's thread)."""
+        self._pace = self._clock_pace.now()
+        self._listening.listen()
+        if self._insides is not None:
+            self._insides.ask()
+        self.judge()
+
+    def judge(self) -> None:
+        """Judge again what is known; other processes' answers to the last question are taken first."""
+        if self._insides is not None:
+            self._insides.hear()
         found = tuple(findings(self.facts()))
-        if found != self.findings:
-            self.findings = found
+        unseen = self._unseen()
+        if (found, unseen) != (self.findings, self.unseen):
+            self.findings, self.unseen = found, unseen
             self.version += 1
 
+    def _unseen(self) -> tuple[str, ...]:
+        missing = {
+            "terminals": self._overview is None,
+            "files": self._files is None,
+            "programs": self._insides is None,
+        }
+        return tuple(key for key, is_missing in missing.items() if is_missing)
+
+    # -- files: in a thread --------------------------------------------------------------------------------------------
+
+    def where(self) -> Where | None:
+        """Return where to look for files now; None where nobody tells about terminals."""
+        if self._overview is None:
+            return None
+        terminals = self._overview.terminals()
+        lines = [(source, each.cwd) for each in terminals for source in each.running]
+        lines += [(line.source, line.cwd) for each in terminals for line in each.lines if line.status is None]
+        if self._insides is not None:
+            lines += [(" ".join(each.arguments), self._overview.home) for each in self._insides.processes]
+        last = [each.lines[-1] for each in terminals if each.lines]
+        scripts = [script_of(line.source, line.cwd) for line in last if line.status == 0]
+        return Where(
+            self._overview.home,
+            tuple((each.number, each.cwd, dict(each.variables)) for each in terminals),
+            tuple(dict.fromkeys(lines)),
+            tuple(script for script in scripts if script is not None),
+        )
+
+    def take_files(self, files: Files) -> None:
+        """Take what `files.look` found."""
+        self._files = files
+
+    # -- all facts -----------------------------------------------------------------------------------------------------
+
     def facts(self) -> Facts:
-        """Return what is known now, without hidden nodes and topics, and without this node."""
+        """Return what is known now, without hidden nodes and topics."""
         node = self._node
         names = [
             full_name(space, name) for name, space in node.get_node_names_and_namespaces() if not name.startswith("_")
         ]
-        publishers: dict[str, tuple[Endpoint, ...]] = {}
-        subscriptions: dict[str, tuple[Endpoint, ...]] = {}
-        deaf: list[tuple[str, str, str, str]] = []
+        publishers, subscriptions, deaf = {}, {}, []
         for topic, _ in node.get_topic_names_and_types():
             if any(part.startswith("_") for part in topic.split("/")):
                 continue
-            offers = _shown(node.get_publishers_info_by_topic(topic))
-            requests = _shown(node.get_subscriptions_info_by_topic(topic))
+            offers = shown(node.get_publishers_info_by_topic(topic))
+            requests = shown(node.get_subscriptions_info_by_topic(topic))
             if offers:
-                publishers[topic] = tuple(_endpoint(offer) for offer in offers)
+                publishers[topic] = tuple(map(endpoint, offers))
             if requests:
-                subscriptions[topic] = tuple(_endpoint(request) for request in requests)
-            deaf += [
-                (topic, _endpoint(offer).node, _endpoint(request).node, _policy(offer.qos_profile, request.qos_profile))
-                for offer in offers
-                for request in requests
-                if qos_check_compatible(offer.qos_profile, request.qos_profile)[0] == QoSCompatibility.ERROR
-            ]
+                subscriptions[topic] = tuple(map(endpoint, requests))
+            deaf += deaf_pairs(topic, offers, requests)
+        heard = self._listening
         published = JOINT_STATES in publishers
+        overview, windows = self._overview, self._overview.windows() if self._overview is not None else ()
+        processes = self._insides.processes if self._insides is not None else ()
+        rate = heard.rate()
         return Facts(
             publishers=publishers,
             subscriptions=subscriptions,
             nodes=tuple(names),
+            servers=participants(self._graph, EndpointKind.SERVICE),
+            clients=participants(self._graph, EndpointKind.CLIENT),
             deaf=tuple(deaf),
-            rates={JOINT_STATES: rate} if (rate := self._rate()) is not None else {},
-            heard_joints=self._joint_names if published else (),
-            joints=self._joints,
+            missed=self._missed(processes),
+            rates={JOINT_STATES: rate} if rate is not None else {},
+            heard_joints=heard.joint_names if published else (),
+            unequal_joints=heard.unequal if published else None,
+            timeless_joints=heard.timeless and published,
+            joints=heard.joints,
+            robot=heard.robot,
             link=self._link(),
             speed=self._clock.speed,
-            pace=self._clock.speed * self._kept(),
+            pace=self._pace,
+            rviz=rviz_views(windows),
+            world=world_remarks(windows),
+            domain=self._graph.domain_id if self._graph is not None else 0,
+            domains={key: tuple(each) for key, each in overview.domains().items()} if overview is not None else {},
+            terminals=self._terminals(),
+            now_ns=self._clock.now_ns(),
+            files=self._files,
+            processes=processes,
+            silent_processes=self._insides.silent() if self._insides is not None else (),
         )
 
-    def _kept(self) -> float:
-        """How much of the time that the world should have gone lately it did go, 0 to 1."""
-        self._progress.append((self._clock.steady_ns(), self._clock.lost_ns))
-        (began, lost_before), (now, lost) = self._progress[0], self._progress[-1]
-        due = now - began + lost - lost_before
-        return (now - began) / due if due >= LEAST_NS else 1.0
+    def _terminals(self) -> tuple[TerminalView, ...] | None:
+        return tuple(self._overview.terminals()) if self._overview is not None else None
 
-    def _rate(self) -> float | None:
-        """Messages a second on /joint_states, None when there were too few or none lately."""
-        now = self._node.get_clock().now().nanoseconds
-        if len(self._arrivals) < 3 or now - self._arrivals[-1] > STILL_S * 1e9:
-            return None
-        gaps = sorted(after - before for before, after in pairwise(self._arrivals))
-        middle = gaps[len(gaps) // 2]
-        return 1e9 / middle if middle > 0 else None
-
-    def _on_joints(self, message: JointState) -> None:
-        self._arrivals.append(self._node.get_clock().now().nanoseconds)
-        if tuple(message.name) != self._joint_names:
-            self._joint_names = tuple(message.name)
-
-    def _on_description(self, message: String) -> None:
-        robot = check_text(message.data).robot
-        if robot is None:
-            self._joints = None
-        else:
-            moving = (joint for joint in robot.joints if joint.type in MOVING_TYPES and joint.mimic is None)
-            self._joints = frozenset(joint.name for joint in moving)
-
-
-def _shown(infos: list[Any]) -> list[Any]:
-    """Leave out hidden nodes, except those of `ros2 topic pub` and `echo`, whose topic names are typed by hand."""
-    return [info for info in infos if not info.node_name.startswith("_") or info.node_name.startswith("_ros2cli")]
-
-
-def _endpoint(info: Any) -> Endpoint:
-    return Endpoint(full_name(info.node_namespace, info.node_name), info.topic_type)
-
-
-def _policy(offer: QoSProfile, request: QoSProfile) -> str:
-    """Name the incompatible policy, as DDS compares them."""
-    text = qos_check_compatible(offer, request)[1]
-    return next((policy for word, policy in _POLICIES.items() if word in text.lower()), "QoS")
-
-
-_POLICIES = {
-    "reliab": "reliability",
-    "volatile": "durability",
-    "transient": "durability",
-    "deadline": "deadline",
-    "liveliness": "liveliness",
-}
-"""Words of rmw's reasons -> the policy they are about."""
+    def _missed(self, processes: tuple[Process, ...]) -> tuple[tuple[str, str, float], ...]:
+        if self._publications is None:
+            return ()
+        received: Mapping[tuple[str, str], int] = {
+            (inside.node, topic): count
+            for process in processes
+            for inside in process.nodes
+            for topic, count in inside.subscriptions.items()
+        }
+        return self._publications.missed(received, processes)

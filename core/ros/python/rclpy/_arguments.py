@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
@@ -22,7 +23,9 @@ _SWITCHES = frozenset(
 class RosArguments:
     """The content of ROS arguments: remap rules, parameters by node pattern, log levels, switches."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: str = "") -> None:
+        self._folder = folder
+        """Where relative names of parameter files begin; '' for the process's own folder."""
         self.rules: list[RemapRule] = []
         self.parameters: dict[str, dict[str, Any]] = {}
         """node pattern -> parameter name -> value; a later pattern wins over an earlier one"""
@@ -81,7 +84,7 @@ class RosArguments:
         from rclpy._parameter_files import ParameterTextError, add_override, read_parameter_file
 
         try:
-            found = read_parameter_file(path)
+            found = read_parameter_file(os.path.join(self._folder, path))
         except ParameterTextError as error:
             raise _refused("params file", flag, path, error, 415) from None
         for pattern, parameters in found.items():
@@ -174,10 +177,10 @@ def _check_texts(args: Sequence[str]) -> None:
         arg.encode()
 
 
-def parse_arguments(args: Sequence[str]) -> RosArguments:
+def parse_arguments(args: Sequence[str], folder: str = "") -> RosArguments:
     """Read arguments. Raises RCLError for bad ones, UnknownROSArgsError for unknown ones."""
     _check_texts(args)
-    found = RosArguments()
+    found = RosArguments(folder)
     inside = False
     words = iter(args)
     for word in words:
@@ -234,11 +237,16 @@ def parse_node_arguments(args: Sequence[str]) -> RosArguments:
         raise RCLInvalidROSArgsError(reason) from None
 
 
-def parse_global_arguments(args: Sequence[str], logging: LoggingSettings | None = None) -> RosArguments:
-    """Read a process's arguments for init(); a failure is also logged (to `logging`), as in rcl."""
+def parse_global_arguments(
+    args: Sequence[str], logging: LoggingSettings | None = None, folder: str = ""
+) -> RosArguments:
+    """Read a process's arguments for init(); a failure is also logged (to `logging`), as in rcl.
+
+    Relative names of parameter files begin in `folder` ('': the process's own).
+    """
     token = _log_target.set(logging)
     try:
-        return parse_arguments(args)
+        return parse_arguments(args, folder)
     except RCLError as error:
         if "Couldn't parse" in str(error):
             _log(40, "Failed to parse global arguments")

@@ -81,6 +81,7 @@ class Context:
         self._time: TimeBase = MACHINE_TIME
         self._logging: LoggingSettings = PROCESS
         self._uses_link = True
+        self._folder = ""
         self._has_joined = False
 
     @classmethod
@@ -92,12 +93,13 @@ class Context:
         env: Mapping[str, str] | None = None,
         write: Callable[[str], Any] | None = None,
         log_file: LogFile | None = None,
+        folder: str = "",
     ) -> Context:
         """Return an initialised context on `graph` whose clocks read `time_source`; it has no link and touches no signal.
 
         `args` are its global arguments (default: none), `env` the environment for its logging (default: this process's).
         `write` gets its log lines, including those about wrong arguments (default: stderr), and so does `log_file`
-        (default: none). It has its own log levels and logging output.
+        (default: none). It has its own log levels and logging output. Relative names of files in `args` begin in `folder`.
         """
         context = cls()
         context._graph = graph
@@ -105,6 +107,7 @@ class Context:
         context._uses_link = False
         context._logging = LoggingSettings(time_source, env)
         context._log_write = write
+        context._folder = folder
         context._logging.file = log_file
         context.init(args if args is not None else [], domain_id=graph.domain_id)
         return context
@@ -150,7 +153,7 @@ class Context:
                 raise TypeError(
                     _WRONG_ARGUMENTS.format(args, RCL_DEFAULT_DOMAIN_ID if domain_id is None else domain_id)
                 )
-            self._arguments = parse_global_arguments(sys.argv if args is None else args, self._logging)
+            self._arguments = parse_global_arguments(sys.argv if args is None else args, self._logging, self._folder)
             self._domain_id = _domain_from_environment() if domain_id is None else domain_id
             if warning := discovery_warning(os.environ):
                 self._logging.emit(30, "rcl", warning, "", "", 0)
@@ -294,6 +297,7 @@ class Context:
         try:
             from day6_tui.core.link import join
 
+            graph.tell_insides = _tell_insides
             join(graph)
         except Exception as error:
             # The program matters more than the connection: it runs alone and logs that.
@@ -319,6 +323,12 @@ class Context:
 
 
 _living = weakref.WeakSet()
+
+
+def _tell_insides() -> bytes:
+    from rclpy._insides import tell
+
+    return tell()
 
 
 def _valid_contexts() -> list[Context]:

@@ -114,10 +114,15 @@ class MultiThreadedExecutor(Executor):
             else:
                 self._execute(item)
         except Exception as error:
-            # Others, such as SystemExit, are lost in the pool, as in real rclpy.
             failed: Future[Any] = Future()
             failed.set_exception(error)
             self._failed.append(failed)
+        except BaseException as error:
+            # Others, such as SystemExit, are lost in the pool, as in real rclpy.
+            from rclpy._lost_errors import remember
+
+            remember(error)
+            raise
 
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = NEVER_TRUE

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rclpy._incidental import also
+from rclpy._lost_errors import remember
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle._state_machine import STATES, StateMachine
 from rclpy.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
@@ -156,8 +157,9 @@ class LifecycleNodeMixin(ManagedEntity):
             return TransitionCallbackReturn.SUCCESS
         try:
             return callback(before)
-        except Exception:
+        except Exception as error:
             # As in real rclpy the exception is not shown; the transition ends in error processing.
+            remember(error, self.handle.node.full_name)  # type: ignore[attr-defined]
             return TransitionCallbackReturn.ERROR
 
     # -- managed entities ----------------------------------------------------------------------------------------------

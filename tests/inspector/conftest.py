@@ -1,0 +1,22 @@
+"""Gives the tests a lab: a whole machine with the inspector looking on."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from lab import Lab
+
+
+@pytest.fixture
+def lab(short_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Lab]:
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(short_folder / "r"))
+    monkeypatch.setenv("DAY6_LINK", "on")
+    made = Lab(short_folder / "home")
+    yield made
+    made.close()

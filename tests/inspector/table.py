@@ -1,0 +1,66 @@
+"""Prints the inspector's table: `python tests/inspector/table.py` plays every drill and every healthy scene.
+
+Each has a machine of its own. A drill is found if one of its findings comes within two seconds of its symptom. What else is
+said as a warning or an error beside it is listed: it may be another face of the same fault. In a healthy scene every warning
+and every error is a false alarm.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(TESTS), str(TESTS / "stepped"), str(TESTS / "inspector")]
+
+import conftest as surroundings  # noqa: E402
+from drills import DRILLS  # noqa: E402
+from lab import WITHIN, Lab  # noqa: E402
+from test_healthy import SCENES  # noqa: E402
+
+
+@contextmanager
+def machine() -> Iterator[Lab]:
+    """A lab in an empty folder."""
+    with tempfile.TemporaryDirectory(prefix="d6-", ignore_cleanup_errors=True) as folder:
+        surroundings.set_environment(
+            {**surroundings.environment(), "DAY6_RUNTIME_DIR": f"{folder}/r", "DAY6_LINK": "on"}
+        )
+        lab = Lab(Path(folder, "home"))
+        try:
+            yield lab
+        finally:
+            lab.close()
+
+
+def main() -> int:
+    """Play everything; the exit status is 1 if less than 95 % are found or a healthy scene gives an alarm."""
+    began = time.monotonic()
+    found_count = alarms = 0
+    print(f"{'no.':5}{'drill':42}{'found':28}{'s':>5}  beside it")
+    for drill in DRILLS:
+        with machine() as lab:
+            drill.inject(lab)
+            found, seconds = lab.finds(*drill.findings)
+            others = [key for key, each in lab.findings.items() if each.level != "info" and key not in drill.findings]
+            said = found.id.removeprefix("inspector.") if found is not None else "NOT FOUND"
+            found_count += found is not None and seconds < WITHIN
+            print(f"{drill.number:5}{drill.name:42}{said:28}{seconds:5.1f}  {', '.join(others)}", flush=True)
+    print(f"\n{'healthy scene':47}false alarms")
+    for scene in SCENES:
+        with machine() as lab:
+            scene(lab)
+            said_wrongly = lab.stays_silent()
+            alarms += len(said_wrongly)
+            print(f"{scene.__name__:47}{', '.join(said_wrongly) or '-'}", flush=True)
+    took = time.monotonic() - began
+    print(f"\n{found_count} of {len(DRILLS)} drills found, {alarms} false alarms in {len(SCENES)} scenes; {took:.0f} s")
+    return int(found_count < 0.95 * len(DRILLS) or alarms > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

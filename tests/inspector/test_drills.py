@@ -1,0 +1,26 @@
+"""The 46 faults of beginners: each is named within two seconds of its symptom, and says what to type next."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from drills import DRILLS, Drill
+from lab import Lab
+
+WITHOUT_COMMAND = frozenset({"ctrl_c", "shut_twice", "setuptools", "no_robot_model", "robot_model_deaf"})
+"""Findings that no command of a terminal helps: they are harmless, or a matter of RViz's window."""
+
+
+@pytest.mark.parametrize("drill", DRILLS, ids=[f"{drill.number}-{drill.findings[0]}" for drill in DRILLS])
+def test_the_fault_is_named_in_time_with_what_to_type_next(lab: Lab, drill: Drill) -> None:
+    drill.inject(lab)
+    found, _ = lab.finds(*drill.findings)
+    assert found is not None, f"{sorted(lab.findings)}\n{lab.screen()}"
+    key = found.id.removeprefix("inspector.")
+    assert found.next or key in WITHOUT_COMMAND or key.startswith(("wheel_", "world."))
+    assert str(Path.home()) not in found.text
+
+
+def test_every_fault_of_the_list_has_a_drill() -> None:
+    assert {int("".join(filter(str.isdigit, drill.number))) for drill in DRILLS} == set(range(1, 47))

@@ -1,0 +1,110 @@
+"""What the inspector reads of workspaces: bounded, and never stopped by what it finds there."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from day6_tui.core.ros.programs.day6_inspector.facts import Facts
+from day6_tui.core.ros.programs.day6_inspector.file_rules import _fits
+from day6_tui.core.ros.programs.day6_inspector.files import Files, ParameterFile, Where, look
+from day6_tui.core.ros.programs.day6_inspector.program_rules import script_of
+from day6_tui.core.ros.programs.day6_inspector.rules import findings
+from day6_tui.core.ros.programs.day6_inspector.setup_file import read_setup
+
+MANIFEST = "<package format='3'><name>{}</name></package>"
+
+
+def package(home: Path, name: str, setup: str = "") -> Path:
+    folder = home / "ros2_ws/src" / name
+    (folder / name).mkdir(parents=True)
+    (folder / "package.xml").write_text(MANIFEST.format(name), encoding="utf-8")
+    if setup:
+        (folder / "setup.py").write_text(setup, encoding="utf-8")
+    return folder
+
+
+def test_a_home_without_anything_is_no_fault(tmp_path: Path) -> None:
+    assert findings(Facts(files=look(Where(tmp_path)))) == []
+
+
+@pytest.mark.parametrize(
+    "setup",
+    ["setup(", "\0", "x = 1\n" * 10, "setup(entry_points={'console_scripts': [name + '=a.b:c']})", "(" * 5000],
+    ids=["broken", "nul", "nothing", "computed", "deep"],
+)
+def test_a_setup_file_that_cannot_be_read_is_no_finding(tmp_path: Path, setup: str) -> None:
+    package(tmp_path, "a", setup)
+    assert findings(Facts(files=look(Where(tmp_path)))) == []
+
+
+def test_entry_points_are_judged_by_the_files(tmp_path: Path) -> None:
+    folder = package(tmp_path, "a", "setup(entry_points={'console_scripts': ['x = a.x:main', 'y = a.y:main', 'z']})")
+    (folder / "a/x.py").write_text("def main():\n    pass\n", encoding="utf-8")
+    found = read_setup((folder / "setup.py").read_text(encoding="utf-8"), folder)
+    assert [(each.name, each.flaw) for each in found.entry_points] == [("x", ""), ("y", "module"), ("z", "form")]
+
+
+def test_a_folder_in_a_circle_and_thousands_of_files_end(tmp_path: Path) -> None:
+    folder = package(tmp_path, "a")
+    (folder / "loop").symlink_to(folder, target_is_directory=True)
+    for number in range(500):
+        (folder / "a" / f"m{number}.py").touch()
+    assert len(look(Where(tmp_path)).workspaces[0].packages) == 1
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may read everything")
+def test_what_may_not_be_read_does_not_end_it(tmp_path: Path) -> None:
+    folder = package(tmp_path, "a", "setup()")
+    folder.chmod(0)
+    try:
+        look(Where(tmp_path))
+    finally:
+        folder.chmod(0o755)
+
+
+@pytest.mark.parametrize(
+    ("key", "node", "fits"),
+    [
+        ("/turtlesim", "/turtlesim", True),
+        ("turtlesim", "/turtlesim", True),
+        ("/turtle_sim", "/turtlesim", False),
+        ("/**", "/a/b", True),
+        ("/*", "/turtlesim", True),
+        ("/*", "/a/b", False),
+        ("/**/talker", "/a/b/talker", True),
+        ("/**/talker", "/talker", True),
+        ("/**/talker", "/a/listener", False),
+        ("/a/*/c", "/a/b/c", True),
+    ],
+)
+def test_keys_of_parameter_files_mean_nodes_as_in_rcl(key: str, node: str, fits: bool) -> None:
+    assert _fits(key, (node,)) is fits
+
+
+def test_a_parameter_file_is_read_from_the_running_line(tmp_path: Path) -> None:
+    (tmp_path / "p.yaml").write_text("team:\n  talker:\n    ros__parameters: {a: 1}\n", encoding="utf-8")
+    (tmp_path / "bad.yaml").write_text("a: [", encoding="utf-8")
+    lines = tuple((f"ros2 run a b --ros-args --params-file {name}", tmp_path) for name in ("p.yaml", "bad.yaml", "no"))
+    found = look(Where(tmp_path, lines=lines)).parameters
+    assert [(each.keys, each.problem) for each in found] == [
+        (("/team/talker",), ""),
+        ((), "no YAML"),
+        ((), "No such file or directory"),
+    ]
+
+
+def test_values_for_a_node_that_does_not_run_yet_are_no_fault_where_no_node_runs() -> None:
+    files = Files(parameters=(ParameterFile(Path("p.yaml"), "", ("/a",)),))
+    assert findings(Facts(files=files)) == []
+    assert [each.id for each in findings(Facts(files=files, nodes=("/b",)))] == ["inspector.parameter_keys"]
+
+
+@pytest.mark.parametrize(
+    ("line", "script"),
+    [("python3 a.py x", "a.py"), ("python a.py", "a.py"), ("./a.py", "a.py"), ("python3 -c 1", ""), ("echo 'a", "")],
+)
+def test_the_script_of_a_line(tmp_path: Path, line: str, script: str) -> None:
+    assert script_of(line, tmp_path) == (tmp_path / script if script else None)
