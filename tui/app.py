@@ -37,6 +37,7 @@ from day6_tui.tui.bars import Bar
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.detachment import Detachment
+from day6_tui.tui.explaining import Explaining
 from day6_tui.tui.frames import Frames
 from day6_tui.tui.glyphs import choose, terminal_environ
 from day6_tui.tui.guidance import Guidance
@@ -158,6 +159,7 @@ class Day6App(TerminalApp):
         self.lessons = Lessons(machine, desktop, self.terminals, notices, settings, look, options.lessons)
         self.welcome.last_lesson = lambda: self.lessons.where
         self.looks = looks = Looks(self, look)
+        self.explaining = Explaining(machine, desktop, self.terminals, look)
         self.detachment = Detachment(self, options.keeper)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
@@ -170,7 +172,7 @@ class Day6App(TerminalApp):
             self.lessons,
             self.arranging,
             self.recording,
-            Guidance(desktop, registry, look, self.terminals.run),
+            Guidance(desktop, registry, look, self.terminals.run, self.explaining),
             WorldTime(machine, notices, look),
         ):
             registry.offer(owner.actions())
@@ -482,6 +484,10 @@ class Day6App(TerminalApp):
     @on(TerminalPane.CloseAsked)
     def close_terminal(self, event: TerminalPane.CloseAsked) -> None:
         self.terminals.close(event.pane)
+
+    @on(TerminalPane.LineClicked)
+    def explain_line(self, event: TerminalPane.LineClicked) -> None:
+        self.explaining.open_for_line(event.pane, event.line)
 
     @on(Desktop.ListAsked)
     def list_panes(self) -> None:

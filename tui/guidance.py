@@ -7,6 +7,7 @@ from functools import partial
 
 from day6_tui.tui.actions import ACTIONS, Actions, Handlers
 from day6_tui.tui.desktop import Desktop
+from day6_tui.tui.explaining import Explaining
 from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.look import Look
 
@@ -26,8 +27,11 @@ def programs() -> Iterator[tuple[str, str]]:
 class Guidance:
     """Opens them over the desktop."""
 
-    def __init__(self, desktop: Desktop, registry: Actions, look: Look, run: Callable[[str], None]) -> None:
+    def __init__(
+        self, desktop: Desktop, registry: Actions, look: Look, run: Callable[[str], None], explaining: Explaining
+    ) -> None:
         self._run = run
+        self._explaining = explaining
         self._desktop = desktop
         self._registry = registry
         self._look = look
@@ -36,11 +40,13 @@ class Guidance:
         return {"help": self.toggle_help, "palette": self.open_palette}
 
     def toggle_help(self) -> None:
+        """F1: the card of what a terminal said, or of a status; F1 again, or without a card: the manual; F1 closes that."""
         from day6_tui.tui.manual import Manual
 
-        if isinstance(self._desktop.overlay, Manual):
+        overlay, pane = self._desktop.overlay, self._desktop.focused_pane
+        if isinstance(overlay, Manual):
             self._desktop.close_overlay()
-        elif (pane := self._desktop.focused_pane) is not None:
+        elif pane is not None and (overlay is not None or not self._explaining.open_for(pane)):
             self._desktop.open_overlay(Manual(self._look, pane, self._keys_everywhere()))
 
     def _keys_everywhere(self) -> list[tuple[str, str]]:

@@ -112,16 +112,10 @@ class Lessons:
         if (pane := self._terminals.current) is not None:
             self._desktop.go_to_pane(pane)
 
-    def type_command(self, command: str) -> None:
-        """Type a command into an idle terminal; the pupil presses Return."""
-        if (pane := self._terminals.use_idle()) is not None and pane.has_terminal:
-            pane.view.terminal.send(command)
-            self._desktop.go_to_pane(pane)
-
     def handle(self, event: LessonAsked) -> None:
         """Do what the window asks for."""
         if event.what == "type":
-            self.type_command(event.text)
+            self._terminals.type(event.text)  # Return is the pupil's
         elif event.what == "terminal":
             self.back_to_terminal()
         elif event.what == "opened" and (event.pane.keeps_focus or event.lesson is None):

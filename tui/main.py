@@ -207,6 +207,18 @@ def _demo(words: list[str]) -> list[str]:
     return ["--lesson", name, "--demo", *words[1:]]
 
 
+def _why(words: list[str]) -> int:
+    """Explain a message: the words, or the last line with a card of what is piped in."""
+    from day6_tui.core.session.local import run_local
+    from day6_tui.core.shell.builtins.why import COMMANDS
+
+    if words and words[0] in ("-h", "--help"):
+        print("usage: day6-tui why [TEXT | TOPIC | NUMBER]\n")
+        print("Explain a message of ROS 2, Python, colcon or launch; A 2>&1 | day6-tui why explains what A said.")
+        return 0
+    return run_local(COMMANDS["why"], ["why", *words], one_shot=True)
+
+
 def _attach(words: list[str]) -> int:
     from day6_tui.tui.detached.client import attach
 
@@ -259,6 +271,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "env": _env,
     "cast": _cast,
     "complete": _complete,
+    "why": _why,
 }
 
 if __name__ == "__main__":

@@ -65,6 +65,12 @@ class Pane(Widget, can_focus=True):
     DEFAULT_CSS = "Pane { width: 1fr; height: 1fr; }"
 
     help_key = "desk"
+
+    @property
+    def unclear(self) -> str:
+        """The message in it that is chosen and that F1 may explain; '' for none. (Terminals are asked otherwise.)"""
+        return ""
+
     """The help page (`help.<key>` of the catalogue) that F1 opens when this pane has the focus."""
 
     framed = True

@@ -53,6 +53,13 @@ class TerminalPane(Pane):
     class ArrowEchoed(Said):
         """An arrow key went to a program that has no use for it: it is only echoed, as ^[[A, or drives with other keys."""
 
+    class LineClicked(Said):
+        """The mouse was pressed and released on one cell of a line."""
+
+        def __init__(self, pane: TerminalPane, line: str) -> None:
+            super().__init__(pane)
+            self.line = line
+
     class CloseAsked(Said):
         """The user wants to close this terminal."""
 
@@ -314,10 +321,13 @@ class TerminalPane(Pane):
             self.touch()
 
     def on_mouse_up(self, event: events.MouseUp) -> None:
-        if self._drag is not None:
+        view, begun = self._view, self._drag
+        if begun is not None:
             self.release_mouse()
             self._drag = None
-            self.copy_selection()
+            clicked = not self.copy_selection() and self.is_inside(event) and self._cell(event) == begun
+            if clicked and view is not None and (line := view.whole_line(begun[0]).strip()):
+                self.post_message(self.LineClicked(self, line))
 
     def copy_selection(self) -> bool:
         """Put the selected text on the clipboard; False if there is none."""

@@ -69,6 +69,9 @@ _BACKGROUNDS = {
 }
 _SIXTEEN_NAMES = {"brown": "yellow", "brightbrown": "bright_yellow"}
 
+LONGEST_LINE = 40
+"""Rows of the screen that one line may take, in each direction, when all of it is asked for."""
+
 Attributes: TypeAlias = tuple[str, str, bool, bool, bool, bool, bool, bool]
 """fg, bg, bold, italics, underscore, strikethrough, reverse, blink of a cell."""
 
@@ -380,6 +383,19 @@ class TerminalView:
             goes_on = isinstance(row, Folded) and line != last_line
             found.append(text if goes_on else text.rstrip() + "\n")
         return "".join(found).removesuffix("\n")
+
+    def whole_line(self, line: int) -> str:
+        """The text of a line, counted from the beginning of the scrollback, with what was wrapped at the right edge."""
+        from day6_tui.core.shell.rows import Folded, cells_of
+
+        first = last = line
+        while first > 0 and line - first < LONGEST_LINE and isinstance(self.line_row(first - 1), Folded):
+            first -= 1
+        bottom = self.history + self.lines - 1
+        while last < bottom and last - line < LONGEST_LINE and isinstance(self.line_row(last), Folded):
+            last += 1
+        rows = (self.line_row(number) for number in range(first, last + 1))
+        return "".join("".join(cell.data for cell in cells_of(row)) for row in rows)
 
     def line_row(self, line: int) -> Row:
         """A line counted from the beginning of the scrollback, as styled text."""

@@ -1,5 +1,6 @@
-"""Hints for beginners below the errors of Python, launch and colcon, in the user's language; the errors stay as they are.
+"""What messages mean: cards, causes that are looked for in files and graph, and hints below errors. The errors stay as they are.
 
-A hint is given only where the fault is certain: a wrong one costs a beginner more than none. The shell and colcon use this, on
-terminals only; it imports nothing above the interfaces.
+`cards/*.md` are read by `card_files`, found for a line by `matching`, explained by `explain` with the help of lookers; `rules`
+gives the hints. A cause or a hint is told only where it is certain: a wrong one costs a beginner more than none. The shell,
+colcon and the desktop use this; it imports nothing above the interfaces and the graph.
 """

@@ -12,7 +12,9 @@ from pathlib import Path
 
 from day6_tui.core.advice import known
 from day6_tui.core.advice.fault import Fault, fault_in
-from day6_tui.core.advice.texts import PATTERNS, TEXTS
+from day6_tui.core.advice.matching import card_for, cards_in
+from day6_tui.core.advice.texts import TEXTS
+from day6_tui.core.advice.wording import filled_in
 from day6_tui.urdf.explain import Hint, hints_wanted, language_of
 
 CLOSE = 0.75
@@ -42,6 +44,10 @@ _SAMPLES = {
     "glob": "from glob import glob",
 }
 """Names that the lessons' programs import, and how."""
+
+
+_HINTED = re.compile(r"^(?:\x1b\[\d*m)*(?:提示：|意思：|hint: )", re.MULTILINE)
+"""Whether what was printed has been explained already."""
 
 
 @dataclass(frozen=True)
@@ -100,22 +106,46 @@ def _say(key: str, language: str, **values: object) -> str:
 
 def _explain(fault: Fault, around: Surroundings, language: str) -> str:
     rule = _RULES.get(fault.kind)
-    return (rule(fault, around, language) if rule is not None else "") or _by_pattern(
-        f"{fault.kind}: {fault.message}", fault.line, language
+    return (rule(fault, around, language) if rule is not None else "") or _by_card(
+        f"{fault.kind}: {fault.message}", fault, language
     )
 
 
 def _of_a_tool(output: str, language: str) -> str:
     """What setuptools says without an exception."""
-    return next((text for line in output.splitlines() if (text := _by_pattern(line, 0, language, "error"))), "")
+    lines = (line for line in output.splitlines() if line.startswith("error"))
+    return next((text for line in lines if (text := _by_card(line, None, language))), "")
 
 
-def _by_pattern(text: str, line: int, language: str, beginning: str = "") -> str:
-    for pattern, english, chinese in PATTERNS:
-        match = re.match(pattern, text) if pattern.startswith(beginning) else None
-        if match is not None:
-            return (chinese if language == "zh" else english).format(*match.groups(), line=line)
-    return ""
+def _by_card(line: str, fault: Fault | None, language: str) -> str:
+    """The first line of its card, if that is certain enough for a hint."""
+    match = card_for(line)
+    if match is None or not match.card.hint:
+        return ""
+    return filled_in(match.card.words[language].first, match.values, fault)
+
+
+def wants_first_lines(around: Surroundings) -> bool:
+    """Return whether the first line of a card is to appear by itself: in Chinese, unless hints are switched off."""
+    return hints_wanted(around.variables) and language_of(around.variables) == "zh"
+
+
+def first_line_below(output: str, around: Surroundings) -> str:
+    """Return the first line of the card for what a failed command printed, where Chinese is spoken; '' if there is none.
+
+    It says what the message means, and no more: what is certain here is a hint (`hint_below`), and comes in its place.
+    """
+    if not wants_first_lines(around) or _HINTED.search(output.replace("\r\n", "\n")):
+        return ""
+    match = next(cards_in(output), None)
+    if match is None or match.card.echo:
+        return ""
+    return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, fault_in(output)))
+
+
+def dimmed(line: str) -> str:
+    """Return a line for a terminal in grey: it is not the program's own."""
+    return f"\x1b[90m{line}\x1b[0m"
 
 
 # -- files ---------------------------------------------------------------------------------------------------------------
@@ -226,6 +256,12 @@ def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
     if right == wrong or not right.isascii():
         return ""
     return _say("chinese", language, line=fault.line, wrong=wrong, right=right)
+
+
+def cause_of(fault: Fault, around: Surroundings, language: str) -> str:
+    """Return what a rule finds to be the cause of an exception here, '' if nothing is certain."""
+    rule = _RULES.get(fault.kind)
+    return rule(fault, around, language) if rule is not None else ""
 
 
 _RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {

@@ -1,4 +1,4 @@
-"""The words of the hints, English and Chinese; names in braces are filled in by the rules, groups of a pattern by its numbers."""
+"""The words of what rules and lookers find, English and Chinese; they fill in names in braces. The rest is in `cards`."""
 
 from __future__ import annotations
 
@@ -79,164 +79,181 @@ TEXTS: dict[str, tuple[str, str]] = {
         "line {line} has a blank that is no ordinary one (often copied from a web page): replace it with a normal space",
         "第 {line} 行有一个不是普通空格的空白（多半是从网页复制来的）：把它换成英文空格",
     ),
+    # what lookers find
+    "said": ("{text}", "{text}"),
+    "ros_not_sourced": (
+        "ROS 2 is not sourced in this terminal: ROS_DISTRO is not set",
+        "这个终端还没有 source ROS 2：变量 ROS_DISTRO 没有设置",
+    ),
+    "package.not_sourced": (
+        "{name} is built, in {install}, but this terminal has not sourced it: it was opened before, or is a new one",
+        "{name} 已经编译好了，在 {install} 里，可是这个终端还没有 source 它：它是编译之前打开的，或者是新开的",
+    ),
+    "package.not_built": (
+        "{name} lies in {folder}, but it has not been built yet",
+        "{name} 在 {folder} 里，可是还没有编译",
+    ),
+    "package.now_known": (
+        "{name} is known now. It was not when the command was run: run it again",
+        "现在已经认得 {name} 了，运行那条命令的时候还不认得：再运行一次",
+    ),
+    "package.near": (
+        "no package is called {name}, but there is {near}",
+        "没有叫 {name} 的包，不过有一个叫 {near}",
+    ),
+    "executable.near": (
+        "the package has no program {name}, but it has {near}",
+        "这个包里没有叫 {name} 的程序，不过有 {near}",
+    ),
+    "executable.not_built": (
+        "setup.py of {package} names {name}, but it was not installed: build the package, then source it",
+        "{package} 的 setup.py 里写了 {name}，可是还没有安装：编译这个包，再 source",
+    ),
+    "executable.no_entry": (
+        "{name}.py is there, but {setup} does not name it. Write into the list console_scripts: {line} Then build again",
+        "{name}.py 在，可是 {setup} 里没有写它。在 console_scripts 的方括号里加一行：{line} 然后重新编译",
+    ),
+    "executable.others": (
+        "setup.py of {package} names these programs only: {names}",
+        "{package} 的 setup.py 里只写了这些程序：{names}",
+    ),
+    "executable.none": (
+        "{setup} names no program at all: console_scripts is empty",
+        "{setup} 里一个程序都没有写：console_scripts 是空的",
+    ),
+    "launch.not_rebuilt": (
+        "{name} is in the sources and in setup.py, but not installed yet: build again",
+        "{name} 在源码里，setup.py 也写了，只是还没有安装：重新编译一次",
+    ),
+    "launch.data_files": (
+        (
+            "{name} lies in the folder {place} of the sources, but data_files in {file} does not name it, so colcon does not "
+            "install it. Add: ('share/' + package_name + '/{place}', glob('{place}/*')), with from glob import "
+            "glob; then build again"
+        ),
+        (
+            "{name} 在源码的 {place} 文件夹里，可是 {file} 的 data_files 没有写它，colcon 就不会安装它。"
+            "加上 ('share/' + package_name + '/{place}', glob('{place}/*'))，开头写 from glob import glob，再重新编译"
+        ),
+    ),
+    "launch.install": (
+        (
+            "{name} lies in the folder {place} of the sources, but {file} does not install it. "
+            "Add: install(DIRECTORY {place} DESTINATION share/${{PROJECT_NAME}}), then build again"
+        ),
+        (
+            "{name} 在源码的 {place} 文件夹里，可是 {file} 没有安装它。"
+            "加上 install(DIRECTORY {place} DESTINATION share/${{PROJECT_NAME}})，再重新编译"
+        ),
+    ),
+    "launch.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
+    "launch.others": ("{package} has these launch files: {names}", "{package} 里有这些 launch 文件：{names}"),
+    "path.no_folder": (
+        "the folder {folder} does not exist; {above} does",
+        "没有 {folder} 这个文件夹，它的上一级 {above} 是有的",
+    ),
+    "path.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
+    "path.elsewhere": ("{name} is not in this folder, but here: {place}", "{name} 不在这个文件夹里，它在 {place}"),
+    "command.python": (
+        "{name} is a Python file of this folder, not a command",
+        "{name} 是这个文件夹里的 Python 文件，不是命令",
+    ),
+    "command.here": (
+        "{name} is a file of this folder; the shell looks for commands elsewhere, so write ./ before it",
+        "{name} 是这个文件夹里的文件；shell 只在别处找命令，所以前面要写 ./",
+    ),
+    "is_folder": ("{name} is a folder", "{name} 是一个文件夹"),
+    "not_executable": (
+        "the file {name} is there, but it is not marked as a program",
+        "文件 {name} 在，只是没有可以执行的标记",
+    ),
+    "prefix.deleted": (
+        "{folder} was deleted after this terminal had sourced it. Build again, or open a new terminal",
+        "{folder} 在这个终端 source 过之后被删掉了。重新编译，或者开一个新终端",
+    ),
+    "prefix.gone": ("there is no folder {folder}", "没有 {folder} 这个文件夹"),
+    "folder.package": (
+        "this is the folder of a package: build in the workspace {workspace}",
+        "这里是一个功能包的文件夹：要在工作空间 {workspace} 里编译",
+    ),
+    "type.near": ("there is no type {name}, but there is {near}", "没有 {name} 这个类型，不过有 {near}"),
+    "graph.empty": (
+        "no node runs at all that this terminal could see (ROS_DOMAIN_ID is {domain})",
+        "这个终端能看到的节点一个也没有（ROS_DOMAIN_ID 是 {domain}）",
+    ),
+    "graph.other_domain": (
+        "ROS_DOMAIN_ID is {domain} in this terminal, and no node runs there; but in domain {other} there are {nodes}",
+        "这个终端的 ROS_DOMAIN_ID 是 {domain}，那里一个节点也没有；域 {other} 里有 {nodes}",
+    ),
+    "graph.now_there": ("{name} is there now: run the command again", "现在已经有 {name} 了：再运行一次"),
+    "graph.near": ("there is no {name}, but there is {near}", "没有 {name}，不过有 {near}"),
+    "graph.none": ("there is no {name}, nor any other of its kind", "没有 {name}，这一类的一个也没有"),
+    "graph.twins": (
+        "{count} nodes are called {name}: the same program was started twice, or two have the same name",
+        "有 {count} 个节点都叫 {name}：同一个程序启动了两次，或者两个程序起了一样的名字",
+    ),
+    "topic.no_publisher": (
+        "{name} exists because somebody listens to it, but nobody publishes on it",
+        "{name} 只有人在听，还没有人发布",
+    ),
+    "topic.types": (
+        "on {name} there are the types {types} (of {nodes}); only one of them can be right",
+        "{name} 上有这几种类型：{types}（来自 {nodes}），只能有一种是对的",
+    ),
+    "service.type": (
+        "{name} has the type {right}, not {wanted}",
+        "{name} 的类型是 {right}，不是 {wanted}",
+    ),
+    "qos.reliability": (
+        "on {name}, {publisher} sends best effort and {subscriber} demands reliable: these two never fit",
+        "在 {name} 上，{publisher} 用 best effort 发送，{subscriber} 却要求 reliable：这两个配不上",
+    ),
+    "tf.nobody": (
+        "nobody publishes /tf or /tf_static, so there is no frame at all. robot_state_publisher does not run",
+        "没有人发布 /tf 和 /tf_static，所以一个坐标系也没有。robot_state_publisher 没有运行",
+    ),
+    "tf.only_description": (
+        "{nodes} publishes the robot description, but nobody publishes /tf or /tf_static",
+        "{nodes} 发布了机器人描述，可是没有人发布 /tf 和 /tf_static",
+    ),
+    "tf.no_joints": (
+        "{publisher} runs, but nobody publishes /joint_states: it does not know where the moving parts are",
+        "{publisher} 在运行，可是没有人发布 /joint_states：它不知道会动的部件在哪里",
+    ),
+    "description.nobody": (
+        "nobody publishes /robot_description: robot_state_publisher does not run",
+        "没有人发布 /robot_description：robot_state_publisher 没有运行",
+    ),
+    "description.silent": (
+        "{nodes} runs, but publishes no /robot_description",
+        "{nodes} 在运行，可是没有发布 /robot_description",
+    ),
+    "clock.nobody": (
+        "use_sim_time is on, but nobody publishes /clock: time stands still for this node",
+        "use_sim_time 打开了，可是没有人发布 /clock：对这个节点来说时间停住了",
+    ),
+    # around a card
+    "card.below": ("{first}", "意思：{first}（怎么办：输入 why）"),
+    "card.means": ("What it means", "是什么意思"),
+    "card.here": ("Why here", "为什么会这样"),
+    "card.unknown": (
+        "I could not find the cause here; check in this order:",
+        "我在这里没有找到原因，请按顺序检查：",
+    ),
+    "card.checks": ("What to check", "检查什么"),
+    "card.next": ("Type next", "接着输入"),
+    "card.robot": ("On a real robot", "真机上"),
+    "card.same": ("The same.", "一样。"),
+    "card.none": (
+        "There is no card for this. explain lists what there are cards for",
+        "这句话没有卡片。输入 explain 看有哪些卡片",
+    ),
+    "card.nothing": (
+        "Nothing that this terminal printed lately has a card",
+        "这个终端最近的输出里没有需要解释的话",
+    ),
+    "card.topics": (
+        "Cards, by topic. explain TOPIC lists one, explain 'TEXT' explains a message:",
+        "卡片，按主题。explain 主题 列出一类，explain '一句话' 解释那句话：",
+    ),
 }
-
-# Pattern of "Kind: message" -> English, Chinese; {0}, {1} … are the groups of the pattern, {line} the line.
-PATTERNS: tuple[tuple[str, str, str], ...] = (
-    (
-        r"SyntaxError: expected ':'",
-        "line {line} needs a colon : at its end, as after if, for, while, def and class",
-        "第 {line} 行末尾少了冒号 : ，if、for、while、def、class 后面都要有",
-    ),
-    (
-        r"SyntaxError: '(.)' was never closed",
-        "the {0} in line {line} is never closed: its partner is missing",
-        "第 {line} 行的 {0} 没有关上：少了和它配对的另一半",
-    ),
-    (
-        r"SyntaxError: unmatched '(.)'",
-        "line {line} has a {0} too many, or its partner is missing",
-        "第 {line} 行多了一个 {0}，或者少了和它配对的另一半",
-    ),
-    (
-        r"SyntaxError: closing parenthesis '(.)' does not match opening parenthesis '(.)'",
-        "in line {line} a {1} is closed by {0}: brackets close in pairs",
-        "第 {line} 行用 {0} 去关 {1}：括号要成对",
-    ),
-    (
-        r"SyntaxError: unterminated (?:triple-quoted )?(?:f-)?string literal",
-        "a text in line {line} has no closing quotation mark",
-        "第 {line} 行的字符串少了结尾的引号",
-    ),
-    (
-        r"SyntaxError: Missing parentheses in call to 'print'",
-        "print needs parentheses: print(…)",
-        "print 后面要有括号：print(…)",
-    ),
-    (
-        r"SyntaxError: .*Maybe you meant '==' ",
-        "= in line {line} gives a name a value; to compare two values write ==",
-        "第 {line} 行：= 是赋值，比较两个值要写 ==",
-    ),
-    (
-        r"SyntaxError: invalid syntax. Perhaps you forgot a comma",
-        "is a comma missing in line {line}, between two values?",
-        "第 {line} 行的两个值之间是不是少了逗号？",
-    ),
-    (
-        r"SyntaxError: '(return|yield|await)' outside function",
-        "{0} in line {line} is not inside a function: does the line need blanks before it?",
-        "第 {line} 行的 {0} 不在函数里面：这一行前面是不是少了空格？",
-    ),
-    (
-        r"IndentationError: expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)",
-        "line {line} belongs to line {2}: begin it 4 blanks deeper than that one",
-        "第 {line} 行属于第 {2} 行：要比它多缩进 4 个空格",
-    ),
-    (
-        r"IndentationError: unexpected indent",
-        "line {line} begins deeper than the line before it: take the blanks away until both begin alike",
-        "第 {line} 行比上一行缩进得多：去掉多余的空格，让两行对齐",
-    ),
-    (
-        r"IndentationError: unindent does not match",
-        "line {line} begins between two depths: it has to begin exactly as deep as an earlier line",
-        "第 {line} 行的缩进和前面哪一行都对不上：要和同一层的行对齐",
-    ),
-    (
-        r"TabError: ",
-        "line {line} mixes tabs and blanks. Use 4 blanks for each step everywhere",
-        "第 {line} 行混用了 Tab 和空格。请每一层都用 4 个空格",
-    ),
-    (
-        r"TypeError: (\w+)\.(\w+)\(\) takes 0 positional arguments but 1 was given",
-        "{1} belongs to the class {0}, so it needs self: def {1}(self):",
-        "{1} 是类 {0} 的方法，要写上 self：def {1}(self):",
-    ),
-    (
-        r"TypeError: (?:Node\.)?create_(publisher|subscription)\(\) missing .*'qos_profile'",
-        "create_{0} also needs the length of its queue as the last argument, e.g. 10",
-        "create_{0} 最后还要写队列长度，比如 10",
-    ),
-    (
-        r"TypeError: Expected <class '(\w+)\.(msg|srv)\.\w+\.(\w+)'>, got <class '(str|int|float|bool)'>",
-        "only a whole message can be sent: msg = {2}(), then fill in its fields, then publish(msg)",
-        "只能发布完整的消息：先写 msg = {2}()，再填它的字段，最后 publish(msg)",
-    ),
-    (
-        r"AssertionError: The '(\w+)' field must be of type 'float'",
-        "{0} is a decimal number: write 1.0 instead of 1, or float(…)",
-        "{0} 是小数：要写 1.0，不能写 1，也可以用 float(…)",
-    ),
-    (
-        r"AssertionError: The '(\w+)' field must be of type '(int|str|bool)'",
-        "{0} has to be of type {1}: {1}(…) makes one",
-        "{0} 的类型必须是 {1}：可以用 {1}(…) 转换",
-    ),
-    (
-        r'TypeError: can only concatenate str \(not "(int|float)"\) to str',
-        "a number is not a text: write str(…) around it, or an f-string f'… {{x}}'",
-        "数字不能直接和文字相加：写 str(…)，或者用 f-string：f'… {{x}}'",
-    ),
-    (
-        r"NotInitializedException: ",
-        "rclpy.init() has to come before the first node",
-        "要先调用 rclpy.init()，再创建节点",
-    ),
-    (
-        r"ParameterNotDeclaredException: .*: (\S+)$",
-        "the node has to declare its parameter first: self.declare_parameter('{0}', VALUE)",
-        "节点要先声明参数：self.declare_parameter('{0}', 初始值)",
-    ),
-    (
-        r"RuntimeError: .*callback should be either be callable",
-        "hand over the function itself, without (): self.callback and not self.callback()",
-        "要把函数本身交出去，后面不写 ()：写 self.callback，不是 self.callback()",
-    ),
-    (
-        r"RCLError: failed to shutdown: rcl_shutdown already called",
-        "this is harmless: Ctrl-C has shut rclpy down already. rclpy.try_shutdown() does not complain",
-        "这个没关系：Ctrl-C 已经关掉了 rclpy。改用 rclpy.try_shutdown() 就不会报错",
-    ),
-    (
-        r"AttributeError: module '(rclpy)' has no attribute '(node|qos|executors|action|duration|time|parameter)'",
-        "import the part itself: import {0}.{1}",
-        "要导入这个子模块：import {0}.{1}",
-    ),
-    (
-        r"AttributeError: module '([\w.]+)' has no attribute '(\w+)'. Did you mean: '(\w+)'",
-        "{0} has no {1}; did you mean {2}?",
-        "{0} 里没有 {1}，是不是想写 {2}？",
-    ),
-    (
-        r"AttributeError: module '(\w+\.\w+)' has no attribute '(main)'",
-        "entry_points in setup.py names {0}:main, but that file has no function main",
-        "setup.py 的 entry_points 写的是 {0}:main，可是那个文件里没有 main 函数",
-    ),
-    (
-        r"AttributeError: '(\w+)' object has no attribute '(?!_)(\w+)'. Did you mean: '(\w+)'",
-        "a {0} has no {1}; did you mean {2}?",
-        "{0} 没有 {1}，是不是想写 {2}？",
-    ),
-    (
-        r"KeyError: (.+)$",
-        "the dictionary has no key {0}; print(….keys()) shows which it has",
-        "字典里没有 {0} 这个键；用 print(….keys()) 看看有哪些",
-    ),
-    # setup.py and CMakeLists.txt, as colcon shows them
-    (
-        r"error: package directory '([^']+)' does not exist",
-        "setup.py expects the folder {0} beside it: it must have the name of the package",
-        "setup.py 旁边要有文件夹 {0}：它的名字要和包名一样",
-    ),
-    (
-        r"error: can't copy '([^']+)': doesn't exist",
-        "data_files in setup.py names {0}, but there is no such file",
-        "setup.py 的 data_files 里写了 {0}，可是没有这个文件",
-    ),
-    (
-        r"error in (\S+) setup command: .*(?:[Ee]ntry ?[Pp]oint|entry_points)",
-        "an entry of entry_points in setup.py is not written as 'name = package.file:main'",
-        "setup.py 的 entry_points 里有一行没写成 '名字 = 包名.文件名:main'",
-    ),
-)

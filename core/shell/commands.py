@@ -43,6 +43,7 @@ MODULES: dict[str, tuple[str, ...]] = {
         "edit": "nano gedit vim vi code mousepad gnome-text-editor",
         "terminals": "xterm gnome-terminal x-terminal-emulator",
         "times": "sleep timeout date",
+        "why": "why explain",
         "about": "help clear reset which type command whoami hostname uname id env printenv true false : test [ "
         "basename dirname seq",
         "programs": "python3 python pytest ros2 colcon rqt rqt_graph rqt_console rqt_plot rqt_topic rviz2 check_urdf "

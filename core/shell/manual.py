@@ -125,6 +125,18 @@ _PAGES: dict[str, Page] = {
         "ROS 2 的命令行；ros2 --help 列出所有命令，ros2 topic --help 列出和话题有关的",
         ("ros2 run turtlesim turtlesim_node", "ros2 topic echo /turtle1/pose"),
     ),
+    "why": Page(
+        "why [NUMBER]",
+        "explain what this terminal printed last: its meaning, its cause here, what to type next; why 2: the message before",
+        "解释这个终端最后的那句报错：什么意思、为什么、接着输入什么；why 2 解释再前面一句",
+        ("why", "colcon build 2>&1 | why"),
+    ),
+    "explain": Page(
+        "explain [TEXT|TOPIC]",
+        "explain a message; without a text, list what can be explained",
+        "解释一句话；不写就列出能解释哪些",
+        ("explain \"Package 'car' not found\"", "explain build"),
+    ),
     "rqt_graph": Page("rqt_graph", "draw which node talks to which", "画出节点之间的关系"),
     "rviz2": Page("rviz2 [-d FILE]", "see a robot and its frames in 3-D", "在三维里看机器人和坐标系"),
     "check_urdf": Page(

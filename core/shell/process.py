@@ -66,9 +66,11 @@ async def run_python(session: Session, args: list[str]) -> int:
 
 
 def _hint(output: str, variables: Mapping[str, str], cwd: Path, launch: bool) -> str:
-    from day6_tui.core.advice.rules import Surroundings, hint_below  # most programs need none
+    from day6_tui.core.advice.rules import Surroundings, dimmed, first_line_below, hint_below  # most programs need none
 
-    return hint_below(output, Surroundings(variables, cwd, launch))
+    around = Surroundings(variables, cwd, launch)
+    hint = hint_below(output, around) or first_line_below(output, around)
+    return dimmed(hint) if hint else ""
 
 
 async def run_process(session: Session, argv: list[str]) -> int:

@@ -23,6 +23,8 @@ class Run:
         self.began_ns = began_ns
         self.ended_ns: int | None = None
         self.status: int | None = None
+        self.written = 0
+        """Characters it printed, with those that are not kept any more."""
         self._parts: deque[str] = deque()
         self._size = 0
 
@@ -33,6 +35,7 @@ class Run:
 
     def keep(self, text: str, longest: int = LONGEST_OUTPUT) -> None:
         """Add to the output. Any thread."""
+        self.written += len(text)
         self._parts.append(text[-longest:])
         self._size += min(len(text), longest)
         while self._size > longest and len(self._parts) > 1:

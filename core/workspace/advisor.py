@@ -40,12 +40,14 @@ class Advisor:
         """Print the hints, when everything else has been printed."""
         if not self._console.stderr.isatty():
             return
-        from day6_tui.core.advice.rules import Surroundings, hint_about_folder, hint_below
+        from day6_tui.core.advice.rules import Surroundings, dimmed, first_line_below, hint_about_folder, hint_below
 
         around = Surroundings(self._variables, self._cwd)
         texts = [*self._printed, *("".join(self._lines[job]) for job in self._failed)] if self._failed else []
         hints = [hint_below(text, around) for text in texts]
+        if not any(hints):
+            hints = [next(filter(None, (first_line_below(text, around) for text in texts)), "")]
         if building:
             hints.append(hint_about_folder(self._jobs, around))
         for hint in dict.fromkeys(filter(None, hints)):
-            self._console.err(f"{hint}\n")
+            self._console.err(f"{dimmed(hint)}\n")

@@ -260,3 +260,27 @@ def test_every_status_line_has_its_word_and_colour(machine: RVizMachine) -> None
             assert "▲ Global Status: Warn" in at.screen()
 
     run(walk())
+
+
+def test_f1_on_a_status_explains_it_and_elsewhere_is_the_manual(machine: RVizMachine) -> None:
+    from day6_tui.tui.card import CardModal
+    from day6_tui.tui.manual import Manual
+
+    async def walk() -> None:
+        async with walking(machine) as at:
+            tree = at.pane.panel.properties
+            await at.until(lambda: "No tf data." in at.screen())
+            await at.press("f1")
+            assert isinstance(at.app.desktop.overlay, Manual)
+            await at.press("f1")
+            tree.choose(machine.rviz.statuses)
+            await at.press("f1")
+            overlay = at.app.desktop.overlay
+            assert isinstance(overlay, CardModal) and overlay._shown.line.startswith(
+                "No tf data.  Actual error: Frame [map]"
+            )
+            assert "Nobody publishes /tf or /tf_static" in overlay._shown.here  # of the terminal's own graph
+            await at.press("f1")
+            assert isinstance(at.app.desktop.overlay, Manual)
+
+    run(walk())

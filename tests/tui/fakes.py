@@ -10,6 +10,7 @@ from day6_tui.core.graph.graph import Graph
 from day6_tui.core.ros.programs.turtlesim.model.trail import Trail
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
+from day6_tui.core.shell.runs import Runs
 from day6_tui.core.shell.screen import Screen
 
 
@@ -28,8 +29,9 @@ class FakeTerminal:
         self.is_crowded = False
         self.has_news = False
         self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True, receiver=None))
-        self.shell = SimpleNamespace(cwd=Path("/"), front=None, jobs=SimpleNamespace(jobs=[]))
+        self.shell = SimpleNamespace(cwd=Path("/"), environment={}, front=None, jobs=SimpleNamespace(jobs=[]))
         self.version = 0
+        self.runs = Runs()
 
     @property
     def running(self) -> list[str]:
@@ -82,12 +84,16 @@ class FakeDesk:
     def __init__(self) -> None:
         self.display = Display()
         self.graph = Graph(0)
+        self.graphs = {0: self.graph}
         self.clock = WorldClock(wall=None, epoch_ns=0)
         self.clock._paused = False
         self.scheduler = SimpleNamespace(on_activity=None)
         self.terminals: list[FakeTerminal] = []
         self.steps: list[float] = []
         self.home = Path("/dev/null/home")  # nothing can be written there
+
+    def graph_of(self, domain_id: int) -> Graph:
+        return self.graph
 
     def open_terminal(self, columns: int, rows: int, *, cwd: Path | None = None, text: str = "") -> FakeTerminal:
         terminal = FakeTerminal(columns, rows, title="~")

@@ -501,6 +501,8 @@ TEXTS = {
         "Tab completes what you began to type, Up brings back earlier commands, Ctrl-R searches them. Ctrl-C ends the running "
         "program, Ctrl-D on an empty line ends the shell. Ctrl-Z and bg let a program go on in the background; so does & at "
         "the end of a command.\n\n"
+        "After an error F1 (or why) says what it means, why it happened here and what to type next. A click on the message does "
+        "the same, and so does F1 on a selection.\n\n"
         "Shift+PageUp, or the mouse wheel, scrolls back. Drag with the mouse to copy; Shift+Insert or the middle button pastes."
         "\n\n~ is your home folder. Here it is not /home/NAME: type cd, then pwd to see where it is on the disk."
     ),
@@ -607,6 +609,11 @@ TEXTS = {
     "error.title": "Something went wrong",
     "error.close": "Close",
     "list.comma": ", ",
+    # the card of a message (F1)
+    "why.title": "What does this mean?",
+    "why.keys.next": "Enter types the command   F1 manual   Esc back",
+    "why.keys": "↑ ↓ scroll   F1 manual   Esc back",
+    "why.next": "Type next",
     "question.back": "Back",
     "theme.title": "Theme",
     "theme.dark": "Dark",
@@ -676,6 +683,7 @@ commands:
   urdf_to_graphviz FILE       draw a robot description
   xacro FILE [NAME:=VALUE]    write the URDF that a xacro file stands for
   cast FILE.cast [--svg FILE] play a recording of the screen, or write its picture as SVG
+  why [TEXT]                  explain a message; A 2>&1 | day6-tui why explains what A said
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
   env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE""",
     "cli.more": "day6-tui COMMAND --help says more.",

@@ -670,6 +670,8 @@ TEXTS = {
         "这是终端：输入一条命令，按 Enter 运行。\n\n"
         "Tab 补全，↑ 找回以前的命令，Ctrl-R 搜索历史。Ctrl-C 结束正在运行的程序，在空行上按 Ctrl-D 结束 shell。"
         "Ctrl-Z 再输入 bg 让程序到后台去；命令末尾写 & 也一样。\n\n"
+        "看到报错，按 F1（或者输入 why）：它说是什么意思、为什么会这样、接着输入什么。"
+        "点一下那行报错，或者选中它再按 F1 也行。\n\n"
         "Shift+PageUp 或鼠标滚轮可以往回看。用鼠标拖选就会复制；Shift+Insert 或鼠标中键粘贴。\n\n"
         "~ 是你的主目录。这里的主目录不是 /home/用户名：先输入 cd，再输入 pwd，就能看到它在硬盘上的真实位置。"
     ),
@@ -764,6 +766,11 @@ TEXTS = {
     "error.title": "出错了",
     "error.close": "关闭",
     "list.comma": "、",
+    # the card of a message (F1)
+    "why.title": "这是什么意思",
+    "why.keys.next": "Enter 输入这条命令   F1 手册   Esc 返回",
+    "why.keys": "↑ ↓ 滚动   F1 手册   Esc 返回",
+    "why.next": "接着输入",
     "question.back": "返回",
     "theme.title": "配色",
     "theme.dark": "深色",
@@ -831,6 +838,7 @@ TEXTS = {
   urdf_to_graphviz FILE       把机器人描述画成图
   xacro FILE [NAME:=VALUE]    把 xacro 文件展开成 URDF
   cast FILE.cast [--svg FILE] 播放屏幕的录像，或者把画面写成 SVG
+  why [TEXT]                  解释一句报错；A 2>&1 | day6-tui why 解释 A 说的话
   export [PKG ...] [-o FILE]  把工作空间的包打成 zip，拿到真正的 ROS 2 上编译
   env [--vscode|--pycharm]    打印让普通终端也能用的变量，或者设置好 IDE""",
     "cli.more": "想知道更多：day6-tui 命令 --help",

@@ -22,7 +22,7 @@ from day6_tui.core.ros.programs.rviz2.model.config import write_config
 from day6_tui.core.ros.programs.rviz2.model.display import Display
 from day6_tui.core.ros.programs.rviz2.model.manager import QUALITIES, RViz
 from day6_tui.core.ros.programs.rviz2.model.properties import BOOL, GROUP, STATUS, BadValue, Property
-from day6_tui.core.ros.programs.rviz2.model.status import OK
+from day6_tui.core.ros.programs.rviz2.model.status import OK, Status, StatusList
 from day6_tui.core.ros.programs.rviz2.model.views import VIEWS
 from day6_tui.core.session.display import Window
 from day6_tui.tui.cells import cell_len, fit
@@ -412,6 +412,19 @@ class RVizPane(WindowPane[RViz]):
         self.status_bar.hurry()
         self.touch()
         self.look.wake()
+
+    @property
+    def unclear(self) -> str:
+        """The chosen status, or the worst one of the chosen display."""
+        prop = self.panel.properties.prop if self.on_panel else None
+        while prop is not None and not isinstance(prop, Display | Status):
+            prop = prop.parent
+        if prop is None:
+            return ""
+        status = prop.statuses if isinstance(prop, Display) else prop
+        if isinstance(status, StatusList):
+            status = max(status.lines, key=lambda line: line.level, default=status)
+        return str(status.value) if status.level > OK else ""
 
     def key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts

@@ -16,6 +16,7 @@ Commands of this terminal (they work as on Ubuntu):
   rqt_graph           who talks to whom, as a picture
   rviz2               robots, frames and sensor data in 3-D
   python3 FILE        run your own program
+  why                 what the last error means, and what to type next
 
   cd ls cat pwd mkdir touch cp mv rm tree      folders and files
   echo grep head tail wc sort                  texts; A | B sends the output of A into B
@@ -31,6 +32,7 @@ Commands of this terminal (they work as on Ubuntu):
   rqt_graph           画出谁在和谁通信
   rviz2               机器人、坐标系和传感器数据的三维画面
   python3 FILE        运行你自己的程序
+  why                 刚才的报错是什么意思，接着输入什么
 
   cd ls cat pwd mkdir touch cp mv rm tree      文件夹和文件
   echo grep head tail wc sort                  文字；A | B 把 A 的输出交给 B

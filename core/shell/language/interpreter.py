@@ -24,9 +24,10 @@ from day6_tui.core.shell.language import parser, syntax
 from day6_tui.core.shell.language.compound import run_compound
 from day6_tui.core.shell.language.control_flow import DiscardLine, ExitShell, Interrupted, LoopControl, ReturnFromSource
 from day6_tui.core.shell.language.expansion import ExpansionProblem, UnboundProblem, expand, expand_text
+from day6_tui.core.shell.language.hints import Printed, hint_below_command
 from day6_tui.core.shell.language.jobs import Job, JobTable
 from day6_tui.core.shell.language.redirection import Streams, redirect
-from day6_tui.core.shell.language.shell_state import MAX_DEPTH, NOT_FOUND, ShellState
+from day6_tui.core.shell.language.shell_state import MAX_DEPTH, ShellState
 from day6_tui.core.shell.language.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
@@ -303,24 +304,12 @@ class Shell(ShellState):
             return
         program = self._start(prepared.argv, prepared.main, prepared.streams, env=prepared.env, shell=self)
         program.session.defer(prepared.opened.close)
+        printed = Printed(tty)
         await self._foreground(Job([program], source, tty), streams)
-        if self.status and self.interactive:
-            self._hint(prepared)
+        if self.status and self.interactive and prepared.streams.stderr.isatty():
+            prepared.streams.stderr.write(await hint_below_command(self, prepared.argv, printed))
         if (end := self.wanted.pop(program.session, None)) is not None:
             raise end
-
-    def _hint(self, prepared: _Prepared) -> None:
-        """Below the message of a command that failed: a hint, if one of its words shows what is wrong for certain."""
-        argv = prepared.argv
-        missing = self.status == NOT_FOUND and "/" not in argv[0] and argv[0] not in self.functions
-        worth_a_look = missing or argv[0] == "ros2" or any(word.startswith("/home/") for word in argv)
-        if worth_a_look and prepared.streams.stderr.isatty():
-            from day6_tui.core.advice.rules import Surroundings, hint_about_command
-            from day6_tui.core.shell.commands import command_names
-
-            commands = command_names() if missing else ()
-            if hint := hint_about_command(argv, Surroundings(self.variables, self.cwd), commands):
-                prepared.streams.stderr.write(f"{hint}\n")
 
     async def _prepare(self, command: syntax.SimpleCommand, streams: Streams) -> _Prepared | None:
         """Expand the words, open the redirections, find the command. None (and a message) if a redirection failed."""

@@ -62,6 +62,11 @@ class StatusList(Status):
         line = self._lines.get(name)
         return None if line is None else (WORDS[line.level], str(line.value))
 
+    @property
+    def lines(self) -> list[Status]:
+        """The lines, in the order in which they came."""
+        return list(self._lines.values())
+
     def _judge(self) -> None:
         self._set_level(max((line.level for line in self._lines.values()), default=OK))
 

@@ -1,0 +1,70 @@
+"""Every error and warning that our own commands, programs and windows can print has a card, but for a short list with reasons."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from emitted import Emitted, emitted
+
+from day6_tui.core.advice.matching import card_for
+
+EXEMPT: dict[str, str] = {
+    # Place, how and text of what needs none -> why.
+    r"launch/_process/__main__|joint_state_publisher\.py.*Exception: word|listening\.py|reindex\.py": (
+        "carries a text that another place makes, and that is enumerated there"
+    ),
+    r"packages\.py.*WARNING: word|colcon\.py:\d+: warn: colcon[. ]|results\.py|interpreter\.py.*word: word": "the same",
+    r"workspace/(events|handlers)\.py": "the same",
+    r"rviz2/model/config\.py": "the same: RViz prints it after the path of the file, and so it has a card",
+    r"collada\.py|meshes\.py": "reaches the screen as `could not load` of a mesh",
+    r"raise BadValue|raise NoField": "shown beside the line in which the value is typed, in the catalogue's words",
+    r"raise NotImplementedError|no shell$|urdf/__init__|properties\.py.*KeyError": "a mistake of ours",
+    r"interpreter\.py.*\twordmword|state\.py.*write: exit|tf2_monitor\.py|: \n- ": "a time, a farewell, a heading, a list",
+    r"(print_error|error|write|err|exit): [Uu]sage: ": "a usage says itself what to write; --help prints the same line",
+    r"ide\.py.*(it is no object|it has no configuration)|jsonc\.py": "the reason within `is not understood and was left`",
+    r"packages\.py:\d+: print_error: word: , ": "in the list below `could not have their rosdep keys resolved`",
+}
+
+CARRIER = re.compile(r"(?:word|\d|[:/ (),\n])*\Z")
+"""A text that is nothing but what is filled in: what it carries is enumerated where it is made."""
+
+
+def exempt(message: Emitted) -> bool:
+    said = message.text.removeprefix("bash: ")
+    return CARRIER.match(said) is not None or any(
+        re.search(pattern, f"{message.place}: {message.how}: {message.text}") for pattern in EXEMPT
+    )
+
+
+def test_every_text_has_a_card() -> None:
+    without = [
+        f"{message.place}: {message.how}: {message.text!r}"
+        for message in emitted()
+        if not exempt(message) and not any(map(card_for, message.text.split("\n")))
+    ]
+    assert not without, "\n".join([f"{len(without)} texts have no card:", *without])
+
+
+def test_the_enumeration_sees_what_is_printed() -> None:
+    """What is known to be there is found: one of each way to say something."""
+    texts = {message.text for message in emitted()}
+    for known in (
+        "Package 'word' not found",  # raised
+        "Node not found",  # returned
+        "No packages found\n",  # written
+        "URDF is empty",  # a status
+        "link 'word' is not unique.",  # urdfdom
+        "bash: word: too many arguments",  # a built-in
+    ):
+        assert known in texts, known
+    assert len(texts) > 500
+
+
+def test_no_exemption_is_left_over() -> None:
+    told = [f"{message.place}: {message.how}: {message.text}" for message in emitted()]
+    for pattern in EXEMPT:
+        assert any(re.search(pattern, each) for each in told), pattern
