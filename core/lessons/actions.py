@@ -71,8 +71,22 @@ def _judged(name: str, value: object) -> str:
         if not isinstance(value, dict) or value.keys() - {"fixed_frame", "add"} or not value:
             return "rviz: needs 'fixed_frame: NAME' or 'add: TYPE'"
     elif name == "terminal":
+        if isinstance(value, dict):
+            return _no_pattern(value)
         if value not in ("new", "idle") and not (isinstance(value, int) and not isinstance(value, bool) and value > 0):
-            return "terminal: 'new', 'idle' or a number from 1"
+            return "terminal: 'new', 'idle', a number from 1 or {running: PATTERN}"
     elif not isinstance(value, str):
         return f"{name}: has to be a text"
+    return ""
+
+
+def _no_pattern(value: dict[object, object]) -> str:
+    """What is wrong with `terminal: {running: PATTERN}`; '' if nothing is."""
+    pattern = value.get("running")
+    if value.keys() != {"running"} or not isinstance(pattern, str):
+        return "terminal: {running: PATTERN} is what may be written in braces"
+    try:
+        re.compile(pattern)
+    except (re.error, OverflowError, RecursionError) as error:
+        return f"terminal: 'running' is no regular expression: {error}"
     return ""

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from day6_tui.core.lessons.checks import Verdict
-from day6_tui.core.lessons.document import Lesson, Step, Wrong
+from day6_tui.core.lessons.document import Action, Lesson, Step, Wrong
 from day6_tui.core.lessons.live import Live
 from day6_tui.core.lessons.stage import Stage, StageError
 from day6_tui.core.session.session import Session
@@ -110,7 +110,7 @@ class _Rehearsal:
                 played.faults.append("is solved before anything was done")
             for number, wrong in enumerate(step.wrong, 1):
                 await self._refuse(step, number, wrong, played)
-            await self._stage.perform(step.solve)
+            await self._perform(step, step.solve)
             if not await self._holds(step, SOLVED_WITHIN):
                 played.faults.append(f"is not solved by its solution: {self._failing(step)}")
         except (StageError, OSError, ValueError, KeyError) as error:
@@ -118,8 +118,23 @@ class _Rehearsal:
         played.seconds = time.monotonic() - began
         return played
 
+    async def _perform(self, step: Step, actions: tuple[Action, ...]) -> None:
+        """Perform actions and look meanwhile, as the desktop does: messages are heard by a check that was asked."""
+        performing = True
+
+        async def look() -> None:
+            while performing:
+                self._verdicts(step)
+                await self._session.sleep(LOOK)
+
+        self._session.spawn(look())
+        try:
+            await self._stage.perform(actions)
+        finally:
+            performing = False
+
     async def _refuse(self, step: Step, number: int, wrong: Wrong, played: Played) -> None:
-        await self._stage.perform(wrong.do)
+        await self._perform(step, wrong.do)
         waited, said = 0.0, ""
         while waited < REFUSED_WITHIN:
             if self._solved(step):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -86,8 +87,17 @@ class Stage:
 
     # -- the actions ---------------------------------------------------------------------------------------------------
 
-    async def _do_terminal(self, which: str | int) -> None:
-        self._use(which)
+    async def _do_terminal(self, which: str | int | Mapping[str, str]) -> None:
+        if isinstance(which, Mapping):
+            self._terminal = self._busy_with(which["running"])
+        else:
+            self._use(which)
+
+    def _busy_with(self, pattern: str) -> Terminal:
+        for terminal in self._live.terminals:
+            if any(re.search(pattern, " ".join(line.split())) for line in terminal.running):
+                return terminal
+        raise StageError(f"no terminal runs  {pattern}")
 
     async def _do_type(self, lines: str) -> None:
         for line in lines.strip("\n").split("\n"):
