@@ -24,8 +24,6 @@ def test_a_way_of_ones_own_is_judged_by_its_effect(fault: str, way: dict[str, An
     if "good" in way:
         step = replace(step, wrong=(), solve=tuple(way["good"]))
     else:
-        step = replace(
-            step, wrong=(Wrong(tuple(way["bad"]), way["says"], tuple(way["undo"] if "undo" in way else ())),)
-        )
+        step = replace(step, wrong=(Wrong(tuple(way["bad"]), way["says"], tuple(way.get("undo", ()))),))
     (played,) = rehearse(replace(lesson, steps=(step,)), tmp_path / "home")
     assert played.faults == []
