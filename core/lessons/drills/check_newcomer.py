@@ -36,7 +36,7 @@ def late_screen_shows_it() -> bool:
 
 
 if late_screen_shows_it() and late_screen_shows_it():
-    print("A screen that is switched on now shows the notice.")
+    print("现在打开的屏幕显示了通知 (a screen that is switched on now shows the notice)")
 else:
-    print("A screen that is switched on now stays empty.")
+    print("现在打开的屏幕还是空的 (a screen that is switched on now stays empty)")
     sys.exit(1)

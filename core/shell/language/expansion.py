@@ -24,6 +24,8 @@ _PATTERN = frozenset("*?[")
 _CLASSES = {"alpha": "A-Za-z", "digit": "0-9", "alnum": "A-Za-z0-9", "upper": "A-Z", "lower": "a-z", "space": r"\s"}
 """Of regular expressions and patterns: `[[:digit:]]`."""
 
+_NAMED = re.compile(r"[A-Za-z_]\w*\+?=")
+"""What makes an argument look like an assignment: bash looks for `~` in its value, as in `export A=~/a` so in `echo A=~/a`."""
 
 MOST_WORDS = 1_000_000
 """Most words of a brace expansion; the real shell uses up all memory for more."""
@@ -76,7 +78,7 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
     for word in words:
         for single in _braces(word):
             fields = _Fields()
-            for part in _tilde(single.parts, shell):
+            for part in _tilde(single.parts, shell, argument=True):
                 if isinstance(part, Text):
                     fields.add(part.text, part.quoted)
                 elif isinstance(part, Variable) and part.name in "@*" and not part.operator:
@@ -106,10 +108,10 @@ async def expand(words: list[Word], shell: Shell, streams: Streams) -> list[str]
     return arguments
 
 
-async def expand_text(word: Word, shell: Shell, streams: Streams) -> str:
+async def expand_text(word: Word, shell: Shell, streams: Streams, *, assigned: bool = False) -> str:
     """Expand `word` to one text: no splitting, no patterns (assignments, redirections, here-documents)."""
     result = []
-    for part in _tilde(word.parts, shell):
+    for part in _tildes_of_value(word.parts, shell) if assigned else _tilde(word.parts, shell):
         if isinstance(part, Text):
             result.append(part.text)
         elif isinstance(part, Variable) and part.name in "@*" and not part.operator:
@@ -119,15 +121,40 @@ async def expand_text(word: Word, shell: Shell, streams: Streams) -> str:
     return "".join(result)
 
 
-def _tilde(parts: tuple[Part, ...], shell: Shell) -> tuple[Part, ...]:
+def _tilde(parts: tuple[Part, ...], shell: Shell, *, argument: bool = False) -> tuple[Part, ...]:
     first = parts[0] if parts else None
-    if not isinstance(first, Text) or first.quoted or not first.text.startswith("~"):
+    if not isinstance(first, Text) or first.quoted:
+        return parts
+    if argument and (name := _NAMED.match(first.text)):
+        return (Text(name[0]), *_tildes_of_value((Text(first.text[name.end() :]), *parts[1:]), shell))
+    if not first.text.startswith("~"):
         return parts
     user, slash, rest = first.text[1:].partition("/")
     if user not in ("", shell.desk.user) or (not slash and len(parts) > 1):
         return parts
     home = shell.variables.get("HOME", "~")
     return (Text(home, quoted=True), Text(slash + rest), *parts[1:])
+
+
+def _tildes_of_value(parts: tuple[Part, ...], shell: Shell) -> tuple[Part, ...]:
+    """The same in a value that is assigned: at its beginning and after each colon (`PATH=$PATH:~/bin`)."""
+    found: list[Part] = []
+    begins = True
+    for number, part in enumerate(parts):
+        if not isinstance(part, Text) or part.quoted:
+            found.append(part)
+            begins = False
+            continue
+        pieces = part.text.split(":")
+        for at, piece in enumerate(pieces):
+            if at:
+                found.append(Text(":"))
+                begins = True
+            rest = parts[number + 1 :] if at == len(pieces) - 1 else ()
+            head = _tilde((Text(piece), *rest), shell) if begins else (Text(piece), *rest)
+            found.extend(head[: len(head) - len(rest)])
+            begins = begins and not piece
+    return tuple(found)
 
 
 async def _value(part: Variable | Substitution, shell: Shell, streams: Streams) -> str:

@@ -340,7 +340,7 @@ class Shell(ShellState):
         return _Prepared(argv, main, redirected, env, opened)
 
     async def _assigned(self, name: str, word: Word, streams: Streams) -> tuple[str, str]:
-        value = await expand_text(word, self, streams)
+        value = await expand_text(word, self, streams, assigned=True)
         plain = name.removesuffix("+")
         if plain != name:
             value = self.variables.get(plain, "") + value
