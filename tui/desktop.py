@@ -173,7 +173,8 @@ class Desktop(PaneHost):
         if beside is not None and self.holds(beside):
             self.split_tree.add(pane.slot, beside.slot, side)
         else:
-            slot = keyboard.slot if keyboard is not None else None
+            covers = isinstance(pane, WindowPane) and pane.covers_keyboard
+            slot = keyboard.slot if keyboard is not None and not covers else None
             put(self.split_tree, pane.slot, Extent(*self.size), self.needs, self.recent, keyboard=slot)
             if not takes_focus and keyboard is not None and self.holds(keyboard):
                 self.split_tree.bring_to_front(keyboard.slot)  # where there was no other place

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,9 @@ from day6_tui.tui.terminals import Terminals
 if TYPE_CHECKING:
     from day6_tui.core.lessons.document import Lesson
     from day6_tui.tui.windows.lesson import LessonPane
+
+OPENING_SECONDS = 3.0
+"""How long a window may take to open: F5 pressed again meanwhile does not open a second one."""
 
 PUPIL = "pupil"
 """The setting with the name of the pupil."""
@@ -56,6 +60,7 @@ class Lessons:
         self._look = look
         self._folder = folder
         self._last: dict[str, str] = {}
+        self._opening_until = 0.0
         self._wanted = False
         """Whether F5 was pressed before there was a desk."""
 
@@ -77,12 +82,16 @@ class Lessons:
     def toggle(self) -> None:
         """Open the lessons; where they are open go on to the next step if this one is solved, else there or back."""
         pane = self.pane
+        if pane is not None:
+            self._opening_until = 0.0
         if pane is None:
             self.open()
+        elif not self._desktop.is_shown(pane):
+            self._desktop.go_to_pane(pane)
         elif pane.course.state.solved:
             pane.course.request(pane.course.next)
         elif self._desktop.focused_pane is pane:
-            self.back_to_terminal()
+            self.back_to_work()
         else:
             self._desktop.go_to_pane(pane)
 
@@ -92,6 +101,9 @@ class Lessons:
         if desk is None:
             self._wanted = True  # a quick key: the desk comes right after the first frame
             return
+        if time.monotonic() < self._opening_until:
+            return  # it is being opened
+        self._opening_until = time.monotonic() + OPENING_SECONDS
         from day6_tui.core.lessons.program import lessons_of
 
         self._wanted = False
@@ -107,9 +119,10 @@ class Lessons:
             ),
         )
 
-    def back_to_terminal(self) -> None:
-        """Give the keyboard to the terminal that was used last."""
-        if (pane := self._terminals.current) is not None:
+    def back_to_work(self) -> None:
+        """Give the keyboard to what was used before the lesson: a terminal, an editor, RViz."""
+        others = [self._desktop.slots[slot] for slot in self._desktop.recent]
+        if (pane := next((each for each in others if each is not self.pane), None)) is not None:
             self._desktop.go_to_pane(pane)
 
     def handle(self, event: LessonAsked) -> None:
@@ -117,7 +130,7 @@ class Lessons:
         if event.what == "type":
             self._terminals.type(event.text)  # Return is the pupil's
         elif event.what == "terminal":
-            self.back_to_terminal()
+            self.back_to_work()
         elif event.what == "opened" and (event.pane.keeps_focus or event.lesson is None):
             self._desktop.go_to_pane(event.pane)  # the list: something has to be chosen
 
@@ -160,6 +173,7 @@ class Lessons:
             self._set(PUPIL, name.strip())
             if (pane := self.pane) is not None:
                 pane.close()
+                self._opening_until = 0.0
                 self.open()
             return None
 

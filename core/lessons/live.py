@@ -65,6 +65,8 @@ class Live:
         self._node: Node | None = None
         self._heard: dict[str, Heard] = {}
         self._subscriptions: dict[str, tuple[Subscription[Any], str]] = {}
+        self._lasting: set[str] = set()
+        """Topics whose last messages come to who listens later."""
         self._parameters: dict[tuple[str, str], tuple[int, Any]] = {}
         self._asked: dict[tuple[str, str], int] = {}
         self.lesson_began_ns = self.step_began_ns = self.now_ns()
@@ -80,8 +82,11 @@ class Live:
         self._memories.clear()
         self.answer = ""
         self.step_began_ns = self.now_ns()
-        for topic in list(self._heard):
+        for topic, heard in list(self._heard.items()):
+            last = heard.since(heard.count - 1) if topic in self._lasting else []
             self._heard[topic] = Heard()
+            for when, message in last:  # what is sent once for all who come later does not come again
+                self._heard[topic].add(when, message)
 
     def memory(self, owner: object) -> dict[str, Any]:
         """A dictionary of this owner for this step."""
@@ -143,11 +148,16 @@ class Live:
         return heard
 
     def _listen(self, topic: str) -> None:
-        types = {end.type_name for end in self.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)}
+        # Also where there are only subscribers: somebody may publish once and be gone before the next look.
+        ends = self.graph.endpoints(EndpointKind.PUBLISHER, EndpointKind.SUBSCRIPTION, topic=topic)
+        types = {end.type_name for end in ends}
         known = self._subscriptions.get(topic)
         if known is not None and known[1] not in types:
             self.node.destroy_subscription(known[0])
             del self._subscriptions[topic]
+        elif known is not None and topic not in self._lasting and self._is_lasting(topic):
+            self.node.destroy_subscription(self._subscriptions.pop(topic)[0])
+            self._subscribe(topic, known[1])
         elif known is None and types:
             self._subscribe(topic, sorted(types)[0])
 
@@ -158,10 +168,8 @@ class Live:
             kind = get_message(type_name)
         except (AttributeError, ModuleNotFoundError, ValueError):
             return  # a type of the pupil's workspace: its package is not on this process's path
-        offered = self.node.get_publishers_info_by_topic(topic)
-        lasting = bool(offered) and all(
-            info.qos_profile.durability == QoSDurabilityPolicy.TRANSIENT_LOCAL for info in offered
-        )
+        lasting = self._is_lasting(topic)
+        (self._lasting.add if lasting else self._lasting.discard)(topic)
         durability = QoSDurabilityPolicy.TRANSIENT_LOCAL if lasting else QoSDurabilityPolicy.VOLATILE
         reliability = QoSReliabilityPolicy.RELIABLE if lasting else QoSReliabilityPolicy.BEST_EFFORT
         qos = QoSProfile(depth=100, durability=durability, reliability=reliability)
@@ -170,6 +178,11 @@ class Live:
             self._heard.setdefault(topic, Heard()).add(self.now_ns(), message)
 
         self._subscriptions[topic] = self.node.create_subscription(kind, topic, take, qos), type_name
+
+    def _is_lasting(self, topic: str) -> bool:
+        """Whether everybody who publishes it keeps the last messages for who comes later."""
+        offered = [info.qos_profile.durability for info in self.node.get_publishers_info_by_topic(topic)]
+        return bool(offered) and all(each == QoSDurabilityPolicy.TRANSIENT_LOCAL for each in offered)
 
     def parameter(self, node: str, name: str) -> tuple[bool, Any]:
         """Whether the node has answered lately, and the parameter's value (None: it has none of that name)."""

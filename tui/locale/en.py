@@ -693,6 +693,7 @@ commands:
     "lesson.title": "Lessons",
     "lesson.days": "Six days",
     "lesson.none": "there are no lessons here",
+    "lesson.drill.open": "Not mended yet. Look for the cause; h gives a hint.",
     "lesson.unknown": "there is no lesson {name}",
     "lesson.minutes": "{minutes} min",
     "lesson.drills": "Find the fault",

@@ -848,6 +848,7 @@ TEXTS = {
     "lesson.title": "课程",
     "lesson.days": "六天的课程",
     "lesson.none": "这里没有课程",
+    "lesson.drill.open": "还没有修好。先自己找找原因，想不出来再按 h。",
     "lesson.unknown": "没有叫 {name} 的课程",
     "lesson.minutes": "{minutes} 分钟",
     "lesson.drills": "排错练习",

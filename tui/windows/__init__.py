@@ -59,6 +59,9 @@ class WindowPane(Pane, Generic[Model]):
     takes_focus = False
     """Whether it takes the focus when it opens, as an editor does; otherwise the focus stays in the terminal."""
 
+    covers_keyboard = False
+    """Whether it may lie over the pane that has the keyboard, because it gets it: rather than over a lesson that one reads."""
+
     closes_on_quit = False
     """Whether ^Q closes this window, as it closes a file in an editor; otherwise it ends the desktop."""
 

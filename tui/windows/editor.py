@@ -38,6 +38,7 @@ class EditorPane(WindowPane[Editor]):
     """Draws the frame and the status lines; the text, its cursor and its history belong to the TextArea."""
 
     takes_focus = True
+    covers_keyboard = True
     closes_on_quit = True
 
     def __init__(self, window: Window[Editor], look: Look) -> None:

@@ -195,6 +195,9 @@ def _mark(look: Look, good: bool) -> str:
 def _checks(state: State, look: Look, width: int) -> list[Row]:
     colours, language = look.colours, look.texts.language
     rows: list[Row] = []
+    if state.lesson is not None and state.lesson.is_drill and not state.hints and not state.solved:
+        # What is checked would give the cause away.
+        return [Row([Segment(f" {line}", colours.muted)]) for line in wrap(look.texts("lesson.drill.open"), width - 2)]
     for verdict in state.verdicts:
         mark = _mark(look, verdict.ok)
         style = colours.publisher if verdict.ok else colours.text
