@@ -22,7 +22,15 @@ from day6_tui.core.lessons.demonstration import Demonstration
 from day6_tui.core.lessons.document import HINTS, Action, Lesson, LessonMistakes, Step, read_lesson
 from day6_tui.core.lessons.exam import Exam, Result, new_exam
 from day6_tui.core.lessons.live import Live
-from day6_tui.core.lessons.progress import Progress, ProgressError, StepDone, file_of, load, save
+from day6_tui.core.lessons.progress import (
+    LONGEST_ANSWERS,
+    Progress,
+    ProgressError,
+    StepDone,
+    file_of,
+    load,
+    save,
+)
 from day6_tui.core.lessons.stage import Stage, StageError
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
@@ -340,6 +348,9 @@ class Course:
         if state.step is None or live is None or state.solved:
             return
         live.answer = letter
+        if state.lesson is not None:
+            done = self.progress.step(state.lesson.name, state.step.name)
+            self._note(replace(done, answers=(done.answers + letter)[:LONGEST_ANSWERS]))
         self.look()
         if not self.state.solved and state.lesson is not None:
             done = self.progress.step(state.lesson.name, state.step.name)

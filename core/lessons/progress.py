@@ -21,6 +21,7 @@ LARGEST = 4_000_000
 """Bytes of a progress file that is read."""
 
 LONGEST_NAME = 40
+LONGEST_ANSWERS = 40
 PATIENCE = 2.0
 """Seconds to wait for another desktop that is saving."""
 
@@ -45,6 +46,9 @@ class StepDone:
     refused: int = 0
     """Wrong answers to a question."""
 
+    answers: str = ""
+    """The letters that were chosen at a question, in their order."""
+
     def joined(self, other: StepDone) -> StepDone:
         """What two desktops know together: the first solution counts."""
         if self.solved and other.solved:
@@ -57,6 +61,7 @@ class StepDone:
             hints=max(self.hints, other.hints),
             seconds=max(self.seconds, other.seconds),
             refused=max(self.refused, other.refused),
+            answers=max(self.answers, other.answers, key=len),
         )
 
 
@@ -150,6 +155,7 @@ def _progress_of(data: dict[str, Any]) -> Progress:
                 int(_number(each.get("hints"))),
                 _number(each.get("seconds")),
                 int(_number(each.get("refused"))),
+                _text(each.get("answers"))[:LONGEST_ANSWERS],
             )
             for name, each in _dict(known).items()
             if isinstance(each, dict)
