@@ -219,6 +219,19 @@ def _why(words: list[str]) -> int:
     return run_local(COMMANDS["why"], ["why", *words], one_shot=True)
 
 
+def _office(name: str, words: list[str]) -> int:
+    """Run `submit`, `grade` or `report`, in the user's language."""
+    import importlib
+
+    from day6_tui.core.ros.environment import activate
+    from day6_tui.tui.command_line import language_of
+
+    activate()
+    module = importlib.import_module(f"day6_tui.core.lessons.{_OFFICE[name]}")
+    status: int = module.main(words, language_of(words))
+    return status
+
+
 def _attach(words: list[str]) -> int:
     from day6_tui.tui.detached.client import attach
 
@@ -259,6 +272,7 @@ def _env(words: list[str]) -> int:
     return print_environment(words)
 
 
+_OFFICE = {"submit": "submission", "grade": "grading.command", "report": "report"}
 _TABLE: dict[str, Callable[[list[str]], int]] = {
     "attach": _attach,
     "exec": _exec,
@@ -267,6 +281,9 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "colcon": _colcon,
     "export": _export,
     "lessons": _lessons,
+    "submit": partial(_office, "submit"),
+    "grade": partial(_office, "grade"),
+    "report": partial(_office, "report"),
     "shell": _shell,
     "env": _env,
     "cast": _cast,

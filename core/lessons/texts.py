@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from day6_tui.core.lessons.grading.texts import GRADING
+from day6_tui.core.lessons.office_texts import OFFICE
+
 
 class Say:
     """A text of the table with its values; a value may be another one, or several."""
@@ -213,4 +216,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "python.saw": ("{text}", "{text}"),
     "python.late": ("It did not answer within {seconds} s.", "它在 {seconds} 秒里没有回答。"),
     "python.missing": ("There is no file {name} beside the lesson.", "课程旁边没有文件 {name}。"),
+    **GRADING,
+    **OFFICE,
 }

@@ -685,6 +685,9 @@ commands:
   cast FILE.cast [--svg FILE] play a recording of the screen, or write its picture as SVG
   why [TEXT]                  explain a message; A 2>&1 | day6-tui why explains what A said
   export [PKG ...] [-o FILE]  packages of the workspace as a zip that builds on a real ROS 2
+  submit [-o FILE.zip]        pack your programs and answers for the teacher
+  grade FILE ...              run submissions again on hidden scenarios (--csv, --html)
+  report [--csv|--html FILE]  how far all pupils of this machine are
   env [--vscode|--pycharm]    print the variables that do the same for this shell, or set up an IDE""",
     "cli.more": "day6-tui COMMAND --help says more.",
     "cli.no_command": "there is no command '{name}'; day6-tui --help lists them",

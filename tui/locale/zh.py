@@ -840,6 +840,9 @@ TEXTS = {
   cast FILE.cast [--svg FILE] 播放屏幕的录像，或者把画面写成 SVG
   why [TEXT]                  解释一句报错；A 2>&1 | day6-tui why 解释 A 说的话
   export [PKG ...] [-o FILE]  把工作空间的包打成 zip，拿到真正的 ROS 2 上编译
+  submit [-o FILE.zip]        把程序和回答打成一个文件，交给老师
+  grade FILE ...              用隐藏的情景重新运行作业来评分（--csv、--html）
+  report [--csv|--html FILE]  这台电脑上所有学员的学习进度
   env [--vscode|--pycharm]    打印让普通终端也能用的变量，或者设置好 IDE""",
     "cli.more": "想知道更多：day6-tui 命令 --help",
     "cli.no_command": "没有叫 {name} 的命令；day6-tui --help 列出所有命令",

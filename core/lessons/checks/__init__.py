@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 
-MODULES = ("graph", "messages", "terminals", "files", "robot", "drawing", "judged")
+MODULES = ("graph", "messages", "terminals", "files", "robot", "drawing", "judged", "hidden")
 COMBINERS = ("any", "all", "not")
 
 

@@ -66,6 +66,7 @@ def _start(live: Live, path: str) -> object:
         return await session.run_python([path])
 
     environment = live.desk.environment()
+    environment["PYTHONNOUSERSITE"] = "1"  # what the pupil installed must not change the lesson's program
     return live.desk.start_program(
         ["python3", path], main, Streams(InputStream(), output, output), env=environment, cwd=live.home
     )

@@ -1,0 +1,285 @@
+"""Reads hidden scenarios (WRITING.md, "Hidden scenarios"): what is prepared, what runs the pupil's program, what must hold.
+
+The values in them (`@name@`) are drawn anew for every grading, the same ones for all submissions.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+import string
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from day6_tui.core.lessons.actions import action_mistake
+from day6_tui.core.lessons.checks import Condition, condition_of
+from day6_tui.core.lessons.document import LANGUAGES, LARGEST, Action, LessonMistakes, Mistake
+
+HERE = Path(__file__).parent / "hidden"
+WITHIN, MOST_WITHIN = 15.0, 60.0
+ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call": {"service", "type"}, "build": set()}
+"""Actions that only scenarios have, done by the grader itself, and what each needs."""
+
+_OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
+_HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "within", "needs"}
+_NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
+_VALUE = re.compile(r"@([a-z][a-z0-9_]*)@")
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """One of them, as it stands in its file: `@name@` is filled in by `drawn`."""
+
+    name: str
+    line: int
+    title: Mapping[str, str]
+    values: Mapping[str, Any] = field(default_factory=dict)
+    files: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Names for files of the submission: the first of the patterns (below the home folder) that is there."""
+    before: tuple[Action, ...] = ()
+    run: tuple[Action, ...] = ()
+    check: tuple[Any, ...] = ()
+    within: float = WITHIN
+    needs: tuple[str, ...] = ()
+
+    def drawn(self, seed: str) -> dict[str, Any]:
+        """The values for one grading."""
+        chance = random.Random(f"{seed}/{self.name}")
+        return {name: _draw(kind, chance) for name, kind in self.values.items()}
+
+
+@dataclass(frozen=True)
+class Grading:
+    """The scenarios of one lesson."""
+
+    lesson: str
+    path: Path
+    order: int
+    title: Mapping[str, str]
+    scenarios: tuple[Scenario, ...]
+
+
+def _draw(kind: Any, chance: random.Random) -> Any:
+    if kind == "word":
+        return "".join(chance.choices(string.ascii_lowercase, k=10))
+    if kind == "name":
+        return "n" + "".join(chance.choices(string.ascii_lowercase, k=7))
+    if isinstance(kind, dict):
+        return chance.choice(kind["choose"])
+    low, high = kind
+    if isinstance(low, int) and isinstance(high, int):
+        return chance.randint(low, high)
+    return round(chance.uniform(low, high), 2)
+
+
+def filled(given: Any, values: Mapping[str, Any]) -> Any:
+    """`given` with its `@name@` replaced; a text that is nothing else becomes the value itself, a number for instance."""
+    if isinstance(given, str):
+        whole = _VALUE.fullmatch(given)
+        if whole is not None:
+            return values[whole[1]]
+        return _VALUE.sub(lambda found: str(values[found[1]]), given)
+    if isinstance(given, list):
+        return [filled(each, values) for each in given]
+    if isinstance(given, dict):
+        return {filled(key, values): filled(each, values) for key, each in given.items()}
+    return given
+
+
+def gradings(folder: Path | None = None) -> list[Grading]:
+    """All scenarios of a folder, those that come with the program by default. Raises LessonMistakes, OSError."""
+    found = [read_grading(path) for path in sorted((folder or HERE).glob("*.md")) if path.name.lower() != "readme.md"]
+    return sorted(found, key=lambda each: (each.order, each.lesson))
+
+
+def read_grading(path: Path) -> Grading:
+    """Read one file. Raises LessonMistakes, or OSError where there is none."""
+    if path.stat().st_size > LARGEST:
+        raise LessonMistakes(path, [Mistake(1, f"the file is larger than {LARGEST} bytes")])
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise LessonMistakes(path, [Mistake(1, f"the file is not UTF-8 ({error.reason})")]) from None
+    return _Reader(path, text.replace("\r\n", "\n").split("\n")).grading()
+
+
+class _Reader:
+    def __init__(self, path: Path, lines: list[str]) -> None:
+        self._path = path
+        self._lines = lines
+        self._mistakes: list[Mistake] = []
+
+    def _wrong(self, line: int, text: str) -> None:
+        self._mistakes.append(Mistake(line, text))
+
+    def grading(self) -> Grading:
+        head, begin = self._head()
+        for key in head.keys() - _HEAD:
+            self._wrong(1, f"unknown key '{key}'; there are {', '.join(sorted(_HEAD))}")
+        if not isinstance(head.get("grading"), str) or not _NAME.match(head["grading"]):
+            self._wrong(1, "'grading' has to be the name of a lesson")
+        if not isinstance(head.get("order", 0), int):
+            self._wrong(1, "'order' has to be a whole number")
+        title = head.get("title")
+        if not isinstance(title, dict) or any(not isinstance(title.get(each), str) for each in LANGUAGES):
+            self._wrong(1, "'title' needs a text for 'zh' and for 'en'")
+        scenarios = self._scenarios(begin)
+        if not scenarios:
+            self._wrong(len(self._lines), "there is no scenario: one begins with '# name'")
+        names = [each.name for each in scenarios]
+        for at, each in enumerate(scenarios):
+            if each.name in names[:at]:
+                self._wrong(each.line, f"there are two scenarios '{each.name}'")
+            for needed in each.needs:
+                if needed not in names[:at]:
+                    self._wrong(each.line, f"needs: no earlier scenario is called '{needed}'")
+        if self._mistakes:
+            raise LessonMistakes(self._path, self._mistakes)
+        return Grading(head["grading"], self._path, head.get("order", 0), head["title"], tuple(scenarios))
+
+    def _head(self) -> tuple[dict[str, Any], int]:
+        lines = self._lines
+        end = next((at for at, line in enumerate(lines[1:], 1) if line.strip() == "---"), None)
+        if lines[0].strip() != "---" or end is None:
+            self._wrong(1, "the file has to begin with '---', then 'grading: NAME' …, then '---'")
+            return {}, 0
+        return self._yaml("\n".join(lines[1:end]), 2), end + 1
+
+    def _yaml(self, text: str, line: int) -> dict[str, Any]:
+        try:
+            found = yaml.safe_load(text)
+        except (yaml.YAMLError, ValueError, RecursionError) as error:
+            mark = getattr(error, "problem_mark", None)
+            problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+            self._wrong(line + (mark.line if mark is not None else 0), f"not YAML: {problem}")
+            return {}
+        if not isinstance(found, dict):
+            self._wrong(line, "expected 'key: value' lines")
+            return {}
+        return {str(key): value for key, value in found.items()}
+
+    def _scenarios(self, begin: int) -> list[Scenario]:
+        """Cut the file into scenarios: a name, one yaml block, a title in each language."""
+        found: list[Scenario] = []
+        name, line, data, data_line, titles = "", 0, None, 0, {}  # type: ignore[var-annotated]
+        at = begin
+        while at <= len(self._lines):
+            text = self._lines[at] if at < len(self._lines) else "# "
+            if text.startswith("# "):
+                if name:
+                    found.append(self._scenario(name, line, data, data_line, titles))
+                name, line, data, titles = text[2:].strip(), at + 1, None, {}
+            elif text.strip() in ("~~~yaml", "```yaml"):
+                fence = text.strip()[:3]
+                end = next((row for row in range(at + 1, len(self._lines)) if self._lines[row].strip() == fence), None)
+                if end is None:
+                    self._wrong(at + 1, "this block is not closed")
+                    break
+                data, data_line = self._yaml("\n".join(self._lines[at + 1 : end]), at + 2), at + 2
+                at = end
+            elif text.startswith("## "):
+                language, _, title = text[3:].strip().partition(" ")
+                if language not in LANGUAGES or not title.strip():
+                    self._wrong(at + 1, "expected '## zh TITLE' or '## en TITLE'")
+                titles[language] = title.strip()
+            at += 1
+        return found
+
+    def _scenario(self, name: str, line: int, data: dict[str, Any] | None, at: int, titles: dict[str, str]) -> Scenario:
+        if not _NAME.match(name):
+            self._wrong(line, f"'{name}': the name of a scenario is of letters a-z, digits, '_' and '-'")
+        for language in LANGUAGES:
+            if language not in titles:
+                self._wrong(line, f"'## {language} TITLE' is missing")
+        data = data or {}
+        at = at or line
+        for key in data.keys() - _KEYS:
+            self._wrong(at, f"unknown key '{key}'; there are {', '.join(sorted(_KEYS))}")
+        values = self._values(data.get("values") or {}, at)
+        files = self._files(data.get("files") or {}, at)
+        known = {**{key: _draw(kind, random.Random(0)) for key, kind in values.items()}, **dict.fromkeys(files, "~/f")}
+        lists = {key: self._list(data, key, at, known) for key in ("before", "run", "check", "needs")}
+        for key in ("before", "run"):
+            for action in lists[key]:
+                if mistake := scenario_action_mistake(self._tried(action, known)):
+                    self._wrong(at, f"{key}: {mistake}")
+        for given in lists["check"]:
+            made = condition_of(self._tried(given, known))
+            if not isinstance(made, Condition):
+                self._wrong(at, f"check: {made}")
+        if not lists["check"]:
+            self._wrong(line, f"the scenario '{name}' checks nothing")
+        within = data.get("within", WITHIN)
+        if isinstance(within, bool) or not isinstance(within, (int, float)) or not 0 < within <= MOST_WITHIN:
+            self._wrong(at, f"within: a number of seconds up to {MOST_WITHIN:g}")
+            within = WITHIN
+        return Scenario(
+            name, line, titles, values, files, tuple(lists["before"]), tuple(lists["run"]), tuple(lists["check"]),
+            float(within), tuple(map(str, lists["needs"])),
+        )  # fmt: skip
+
+    @staticmethod
+    def _tried(given: Any, known: dict[str, Any]) -> Any:
+        try:
+            return filled(given, known)
+        except KeyError:
+            return given  # told already
+
+    def _list(self, data: dict[str, Any], key: str, line: int, known: dict[str, Any]) -> list[Any]:
+        found = data.get(key) or []
+        if not isinstance(found, list):
+            self._wrong(line, f"'{key}' has to be a list: lines that begin with '- '")
+            return []
+        try:
+            filled(found, known)
+        except KeyError as unknown:
+            self._wrong(line, f"{key}: @{unknown.args[0]}@ is neither in 'values' nor in 'files'")
+        return found
+
+    def _values(self, given: Any, line: int) -> dict[str, Any]:
+        found = {}
+        for name, kind in given.items() if isinstance(given, dict) else ():
+            numbers = isinstance(kind, list) and len(kind) == 2 and all(
+                isinstance(each, (int, float)) and not isinstance(each, bool) for each in kind
+            )  # fmt: skip
+            choice = isinstance(kind, dict) and kind.keys() == {"choose"} and isinstance(kind["choose"], list)
+            if kind in ("word", "name") or (numbers and kind[0] <= kind[1]) or (choice and kind["choose"]):
+                found[str(name)] = kind
+            else:
+                self._wrong(line, f"values: '{name}' is 'word', 'name', [lowest, highest] or {{choose: [...]}}")
+        if not isinstance(given, dict):
+            self._wrong(line, "values: 'name: kind' lines")
+        return found
+
+    def _files(self, given: Any, line: int) -> dict[str, tuple[str, ...]]:
+        found = {}
+        for name, patterns in given.items() if isinstance(given, dict) else ():
+            listed = [patterns] if isinstance(patterns, str) else patterns
+            good = isinstance(listed, list) and listed and all(isinstance(each, str) for each in listed)
+            if not good or any(".." in each or not each.startswith("~/") for each in listed):
+                self._wrong(line, f"files: '{name}' needs patterns that begin with '~/'")
+            else:
+                found[str(name)] = tuple(listed)
+        if not isinstance(given, dict):
+            self._wrong(line, "files: 'name: pattern' lines")
+        return found
+
+
+def scenario_action_mistake(given: object) -> str:
+    """What is wrong with an action of a scenario; '' if nothing is."""
+    if not isinstance(given, dict) or len(given) != 1 or next(iter(given)) not in ACTIONS:
+        return action_mistake(given)
+    name, value = next(iter(given.items()))
+    if name == "build":
+        return "" if isinstance(value, str) else "build: the name of a package"
+    if name == "start" and isinstance(value, str):
+        value = {"program": value}
+    if not isinstance(value, dict) or ACTIONS[name] - value.keys() or value.keys() - ACTIONS[name] - _OPTIONAL[name]:
+        return f"{name}: needs {' and '.join(sorted(ACTIONS[name]))}, may have {', '.join(sorted(_OPTIONAL[name]))}"
+    if name == "start" and len(str(value["program"]).split()) != 2:
+        return "start: 'PACKAGE EXECUTABLE' of a program that comes with day6-tui"
+    return ""

@@ -1,0 +1,96 @@
+"""What `day6-tui submit`, `report` and `grade` say beside their results, in English and Chinese."""
+
+from __future__ import annotations
+
+OFFICE: dict[str, tuple[str, str]] = {
+    # submit
+    "submit.done": ("{file}: {contents}", "{file}：{contents}"),
+    "submit.answers": ("{count} answers", "{count} 个回答"),
+    "submit.left_out": ("left out: {what}", "没有放进去：{what}"),
+    "submit.next": ("Give this file to your teacher.", "把这个文件交给老师就好。"),
+    "submit.exists": (
+        "'{file}' exists and is not a submission: it is left alone; choose another file with -o",
+        "“{file}”已经在那里了，而且不是作业文件，不去动它；请用 -o 换一个文件名",
+    ),
+    "submit.nothing": (
+        "there is nothing to hand in: no package in {source}, no program in {home}, no answer",
+        "没有东西可交：{source} 里没有功能包，{home} 里没有程序，也没有回答过问题",
+    ),
+    "submit.large": (
+        "it would have {size} MB, at most {most} MB are taken: move large files out of the packages",
+        "会有 {size} MB，最多收 {most} MB：请把大文件移出功能包",
+    ),
+    "submit.who": (
+        "there are several pupils; say who with --pupil: {names}",
+        "这台电脑上有好几位学员，请用 --pupil 说明是谁：{names}",
+    ),
+    "submit.unknown": (
+        "no pupil '{name}' has learned here; there are: {names}",
+        "这里没有叫“{name}”的学员；有：{names}",
+    ),
+    "submit.progress": ("the progress of {name} cannot be read: {reason}", "读不了 {name} 的学习进度：{reason}"),
+    "submit.strange": ("{path} is not an ordinary file", "{path} 不是普通文件"),
+    "submit.file_large": ("{path} is larger than {most} MB", "{path} 超过 {most} MB"),
+    "submit.many": ("{path}: only {most} loose files are packed", "{path}：最多放 {most} 个零散文件"),
+    "name.empty": ("the name is empty", "名字是空的"),
+    "name.long": ("the name is too long", "名字太长"),
+    "name.control": ("the name has a character that cannot be shown", "名字里有显示不出来的字符"),
+    # Files that are written
+    "office.exists": ("{file} is there already; --force overwrites it", "{file} 已经在那里了；加上 --force 就会覆盖它"),
+    "office.written": ("{file} is written", "写好了 {file}"),
+    "office.failed": ("{file}: {reason}", "{file}：{reason}"),
+    # report
+    "report.title": ("Progress of the pupils", "学员的学习进度"),
+    "report.none": ("no pupil has learned on this machine yet ({folder})", "这台电脑上还没有学员上过课（{folder}）"),
+    "report.pupil": ("pupil", "学员"),
+    "report.lesson": ("lesson", "课程"),
+    "report.solved": ("solved", "完成"),
+    "report.passed_over": ("passed over", "跳过"),
+    "report.hints": ("hints", "提示"),
+    "report.refused": ("wrong answers", "答错"),
+    "report.minutes": ("minutes", "分钟"),
+    "report.last": ("last step solved", "最近完成"),
+    "report.never": ("never", "还没有"),
+    "report.drills": ("drills", "排错练习"),
+    "report.not_there": ("{name} (not among today's lessons)", "{name}（现在没有这一课）"),
+    "report.made": ("Made {when} from {folder}.", "{when} 根据 {folder} 生成。"),
+    "report.honest": (
+        "Progress files can be edited by whoever owns them: grade submissions with day6-tui grade.",
+        "进度文件谁都可以改：要评分，请用 day6-tui grade 检查作业。",
+    ),
+    "report.broken": ("{file} cannot be used and is not in here: {reason}", "{file} 用不了，没有算进去：{reason}"),
+    # grade
+    "grade.title": ("Submissions on hidden scenarios", "作业在隐藏情景下的表现"),
+    "grade.file": ("file", "文件"),
+    "grade.calls_itself": ("calls itself", "自称"),
+    "grade.scenario": ("scenario", "情景"),
+    "grade.passed": ("passed", "通过"),
+    "grade.not_passed": ("not passed", "没有通过"),
+    "grade.refused": ("refused", "没有收"),
+    "grade.wanted": ("wanted", "要求"),
+    "grade.saw": ("seen", "看到"),
+    "grade.seconds": ("seconds", "秒"),
+    "grade.count": ("{passed} of {all}", "{passed}/{all}"),
+    "grade.line": ("{file}  {pupil}  {count} passed", "{file}  {pupil}  通过 {count}"),
+    "grade.line_refused": ("{file}  refused: {reason}", "{file}  没有收：{reason}"),
+    "grade.total": (
+        "{count} submissions in {seconds} s, {jobs} at a time (--seed {seed} plays the same again)",
+        "{count} 份作业，用了 {seconds} 秒，同时评 {jobs} 份（--seed {seed} 可以再评一次同样的）",
+    ),
+    "grade.nothing": ("no submission is there: {names}", "没有作业：{names}"),
+    "grade.no_lesson": (
+        "there are no scenarios for '{name}'; there are: {names}",
+        "没有“{name}”的隐藏情景；有：{names}",
+    ),
+    "grade.no_scenarios": ("there is no scenario in {folder}", "{folder} 里没有情景文件"),
+    "grade.windows": (
+        "submissions cannot be graded on Windows: nothing there keeps their programs inside limits; use Linux or WSL",
+        "Windows 上不能评作业：那里没有办法限制作业里的程序；请用 Linux 或 WSL",
+    ),
+    "grade.weak": (
+        "warning: this system gives users no namespaces: programs of submissions can read, change and end what is yours",
+        "注意：这个系统不让用户建立命名空间，作业里的程序能读、能改、能停掉属于你的东西；请在没有重要文件的账号下评分",
+    ),
+    "grade.stopped": ("stopped", "停止了"),
+}
+"""By key: English, Chinese."""
