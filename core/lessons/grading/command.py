@@ -47,7 +47,10 @@ def _parser(language: str) -> argparse.ArgumentParser:
     parser.add_argument("--force", action="store_true", help="overwrite existing files")
     parser.add_argument("--jobs", type=int, metavar="N", help="so many submissions at a time")
     parser.add_argument(
-        "--seconds", type=float, default=SECONDS, metavar="S", help=f"time limit of a submission (default: {SECONDS:g})"
+        "--seconds",
+        type=float,
+        metavar="S",
+        help=f"time limit of a submission (default: {SECONDS:g}; {2 * SECONDS:g} for several lessons)",
     )
     parser.add_argument("--seed", default="", metavar="WORD", help="draw the same names and numbers as another time")
     parser.add_argument("--lang", choices=LANGUAGES, default=language)
@@ -68,7 +71,7 @@ def main(arguments: list[str], language: str) -> int:
         return tell("grade.windows")
     if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
         parser.error(f"argument --jobs: 1 to {MOST_JOBS}")
-    if not 1 <= options.seconds <= 3600:
+    if options.seconds is not None and not 1 <= options.seconds <= 3600:
         parser.error("argument --seconds: 1 to 3600")
     try:
         chosen = _chosen(options.scenarios, options.lesson)
@@ -86,7 +89,8 @@ def main(arguments: list[str], language: str) -> int:
     if not files:
         return tell("grade.nothing", names=tuple(map(str, options.files)))
     jobs = min(options.jobs or default_jobs(), len(files))
-    grader = Grader(chosen, seconds=options.seconds, seed=options.seed)
+    seconds = options.seconds or SECONDS * min(2, len(chosen))
+    grader = Grader(chosen, seconds=seconds, seed=options.seed)
     began = time.monotonic()
     lock = threading.Lock()
 
@@ -99,8 +103,8 @@ def main(arguments: list[str], language: str) -> int:
     except KeyboardInterrupt:
         tell("grade.stopped")
         return 130
-    seconds = f"{time.monotonic() - began:.1f}"
-    total = Say("grade.total", count=len(found), seconds=seconds, jobs=jobs, seed=grader.seed)
+    took = f"{time.monotonic() - began:.1f}"
+    total = Say("grade.total", count=len(found), seconds=took, jobs=jobs, seed=grader.seed)
     print(f"\n{one_line(total.text(language))}")
     if any(graded.refused is None and not graded.shielded for graded in found):
         tell("grade.weak")

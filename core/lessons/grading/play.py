@@ -8,16 +8,13 @@ from collections.abc import Callable
 from day6_tui.core.lessons.checks import Condition, Verdict, condition_of
 from day6_tui.core.lessons.checks.terminals import plain_output
 from day6_tui.core.lessons.grading.scenarios import Grading, Scenario, filled
-from day6_tui.core.lessons.grading.stage import GraderStage, NotPlayed, tail
+from day6_tui.core.lessons.grading.stage import IDLE_SECONDS, GraderStage, NotPlayed, tail
 from day6_tui.core.lessons.live import Live
 from day6_tui.core.lessons.texts import Say
 from day6_tui.core.session.session import Session
 from day6_tui.core.shell.desk import Desk
 
-LOOK = 0.05
-IDLE_SECONDS = 1.5
-"""Seconds after which nothing more is expected once no program of the pupil's runs."""
-
+LOOK = 0.1
 ENDING_SECONDS = 1.0
 Told = Callable[..., None]
 
@@ -71,6 +68,10 @@ class Play:
                 check.judge(live)
             await stage.perform(filled(list(scenario.run), values))
             verdicts = await self._judged(live, checks, scenario.within)
+            wrong = [(verdict.wanted, verdict.saw) for verdict in verdicts if not verdict.ok]
+            if wrong:
+                wrong[0] = (wrong[0][0], self._with_output(live, wrong[0][1]))
+            return wrong
         except NotPlayed as problem:
             return [(problem.wanted, self._with_output(live, problem.saw))]
         except Exception as error:
@@ -79,10 +80,6 @@ class Play:
             return [(Say("grade.ended.problem"), Say("grade.ended.problem_saw", reason=reason))]
         finally:
             await self._clear(live)
-        wrong = [(verdict.wanted, verdict.saw) for verdict in verdicts if not verdict.ok]
-        if wrong:
-            wrong[0] = (wrong[0][0], self._with_output(live, wrong[0][1]))
-        return wrong
 
     def _file(self, patterns: tuple[str, ...]) -> str | None:
         for pattern in patterns:

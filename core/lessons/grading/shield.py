@@ -216,7 +216,9 @@ def descendants(root: int, mark: str = "") -> list[int]:
 def _listed() -> Iterator[tuple[int, int]]:
     import subprocess
 
-    listed = subprocess.run(["ps", "-axo", "pid=,ppid="], capture_output=True, text=True, check=False).stdout
+    listed = subprocess.run(
+        ["ps", "-axo", "pid=,ppid="], stdout=subprocess.PIPE, encoding="ascii", errors="replace", check=False
+    ).stdout
     for line in listed.splitlines():
         pid, parent = line.split()
         yield int(pid), int(parent)

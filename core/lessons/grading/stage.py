@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.lessons.checks import condition_of
 from day6_tui.core.lessons.checks.terminals import plain_output
 from day6_tui.core.lessons.stage import LOOK, Stage, StageError
 from day6_tui.core.lessons.texts import Say
@@ -19,13 +20,16 @@ if TYPE_CHECKING:
 
 BUILD_SECONDS = 40.0
 LISTENER_SECONDS = 10.0
+IDLE_SECONDS = 1.5
+"""Seconds after which nothing more is expected once no program of the pupil's runs."""
+
 LONGEST_TAIL = 160
 
 
 class NotPlayed(Exception):
     """A scenario that cannot go on: what was wanted, and what was seen instead."""
 
-    def __init__(self, wanted: Say, saw: Say) -> None:
+    def __init__(self, wanted: Say, saw: Say | None) -> None:
         super().__init__(wanted.text("en"))
         self.wanted, self.saw = wanted, saw
 
@@ -44,6 +48,18 @@ class GraderStage(Stage):
             await super().perform(actions)
         except (StageError, OSError, ValueError, KeyError) as error:
             raise NotPlayed(Say("grade.action"), Say("grade.action_saw", reason=str(error)[:200])) from None
+
+    async def _do_wait(self, given: object) -> None:
+        """Wait for a check, not longer than there is something of the pupil's that could make it hold."""
+        condition = condition_of(given)
+        assert not isinstance(condition, str)
+        waited = idle = 0.0
+        while not (verdict := condition.judge(self._live)).ok:
+            if waited > LISTENER_SECONDS or idle > IDLE_SECONDS:
+                raise NotPlayed(verdict.wanted, verdict.saw)
+            idle = idle + LOOK if self._terminals and not self._live.running() else 0.0
+            await self._session.sleep(LOOK)
+            waited += LOOK
 
     async def _do_start(self, given: str | Mapping[str, Any]) -> None:
         from day6_tui.core.ros.programs import load

@@ -1,0 +1,66 @@
+"""More than a hundred things that are no solution are not taken for one, each for its own reason; a good submission passes."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from itertools import zip_longest
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from article import write
+from forgeries import GROUPS, Forgery
+
+from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
+from day6_tui.core.lessons.grading.scenarios import gradings
+
+ALL = [forgery for _, parts in GROUPS.values() for part in parts for forgery in part if forgery is not None]
+
+
+def _submissions(folder: Path, group: str) -> Iterator[tuple[Path, list[Forgery]]]:
+    """Put one forgery of each part into a submission; parts of one lesson do not disturb one another."""
+    for number, together in enumerate(zip_longest(*GROUPS[group][1])):
+        spoiled = [each for each in together if each is not None]
+        changed: dict[str, str | None] = {}
+        for forgery in spoiled:
+            changed.update(forgery.files)
+        yield write(folder / f"{group}-{number}.zip", changed), spoiled
+
+
+@pytest.fixture(scope="module")
+def seen(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Result]:
+    """How the spoiled scenario of every forgery went, by the forgery's id."""
+    folder = tmp_path_factory.mktemp("forged")
+
+    def graded(group: str) -> dict[str, Result]:
+        packed = list(_submissions(folder, group))
+        chosen = [each for each in gradings() if each.lesson in GROUPS[group][0]]
+        done: list[Graded] = Grader(chosen, seconds=150, answers={}).grade([file for file, _ in packed], 20)
+        return {
+            forgery.id: result
+            for each, (_, forgeries) in zip(done, packed, strict=True)
+            for forgery in forgeries
+            for result in each.results
+            if (result.lesson, result.scenario) == (forgery.lesson, forgery.scenario)
+        }
+
+    with ThreadPoolExecutor() as pool:
+        return {name: result for found in pool.map(graded, GROUPS) for name, result in found.items()}
+
+
+@pytest.mark.parametrize("forgery", ALL, ids=lambda forgery: forgery.id)
+def test_it_is_refused_for_its_reason(forgery: Forgery, seen: dict[str, Result]) -> None:
+    result = seen[forgery.id]
+    said = " ".join(f"{wanted['en']} {saw['en']}" for wanted, saw in result.problems)
+    assert not result.passed
+    assert re.search(forgery.reason, said), said
+    assert "Traceback" not in said
+
+
+def test_there_are_more_than_a_hundred() -> None:
+    assert len({forgery.id for forgery in ALL}) == len(ALL) > 100

@@ -1,0 +1,139 @@
+# ruff: noqa: E501 (a program a line)
+"""What hostile programs do costs their own submission only: nothing survives, nobody else waits, no verdict is changed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+import uuid
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from article import INNER, write
+
+from day6_tui.core.lessons.grading.grader import Graded, Grader
+from day6_tui.core.lessons.grading.scenarios import gradings
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="namespaces are Linux's")
+
+FORK_BOMB = "import os\n\n\ndef main():\n    while True:\n        os.fork()\n"
+THREADS = "import os, time\n\n\ndef main():\n    for _ in range(300):\n        if not os.fork():\n            time.sleep(600)\n    time.sleep(600)\n"
+LOOP = "def main():\n    while True:\n        pass\n"
+HEAP = "def main():\n    held = []\n    while True:\n        held.append(bytearray(1 << 24))\n"
+HEAPS = "import os, time\n\n\ndef main():\n    for _ in range(9):\n        if not os.fork():\n            held = bytearray(400 << 20)\n            held[::4096] = b'x' * len(held[::4096])\n            time.sleep(600)\n    time.sleep(600)\n"
+DISK = (
+    "def main():\n    with open('big', 'wb') as file:\n        while True:\n            file.write(b'x' * (1 << 20))\n"
+)
+KILL_ALL = "import os\n\n\ndef main():\n    os.kill(-1, 9)\n"
+ESCAPE = """\
+import os, subprocess, sys, time
+
+
+def main():
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() == 0:
+            for name in list(os.environ):
+                del os.environ[name]
+            os.execv('/bin/sleep', ['sleep', '{seconds}'])
+        os._exit(0)
+    print('away')
+"""
+VANDAL = """\
+import os, pathlib
+
+
+def main():
+    for path in {paths!r}:
+        try:
+            pathlib.Path(path).write_text('passed = True')
+        except OSError as error:
+            print(error)
+"""
+
+
+def _graded(
+    tmp_path: Path, programs: dict[str, str], *, seconds: float = 15, shielded: bool = True
+) -> dict[str, Graded]:
+    """Grade day 4 of submissions whose hello.py is one of these, and of a good one, all at once."""
+    files = [write(tmp_path / f"{name}.zip", {INNER + "hello.py": text}) for name, text in programs.items()]
+    chosen = [each for each in gradings() if each.lesson == "day4"]
+    grader = Grader(chosen, seconds=seconds, shielded=shielded, answers={})
+    done = grader.grade([*files, write(tmp_path / "good.zip")], len(files) + 1)
+    return {graded.file.stem: graded for graded in done}
+
+
+def _said(graded: Graded) -> str:
+    return " ".join(
+        f"{wanted['en']} {saw['en']}" for result in graded.results for wanted, saw in result.problems
+    )  # fmt: skip
+
+
+def _has_namespaces() -> bool:
+    return subprocess.run(["unshare", "-Urpf", "true"], capture_output=True, check=False).returncode == 0
+
+
+needs_namespaces = pytest.mark.skipif(not _has_namespaces(), reason="this system gives users no namespaces")
+
+
+@needs_namespaces
+def test_each_costs_its_own_limit_only(tmp_path: Path) -> None:
+    seconds = str(4_000_000 + os.getpid())
+    began = time.monotonic()
+    programs = {
+        "fork": FORK_BOMB, "many": THREADS, "loop": LOOP, "heap": HEAP, "heaps": HEAPS, "disk": DISK, "kill": KILL_ALL,
+        "escape": ESCAPE.format(seconds=seconds),
+    }  # fmt: skip
+    done = _graded(tmp_path, programs)
+    assert time.monotonic() - began < 35
+    assert (done["good"].passed, done["good"].ended) == (2, "")
+    assert all(graded.shielded for graded in done.values())
+    assert "more and more" in _said(done["fork"])
+    assert "more and more" in _said(done["many"])
+    assert "It still runs" in _said(done["loop"])
+    assert "MemoryError" in _said(done["heap"])
+    assert "It took more" in _said(done["heaps"])
+    assert "too large" in _said(done["disk"]) or "status" in _said(done["disk"])
+    assert "ended from inside" in _said(done["kill"])
+    assert all(done[name].passed == 1 for name in programs if name != "escape")
+    listed = subprocess.run(["ps", "-axo", "args"], capture_output=True, text=True, check=True).stdout
+    assert f"sleep {seconds}" not in listed.splitlines()
+
+
+def test_nothing_escapes_without_namespaces_either(tmp_path: Path) -> None:
+    seconds = str(5_000_000 + os.getpid())
+    done = _graded(
+        tmp_path, {"escape": ESCAPE.format(seconds=seconds), "many": THREADS, "loop": LOOP}, shielded=False
+    )  # fmt: skip
+    assert done["good"].passed == 2
+    assert not any(graded.shielded for graded in done.values())
+    assert "more and more" in _said(done["many"])
+    assert "It still runs" in _said(done["loop"])
+    listed = subprocess.run(["ps", "-axo", "args"], capture_output=True, text=True, check=True).stdout
+    assert f"sleep {seconds}" not in listed.splitlines()
+
+
+@needs_namespaces
+def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
+    import day6_tui.core.lessons.grading.judge as judge
+
+    paths = [judge.__file__, str(tmp_path / "new.txt"), os.path.expanduser("~/vandal.txt"), f"/tmp/{uuid.uuid4().hex}"]
+    before = Path(str(judge.__file__)).read_bytes()
+    done = _graded(tmp_path, {"vandal": VANDAL.format(paths=paths)})
+    assert Path(str(judge.__file__)).read_bytes() == before
+    assert not any(os.path.lexists(path) for path in paths[1:])
+    assert done["good"].passed == 2
+
+
+def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Path) -> None:
+    files = [write(tmp_path / "slow.zip", {"home/star.py": "while True:\n    pass\n"})]
+    chosen = sorted((each for each in gradings() if each.lesson in ("day3", "day4")), key=lambda each: -each.order)
+    done = Grader(chosen, seconds=12, answers={}).grade(files, 1)[0]
+    assert {(each.lesson, each.passed) for each in done.results} == {("day4", True), ("day3", False)}
+    assert "ends within 12 s" in _said(done)
+    assert done.seconds < 20
