@@ -98,10 +98,11 @@ def heads(language: str) -> list[str]:
     return [Say(f"report.{column}").text(language) for column in COLUMNS]
 
 
-def cells(line: Line, language: str) -> list[object]:
-    """A line's cells."""
+def cells(line: Line, language: str, *, short: bool = False) -> list[object]:
+    """A line's cells; `short` for a terminal of 80 columns: lessons by their names."""
+    title = line.lesson if short and line.lesson not in ("", DRILLS) else line.title[language]
     return [
-        line.pupil, line.title[language], f"{line.solved}/{line.steps}", line.passed_over, line.hints, line.refused,
+        line.pupil, title, f"{line.solved}/{line.steps}", line.passed_over, line.hints, line.refused,
         round(line.seconds / 60, 1), moment(line.last) or Say("report.never").text(language),
     ]  # fmt: skip
 
@@ -189,6 +190,6 @@ def main(arguments: list[str], language: str) -> int:
         if path is not None:
             print(one_line(Say("office.written", file=path).text(language)))
     if options.csv is None and options.html is None:
-        print(text_table(heads(language), (cells(line, language) for line in found)))
+        print(text_table(heads(language), (cells(line, language, short=True) for line in found)))
         print(f"\n{Say('report.honest').text(language)}")
     return 1 if broken else 0

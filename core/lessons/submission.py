@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from day6_tui.core.lessons.document import LANGUAGES
+from day6_tui.core.lessons.grading.archive import LARGEST, MANIFEST, VERSION
 from day6_tui.core.lessons.progress import Progress, ProgressError, file_of, load, name_mistake, pupils, safe_name
 from day6_tui.core.lessons.texts import Say
 from day6_tui.core.places import default_home
@@ -28,17 +29,12 @@ from day6_tui.core.whole_file import replacing
 from day6_tui.core.workspace.export import ExportError, export
 from day6_tui.core.workspace.packages import holds_packages
 
-VERSION = 1
-MANIFEST = "day6-submission.json"
 LOOSE = (".py", ".urdf", ".xacro", ".yaml", ".xml", ".rviz")
 """Ends of the names of loose files that are packed."""
 
 MOST_LOOSE = 100
 LARGEST_LOOSE = 1_000_000
 """Bytes of a loose file."""
-
-LARGEST = 20_000_000
-"""Bytes of a submission: what `grade` reads."""
 
 
 class SubmissionError(Exception):

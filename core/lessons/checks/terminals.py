@@ -60,7 +60,7 @@ def ran(live: Live, line: str, status: int | None = None, prints: str = "", sinc
 
 def readable(pattern: str) -> str:
     """A regular expression nearly as the text it stands for."""
-    text = re.sub(r"\(\?[:=!<P][^)]*\)", "…", pattern.strip("^$"))
+    text = re.sub(r"\(\?[:=!<P][^)]*\)|^\(\?[aimsx]+\)", "…", pattern.strip("^$"))
     text = re.sub(r"\\([.\-/+*?()\[\]$^|])", r"\1", text)
     return re.sub(r"\\[bBsSwWdD][+*]?|\.[*+]\??", "…", text).strip("…") or pattern
 

@@ -15,8 +15,12 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from day6_tui.core.lessons.progress import LONGEST_ANSWERS
-from day6_tui.core.lessons.submission import LARGEST, MANIFEST, VERSION
 from day6_tui.core.lessons.texts import Say
+
+VERSION = 1
+MANIFEST = "day6-submission.json"
+LARGEST = 20_000_000
+"""Bytes of a submission."""
 
 MOST_FILES = 2000
 MOST_BYTES = 100_000_000

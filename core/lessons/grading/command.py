@@ -18,7 +18,7 @@ from day6_tui.core.lessons.texts import Say
 from day6_tui.core.session.harmless import lines, one_line
 
 MOST_JOBS = 64
-JOBS_FOR_A_CORE = 6
+JOBS_FOR_A_CORE = 10
 """A submission waits most of its time: for a turtle to arrive, for the next message."""
 
 MEMORY_FOR_A_JOB = 250 * 2**20

@@ -8,6 +8,9 @@ from day6_tui.core.lessons.tables import Cell, csv_bytes, html_page, html_table,
 from day6_tui.core.lessons.texts import Say
 from day6_tui.core.session.harmless import one_line
 
+SHOWN = 3
+"""Problems of one scenario that are shown on the terminal; the files have all."""
+
 
 def _text(key: str, language: str, **values: object) -> str:
     return Say(key, **values).text(language)
@@ -24,7 +27,9 @@ def in_text(graded: Graded, language: str) -> str:
     for result in graded.results:
         if not result.passed:
             found.append(one_line(f"    {result.lesson} {result.scenario}: {result.title[language]}"))
-            found += [one_line(f"        {wanted[language]}. {saw[language]}") for wanted, saw in result.problems[:3]]
+            for wanted, saw in result.problems[:SHOWN]:
+                text = _text("grade.problem", language, wanted=wanted[language], saw=saw[language])
+                found.append(one_line(f"        {text}"))
     return "\n".join(found)
 
 

@@ -6,6 +6,7 @@ Programs of ours are started in this process, messages are sent and services cal
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,9 @@ LISTENER_SECONDS = 10.0
 IDLE_SECONDS = 1.5
 """Seconds after which nothing more is expected once no program of the pupil's runs."""
 
-LONGEST_TAIL = 160
+TAIL_LINES = 3
+LONGEST_LINE = 80
+_STAMP = re.compile(r"\[\d+\.\d+\] ")
 
 
 class NotPlayed(Exception):
@@ -149,7 +152,8 @@ class GraderStage(Stage):
 
 
 def tail(text: str) -> str:
-    """The last lines of what was printed, in one line, without Python's lines about files and places."""
-    found = [line.strip() for line in text.splitlines() if line.strip()]
-    told = [line for line in found if not line.startswith(("File ", "Traceback ", "^", "Summary:"))]
-    return " / ".join(told[-3:])[-LONGEST_TAIL:]
+    """The last lines of what was printed, in one line, without stamps and Python's lines about files and places."""
+    found = [_STAMP.sub("", line).strip() for line in text.splitlines()]
+    told = [line for line in found if line and not line.startswith(("File ", "Traceback ", "^", "Summary:"))]
+    last = list(dict.fromkeys(told[-12:]))[-TAIL_LINES:]
+    return " / ".join(line if len(line) <= LONGEST_LINE else line[: LONGEST_LINE - 1] + "…" for line in last)

@@ -60,6 +60,7 @@ GRADING: dict[str, tuple[str, str]] = {
     "grade.service_saw": ("There was no answer.", "没有回答。"),
     "grade.action": ("the scenario can be played", "能把这个情景演完"),
     "grade.action_saw": ("{reason}.", "{reason}。"),
+    "grade.problem": ("{wanted}. {saw}", "{wanted}。{saw}"),
     "grade.both": ("{first} {second}", "{first}{second}"),
     "grade.printed": ("(its last lines: {text})", "（它最后打印的是：{text}）"),
     "grade.answers": ("the questions are answered: {names}", "回答了这些问题：{names}"),
