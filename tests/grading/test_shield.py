@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -137,3 +138,23 @@ def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Pat
     assert {(each.lesson, each.passed) for each in done.results} == {("day4", True), ("day3", False)}
     assert "ends within 12 s" in _said(done)
     assert done.seconds < 20
+
+
+def test_ctrl_c_leaves_nothing(tmp_path: Path) -> None:
+    files = [str(write(tmp_path / f"{number}.zip", {INNER + "hello.py": LOOP})) for number in range(2)]
+    words = [sys.executable, "-m", "day6_tui.tui.main", "grade", "--lesson", "day4", "--lang", "en", *files]
+    before = _works()
+    grade = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 20
+    while len(mine := _works() - before) < 2 and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert len(mine) == 2
+    time.sleep(0.5)
+    grade.send_signal(signal.SIGINT)
+    _, error = grade.communicate(timeout=20)
+    assert (grade.returncode, "stopped" in error, "Traceback" in error) == (130, True, False)
+    assert not mine & _works()
+
+
+def _works() -> set[str]:
+    return {name for name in os.listdir("/tmp") if name.startswith("d6g-")}

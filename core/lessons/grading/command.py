@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
 import threading
 import time
@@ -98,11 +99,15 @@ def main(arguments: list[str], language: str) -> int:
         with lock:
             print(lines(reports.in_text(graded, language)), flush=True)
 
+    before = {number: signal.signal(number, signal.default_int_handler) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         found = grader.grade(files, jobs, told)
     except KeyboardInterrupt:
         tell("grade.stopped")
         return 130
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
     took = f"{time.monotonic() - began:.1f}"
     total = Say("grade.total", count=len(found), seconds=took, jobs=jobs, seed=grader.seed)
     print(f"\n{one_line(total.text(language))}")

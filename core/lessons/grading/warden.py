@@ -59,6 +59,7 @@ def _try_shielded(job: dict[str, Any], work: Path) -> int | None:
         os._exit(_NO_SHIELD)
     shield.hide()
     if inside:
+        shield.end_with_parent()  # once more: the new namespace has forgotten it
         _, status = os.waitpid(inside, 0)
         os._exit(0 if os.waitstatus_to_exitcode(status) == 0 else 1)
     _say(ended=_watched(job, work, "", shield.all_processes), shield=shield.Shield.WHOLE.value)
