@@ -19,6 +19,8 @@ from day6_tui.tui.survival import PersonMessage
 from day6_tui.tui.terminals import Terminals
 
 if TYPE_CHECKING:
+    from textual import events
+
     from day6_tui.core.lessons.document import Lesson
     from day6_tui.tui.windows.lesson import LessonPane
 
@@ -30,10 +32,13 @@ PUPIL = "pupil"
 
 
 class LessonAsked(PaneMessage, PersonMessage):
-    """The lesson window asks: to 'type' a command, to go to the 'terminal', to remember what was 'opened'."""
+    """The lesson window asks: to 'type' a command, that a key was 'typed', to go to the 'terminal', what was 'opened'."""
 
-    def __init__(self, pane: Pane, what: str, text: str = "", lesson: Lesson | None = None) -> None:
+    def __init__(
+        self, pane: Pane, what: str, text: str = "", *, lesson: Lesson | None = None, key: events.Key | None = None
+    ) -> None:
         super().__init__(pane)
+        self.key = key
         self.what = what
         self.text = text
         self.lesson = lesson
@@ -129,6 +134,10 @@ class Lessons:
         """Do what the window asks for."""
         if event.what == "type":
             self._terminals.type(event.text)  # Return is the pupil's
+        elif event.what == "typed":
+            if (pane := self._terminals.current) is not None and event.key is not None:
+                pane.type_key(event.key)
+                self._desktop.go_to_pane(pane)
         elif event.what == "terminal":
             self.back_to_work()
         elif event.what == "opened" and (event.pane.keeps_focus or event.lesson is None):

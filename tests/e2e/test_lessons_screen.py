@@ -108,7 +108,8 @@ def test_the_welcome_choice_goes_on_where_one_stopped(place: Place) -> None:
         screen.wait("接着上次：第 1 天")
         screen.press("4")
         screen.wait(lambda seen: re.search(r"第 2/\d+ 步", seen))
-        screen.press("F5", "l", "F5", "Ctrl-C")
+        screen.press("F5", "L")
+        screen.wait(texts("lesson.days"))
 
 
 def test_the_language_changes_while_a_lesson_runs(place: Place, lessons: Path) -> None:
@@ -144,3 +145,14 @@ def test_lesson_files_without_a_screen(place: Place) -> None:
         place.run("lessons", "check", "nothing.md").stderr
         == "day6-tui lessons: nothing.md: No such file or directory\n"
     )
+
+
+def test_a_command_typed_at_the_lesson_goes_to_the_terminal(place: Place, lessons: Path) -> None:
+    texts = Texts("en")
+    with place.desktop("--lessons", str(lessons), "--lesson", "example", lang="en") as screen:
+        screen.wait("student@day6:~$", texts("lesson.step", number=1, all=1))
+        screen.press("F5")
+        screen.wait(keyboard_at("A little turtle"))
+        screen.line("echo right here")
+        screen.wait_lines("right here")
+        screen.wait(texts("lesson.step", number=1, all=1))

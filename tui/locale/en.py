@@ -709,7 +709,7 @@ commands:
     "lesson.next.key": "F5 next",
     "lesson.solved": "Done! F5 (or Enter) goes on to the next step.",
     "lesson.already": "You have done this already. Have a look, then F5 goes on.",
-    "lesson.missing": "This step needs an earlier one: {names}. Press p and I set it up.",
+    "lesson.missing": "This step needs an earlier one: {names}. Press P (capital) and I set it up.",
     "lesson.problem": "That did not work: {reason}",
     "lesson.something_runs": "Programs are still running. End them with Ctrl-C in their terminals, then open this drill again.",
     "lesson.not_saved": "Your progress was not saved: {reason}",
@@ -753,8 +753,8 @@ commands:
         "what is there and says what it saw where something is not.\n\n"
         "F5 goes on when a step is done; otherwise it goes between lesson and terminal. h gives a hint, three in all, "
         "the last one is the command; then Enter types it for you.\n\n"
-        "Left and Right show the step before and after, l the list of lessons, p sets up the steps that are needed, "
-        "s shows you how. Progress is kept after every step."
+        "Left and Right show the step before and after, L (capital) the list of lessons, P sets up the steps that are needed, "
+        "S shows you how. What is typed here goes to the terminal. Progress is kept after every step."
     ),
     "manual.lesson": "Lessons",
     "cli.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",

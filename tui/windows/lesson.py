@@ -31,6 +31,8 @@ class LessonPane(WindowPane["Course"]):
         self._top = 0
         self._news: dict[str, object] = {}
         """What was last shown of the things that come up while the pupil works."""
+        self._leaving = False
+        """Whether a command is being typed for a terminal: the focus moves a moment later than quick fingers."""
         self._notes = False
         """Whether the notes for the teacher are shown."""
         self._follow = True
@@ -184,14 +186,14 @@ class LessonPane(WindowPane["Course"]):
     def key_hints(self) -> list[tuple[str, str]]:
         texts, state = self.look.texts, self.course.state
         if state.step is None:
-            drills = [("r", texts("lesson.key.random")), ("x", texts("lesson.key.exam"))] if self.course.drills else []
+            drills = [("R", texts("lesson.key.random")), ("X", texts("lesson.key.exam"))] if self.course.drills else []
             return [("↑↓", texts("lesson.key.choose")), ("Enter", texts("lesson.key.open")), *drills]
         if self.course.demonstration is not None:
             return [
                 ("Space", texts("lesson.key.hold")),
                 ("→", texts("lesson.key.on")),
                 ("[ ]", texts("lesson.key.speed")),
-                ("d", texts("lesson.key.stop")),
+                ("D", texts("lesson.key.stop")),
             ]
         keys = [("Enter", texts("lesson.key.next"))] if state.solved else []
         if not state.solved and state.hints < HINTS:
@@ -199,17 +201,17 @@ class LessonPane(WindowPane["Course"]):
         if not state.solved and state.hints >= HINTS and state.step.command:
             keys.append(("Enter", texts("lesson.key.type")))
         if state.missing:
-            keys.append(("p", texts("lesson.key.prepare")))
-        return [*keys, ("←→", texts("lesson.key.steps")), ("l", texts("lesson.key.list"))]
+            keys.append(("P", texts("lesson.key.prepare")))
+        return [*keys, ("←→", texts("lesson.key.steps")), ("L", texts("lesson.key.list"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         return [
             ("PgUp PgDn", texts("lesson.key.scroll")),
-            ("s", texts("lesson.key.solution")),
-            ("d", texts("lesson.key.demo")),
-            ("t", texts("lesson.key.notes")),
-            ("r", texts("lesson.key.again")),
+            ("S", texts("lesson.key.solution")),
+            ("D", texts("lesson.key.demo")),
+            ("T", texts("lesson.key.notes")),
+            ("R", texts("lesson.key.again")),
             ("Esc", texts("lesson.key.terminal")),
         ]
 
@@ -264,22 +266,21 @@ class LessonPane(WindowPane["Course"]):
         in_list = {
             "down": lambda: self._choose(1),
             "up": lambda: self._choose(-1),
-            "r": self._doing("random"),
-            "x": self._doing("exam"),
+            "R": self._doing("random"),
+            "X": self._doing("exam"),
         }
         in_step: dict[str, Callable[[], object]] = {
             "down": lambda: self._scroll(1),
             "up": lambda: self._scroll(-1),
             "right": self._next,
-            "n": self._next,
             "left": self._doing("back"),
             "h": self._doing("hint"),
-            "l": self._doing("list"),
-            "p": self._doing("prepare"),
-            "r": self._doing("again"),
-            "s": self._doing("solution"),
-            "d": self._doing("demo"),
-            "t": self._toggle_notes,
+            "L": self._doing("list"),
+            "P": self._doing("prepare"),
+            "R": self._doing("again"),
+            "S": self._doing("solution"),
+            "D": self._doing("demo"),
+            "T": self._toggle_notes,
         }
         if (demonstration := self.course.demonstration) is not None:
             in_step |= {
@@ -297,12 +298,23 @@ class LessonPane(WindowPane["Course"]):
         if event.character is not None and event.character in letters:
             action: Callable[[], object] | None = self._doing(f"answer {event.character}")
         else:
-            action = both.get(event.key) or (in_list if state.step is None else in_step).get(event.key)
+            key = event.character if event.character is not None and event.character.isalpha() else event.key
+            action = both.get(key) or (in_list if state.step is None else in_step).get(key)
+            if self._leaving or (action is None and event.character is not None and event.character.isprintable()):
+                self._leaving = True
+                action = self._typing(event)
         if action is not None:
             event.stop()
             event.prevent_default()
             action()
             self.look.wake()
+
+    def _typing(self, event: events.Key) -> Action:
+        """A command is typed where there is no terminal: it goes to the one used last, as from the welcome page."""
+        return lambda: self.post_message(LessonAsked(self, "typed", key=event))
+
+    def on_blur(self, event: events.Blur) -> None:
+        self._leaving = False
 
     def _toggle_notes(self) -> None:
         self._notes = not self._notes
