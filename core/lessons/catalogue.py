@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +10,12 @@ from day6_tui.core.lessons.document import Lesson, LessonMistakes, read_lesson
 
 HERE = Path(__file__).parent
 MOST_FILES = 500
+
+TOPICS = (
+    "environment", "workspace", "package", "code", "names", "types", "qos", "parameters", "services", "tf", "rviz", "time",
+    "network",
+)  # fmt: skip
+"""The topics of drills, in the order in which they are listed; others come last."""
 
 
 @dataclass
@@ -38,5 +45,11 @@ def days() -> list[Lesson]:
 
 
 def drills() -> list[Lesson]:
-    """The drills, by the number of their fault."""
-    return lessons_in(HERE / "drills").lessons
+    """The drills, by topic and the number of their fault."""
+    return by_topic(lessons_in(HERE / "drills").lessons)
+
+
+def by_topic(lessons: Iterable[Lesson]) -> list[Lesson]:
+    """Drills in the order of their topics."""
+    known = {topic: at for at, topic in enumerate(TOPICS)}
+    return sorted(lessons, key=lambda each: (known.get(each.topic, len(TOPICS)), each.topic, each.order, each.name))

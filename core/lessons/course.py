@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from day6_tui.core.lessons.catalogue import Found, days, drills, lessons_in
+from day6_tui.core.lessons.catalogue import Found, by_topic, days, drills, lessons_in
 from day6_tui.core.lessons.checks import Verdict
 from day6_tui.core.lessons.demonstration import Demonstration
 from day6_tui.core.lessons.document import HINTS, Action, Lesson, LessonMistakes, Step, read_lesson
@@ -172,7 +172,8 @@ class Course:
         pupil, folder = self.progress.pupil, self._folder
         found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(days(), []))
         self.lessons = tuple(lesson for lesson in found.lessons if not lesson.is_drill)
-        self.drills = (*(lesson for lesson in found.lessons if lesson.is_drill), *await in_thread(drills))
+        own = [lesson for lesson in found.lessons if lesson.is_drill]
+        self.drills = tuple(by_topic([*own, *await in_thread(drills)]))
         self.broken = tuple(found.mistakes)
         try:
             progress = await in_thread(lambda: load(file_of(self._desk.home, pupil)))

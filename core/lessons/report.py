@@ -51,6 +51,7 @@ def lines_of(pupils: list[Progress], lessons: list[Lesson], faults: list[Lesson]
     found = []
     drill_names = {drill.name for drill in faults}
     for progress in pupils:
+        before = len(found)
         for lesson in lessons:
             known = {
                 step.name: progress.steps[lesson.name][step.name]
@@ -69,7 +70,7 @@ def lines_of(pupils: list[Progress], lessons: list[Lesson], faults: list[Lesson]
             if name not in known_names and steps:
                 title = {each: Say("report.not_there", name=name).text(each) for each in LANGUAGES}
                 found.append(_line(progress.pupil, name, title, list(steps.values()), len(steps)))
-        if not any(progress.steps.values()):
+        if len(found) == before:  # also where only steps are known that the lessons do not have any more
             found.append(_line(progress.pupil, "", dict.fromkeys(LANGUAGES, "-"), [], 0))
     return found
 

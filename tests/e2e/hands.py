@@ -84,7 +84,7 @@ class Keyboard(Hands):
     """Sends no report of a mouse."""
 
     def welcome(self, choice: str) -> None:
-        number = ("turtle", "car", "world", "empty").index(choice) + 1
+        number = ("turtle", "car", "world", "lessons", "empty").index(choice) + 1
         self.screen.wait(f" {number}  {self.texts(f'welcome.{choice}')}", PROMPT)
         self.screen.press(str(number))
 

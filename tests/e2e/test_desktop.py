@@ -16,8 +16,8 @@ termios = pytest.importorskip("termios", reason="this system has no pseudo-termi
 
 SIZES_AND_LANGUAGES = [(80, 24, "zh"), (80, 24, "en"), (120, 40, "zh"), (120, 40, "en")]
 WELCOME = {
-    "zh": ("驾驶小海龟", "让小车的轮子转起来", "开着小车去闯一闯", "空桌面"),
-    "en": ("Drive the turtle", "Make the car's wheels turn", "Drive the car in a world", "An empty desk"),
+    "zh": ("驾驶小海龟", "让小车的轮子转起来", "开着小车去闯一闯", "上课", "空桌面"),
+    "en": ("Drive the turtle", "Make the car's wheels turn", "Drive the car in a world", "Lessons", "An empty desk"),
 }
 QUIT_SECONDS = 10.0
 """Far more than quitting takes; programs that have to be ended by force would take longer."""

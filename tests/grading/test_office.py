@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from article import FILES, write
 
+from day6_tui.core.lessons.catalogue import days
 from day6_tui.core.lessons.grading import reports
 from day6_tui.core.lessons.grading.archive import unpack
 from day6_tui.core.lessons.grading.grader import Graded, Grader, Result
@@ -23,6 +24,8 @@ from day6_tui.core.lessons.progress import FOLDER, Progress, StepDone, file_of, 
 from day6_tui.core.lessons.texts import TEXTS
 from day6_tui.core.width import text_width
 from day6_tui.tui.main import main
+
+ONE, TWO = (step.name for step in days()[0].steps[:2])
 
 
 @pytest.fixture
@@ -38,9 +41,9 @@ def home(tmp_path: Path) -> Path:
     for folder in ("build", "install", "log"):
         (home / "ros2_ws" / folder).mkdir()
         (home / "ros2_ws" / folder / "out.txt").write_text("left by a build")
-    progress = Progress("安娜", at={"day1": "one"})
-    progress.note("day1", "one", StepDone(solved=1_700_000_000.0, hints=2, seconds=90.0, refused=1, answers="cb"))
-    progress.note("day1", "two", StepDone(passed_over=True, hints=1, seconds=30.0))
+    progress = Progress("安娜", at={"day1": ONE})
+    progress.note("day1", ONE, StepDone(solved=1_700_000_000.0, hints=2, seconds=90.0, refused=1, answers="cb"))
+    progress.note("day1", TWO, StepDone(passed_over=True, hints=1, seconds=30.0))
     save(file_of(home, "安娜"), progress)
     return home
 
@@ -50,7 +53,7 @@ def test_what_is_handed_in_comes_out_again(home: Path, tmp_path: Path, capsys: p
     assert main(["submit", "--home", str(home), "-o", str(target), "--lang", "zh"]) == 0
     assert "1 个回答" in capsys.readouterr().out
     submission = unpack(target, tmp_path / "out")
-    assert (submission.pupil, submission.answers) == ("安娜", {"day1": {"one": "cb"}})
+    assert (submission.pupil, submission.answers) == ("安娜", {"day1": {ONE: "cb"}})
     came = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*") if path.is_file()}
     assert {"star.py", "ros2_ws/src/loose.py", "ros2_ws/src/day6_publisher/setup.py"} <= came
     assert not any("out.txt" in name or ".config" in name for name in came)
@@ -85,11 +88,11 @@ def test_submit_says_what_is_missing(home: Path, tmp_path: Path, capsys: pytest.
 def test_answers_are_kept_by_the_progress_file(tmp_path: Path) -> None:
     path = file_of(tmp_path, "anna")
     progress = Progress("anna")
-    progress.note("day1", "one", StepDone(refused=1, answers="c"))
+    progress.note("day1", ONE, StepDone(refused=1, answers="c"))
     save(path, progress)
-    progress.note("day1", "one", StepDone(solved=5.0, refused=1, answers="cb"))
+    progress.note("day1", ONE, StepDone(solved=5.0, refused=1, answers="cb"))
     save(path, progress)
-    assert load(path).step("day1", "one").answers == "cb"
+    assert load(path).step("day1", ONE).answers == "cb"
 
 
 # -- report ------------------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
 
+from day6_tui.core.lessons.catalogue import TOPICS
 from day6_tui.core.lessons.document import HINTS, Lesson
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.windows.lesson_text import Line, text_lines
@@ -87,9 +88,16 @@ def list_rows(
     if course.drills:
         heading(texts("lesson.drills"))
         rows += [Row([Segment(f"   {line}", colours.muted)]) for line in wrap(texts("lesson.drills.more"), width - 4)]
-        for lesson in course.drills:
+        for before, lesson in zip((None, *course.drills), course.drills, strict=False):
+            if before is None or before.topic != lesson.topic:
+                rows.append(Row([Segment(clip(f"   {_topic(lesson.topic, look)}", width), colours.accent)]))
             entry(lesson, f"{lesson.fault:2} {lesson.title[texts.language]}")
     return rows, entries
+
+
+def _topic(topic: str, look: Look) -> str:
+    """The name of a topic; one of a teacher's own as it is."""
+    return look.texts(f"lesson.topic.{topic}") if topic in TOPICS else topic
 
 
 def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:

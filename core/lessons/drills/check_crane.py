@@ -24,7 +24,13 @@ def new_terminal_says_so() -> bool:
     words = ["day6-tui", "exec", "--home", str(Path.home()), "--timeout", str(SECONDS), "-c", LINES]
     world = {**os.environ, "DAY6_LINK": "off"}
     crane = subprocess.Popen(
-        words, env=world, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        words,
+        env=world,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
     )
     late = threading.Timer(SECONDS, crane.kill)
     late.start()
@@ -37,8 +43,14 @@ def new_terminal_says_so() -> bool:
         crane.wait()
 
 
-if is_new() and new_terminal_says_so():
-    print("新终端里的起重机每秒拉 10 次 (in a new terminal the crane pulls 10 times a second)")
-else:
+def main() -> int:
+    """Print what was seen; return 0 if the new program is what runs."""
+    if is_new() and new_terminal_says_so():
+        print("新终端里的起重机每秒拉 10 次 (in a new terminal the crane pulls 10 times a second)")
+        return 0
     print("新终端里的起重机还是老样子 (in a new terminal the crane is as slow as before)")
-    sys.exit(1)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -35,8 +35,14 @@ def late_screen_shows_it() -> bool:
     return NOTICE in seen
 
 
-if late_screen_shows_it() and late_screen_shows_it():
-    print("现在打开的屏幕显示了通知 (a screen that is switched on now shows the notice)")
-else:
+def main() -> int:
+    """Print what was seen; return 0 if a screen that is switched on late shows the notice."""
+    if late_screen_shows_it() and late_screen_shows_it():
+        print("现在打开的屏幕显示了通知 (a screen that is switched on now shows the notice)")
+        return 0
     print("现在打开的屏幕还是空的 (a screen that is switched on now stays empty)")
-    sys.exit(1)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

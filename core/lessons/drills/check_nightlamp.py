@@ -36,7 +36,8 @@ def main() -> int:
         return 1
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "other.yaml"
-        file.write_text(changed, encoding="utf-8")
+        with file.open("w", encoding="utf-8") as other:
+            other.write(changed)
         command = ["python3", str(FOLDER / "lamp.py"), "--ros-args", "--params-file", str(file)]
         environment = {**os.environ, "ROS_DOMAIN_ID": str(DOMAIN)}
         quiet = subprocess.DEVNULL
@@ -71,4 +72,5 @@ def first_brightness() -> int | None:
     return heard[0] if heard else None
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

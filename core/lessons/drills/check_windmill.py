@@ -46,4 +46,5 @@ def main() -> int:
     return 0 if turned >= ENOUGH else 1
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -25,7 +25,6 @@ ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call":
 """Actions that only scenarios have, done by the grader itself, and what each needs."""
 
 _OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "within", "needs"}
 _NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
 _VALUE = re.compile(r"@([a-z][a-z0-9_]*)@")
@@ -152,7 +151,7 @@ class _Reader:
 
     def _yaml(self, text: str, line: int) -> dict[str, Any]:
         try:
-            found = yaml.load(text, _LOADER)
+            found = yaml.safe_load(text)
         except (yaml.YAMLError, ValueError, RecursionError) as error:
             mark = getattr(error, "problem_mark", None)
             problem = getattr(error, "problem", None) or str(error).splitlines()[0]
