@@ -43,6 +43,7 @@ KEPT = frozenset(
             "DAY6_REAL_COLCON",
             "DAY6_REAL_PYTHON",
             "DAY6_ROBOTS",
+            "DAY6_TESTS_ALL",
             "DAY6_TESTS_ODD",
             "DAY6_UPDATE_GOLDEN",
         ),

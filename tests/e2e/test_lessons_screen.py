@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from mouse import Mouse
+from todays import todays
 from waiting import until
 
 from day6_tui.core.lessons import catalogue
@@ -25,7 +26,7 @@ everybody = pytest.mark.parametrize(
     ("lang", "size"),
     [
         pytest.param(*each, id=f"{each[0]}-{each[1][0]}")
-        for each in itertools.product(("zh", "en"), ((80, 24), (120, 40)))
+        for each in todays(list(itertools.product(("zh", "en"), ((80, 24), (120, 40)))))
     ],
 )
 

@@ -13,6 +13,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from todays import todays
 
 from day6_tui.core.lessons.catalogue import HERE
 from day6_tui.core.lessons.document import read_lesson
@@ -23,7 +24,7 @@ LONGEST = 400.0
 
 DAYS = sorted((HERE / "days").glob("*.md"))
 DRILLS = sorted((HERE / "drills").glob("*.md"))
-FILES = [*DAYS, HERE / "example.md", *DRILLS]
+FILES = todays([*DAYS, HERE / "example.md", *DRILLS])
 
 Played = Future["subprocess.CompletedProcess[str]"]
 
