@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 import types
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ sys.path.insert(0, str(TESTS / "stepped"))
 
 from rights import plain_user  # noqa: E402, F401
 from short_folder import make_short_folder  # noqa: E402
+from todays import PARTS, today  # noqa: E402
 
 if importlib.util.find_spec("day6_tui") is None:
     namespace = types.ModuleType("day6_tui")
@@ -120,6 +122,16 @@ for number in {
 from day6_tui.core.ros.environment import activate  # noqa: E402
 
 activate()
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """In odd surroundings play a third of the tests, another third each day: all of them ran in ordinary ones."""
+    if ODD and not os.environ.get("DAY6_TESTS_ALL"):
+        part = today() % PARTS
+        chosen = [zlib.crc32(item.nodeid.encode()) % PARTS == part for item in items]
+        left_out = [item for item, keep in zip(items, chosen, strict=True) if not keep]
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item, keep in zip(items, chosen, strict=True) if keep]
 
 
 @pytest.hookimpl(optionalhook=True)

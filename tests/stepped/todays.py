@@ -14,8 +14,13 @@ T = TypeVar("T")
 PARTS = 3
 
 
+def today() -> int:
+    """The number of this day (UTC)."""
+    return datetime.datetime.now(datetime.timezone.utc).toordinal()
+
+
 def todays(cases: Sequence[T]) -> list[T]:
     """The cases of today, or all."""
     if os.environ.get("DAY6_TESTS_ALL"):
         return list(cases)
-    return list(cases[datetime.datetime.now(datetime.timezone.utc).toordinal() % PARTS :: PARTS])
+    return list(cases[today() % PARTS :: PARTS])
