@@ -65,6 +65,13 @@ SPREAD = (
 )
 """Files of long tests that share nothing, not even a fixture of their module."""
 
+LONG = (
+    *(f"tests/e2e/test_{name}.py" for name in ("bad_input", "detach")),
+    *("tests/editor/test_window.py", "tests/project/test_spoilt_disks.py", "tests/rviz2/test_window_parts.py"),
+    *("tests/pixels/test_pictures.py", "tests/shell/test_flood.py"),
+)
+"""Files of long tests of which a run of everything plays a third, another one each day."""
+
 # Short, because it holds sockets; and it may be anywhere, because no test should depend on where temporary files are.
 OWN = make_short_folder("d6t-")
 # Where programs are told that one of them makes all the others wait (core/session/watch.py); it is a failure of the test.
@@ -125,11 +132,17 @@ activate()
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """In odd surroundings play a third of the tests, another third each day: all of them ran in ordinary ones."""
-    if ODD and not os.environ.get("DAY6_TESTS_ALL"):
-        part = today() % PARTS
-        chosen = [zlib.crc32(item.nodeid.encode()) % PARTS == part for item in items]
-        left_out = [item for item, keep in zip(items, chosen, strict=True) if not keep]
+    """Leave two thirds of some tests to other days: of LONG when all are run, of all in odd surroundings (they ran in others)."""
+    if os.environ.get("DAY6_TESTS_ALL"):
+        return
+    whole = not config.getoption("file_or_dir")
+    part = today() % PARTS
+    chosen = [
+        not (ODD or (whole and item.nodeid.startswith(LONG))) or zlib.crc32(item.nodeid.encode()) % PARTS == part
+        for item in items
+    ]
+    left_out = [item for item, keep in zip(items, chosen, strict=True) if not keep]
+    if left_out:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item, keep in zip(items, chosen, strict=True) if keep]
 
