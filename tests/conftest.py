@@ -59,7 +59,7 @@ ODD = bool(os.environ.get("DAY6_TESTS_ODD"))
 SPREAD = (
     "tests/conformance/test_programs.py",
     *(f"tests/e2e/test_{first}" for first in string.ascii_lowercase if first != "s"),  # those of test_signals share one
-    *(f"tests/inspector/test_{name}.py" for name in ("drills", "healthy")),
+    *(f"tests/inspector/test_{name}.py" for name in ("drills", "healthy", "lessons_end", "tutorials")),
     *(f"tests/shell/test_{name}.py" for name in ("endless", "execute", "process")),
     *(f"tests/workspace/test_{name}.py" for name in ("interface_packages", "sources_stay", "tests")),
 )

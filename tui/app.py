@@ -83,6 +83,9 @@ DEFAULT_FPS = 30.0
 TITLE_SECONDS = 0.2
 """Between two looks whether titles have changed: that costs as much as a moving turtle."""
 
+WHILE_ASKED = ("help", "language", "theme", "glyphs", "detach", "copy")
+"""What keys may do while a question waits for its answer."""
+
 SAVE_SECONDS = 20.0
 """How much of the session a crash may cost."""
 
@@ -159,7 +162,7 @@ class Day6App(TerminalApp):
         self.lessons = Lessons(machine, desktop, self.terminals, notices, settings, look, options.lessons)
         self.welcome.last_lesson = lambda: self.lessons.where
         self.looks = looks = Looks(self, look)
-        self.explaining = Explaining(machine, desktop, self.terminals, look)
+        self.explaining = Explaining(machine, desktop, self.terminals, notices, look)
         self.detachment = Detachment(self, options.keeper)
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
@@ -224,6 +227,8 @@ class Day6App(TerminalApp):
         self.detachment.begin()
         if self.options.scene is not None or not self.session.restore():
             self.terminals.open()
+        elif self.session.in_lesson:
+            self.lessons.open()
         self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
         self.set_timer(LINK_SECONDS, self.machine.open_link)
         if self.options.has_doors:
@@ -300,6 +305,8 @@ class Day6App(TerminalApp):
         """Textual's entry: a key of the table was pressed."""
         if id == "quit":
             self.leaving.press_quit()
+        elif (overlay := self.desktop.overlay) is not None and overlay.waits and id not in WHILE_ASKED:
+            return
         elif id == "pause" and self.scenes.player is not None:
             self.scenes.toggle_pause()  # of the world, the upper line
         else:
@@ -447,6 +454,10 @@ class Day6App(TerminalApp):
     @on(LessonAsked)
     def follow_lesson(self, event: LessonAsked) -> None:
         self.lessons.handle(event)
+
+    @on(WindowPane.KeyboardWanted)
+    def give_keyboard(self, event: WindowPane.KeyboardWanted) -> None:
+        self.desktop.focus_pane(event.pane)
 
     @on(WindowPane.CommandChosen)
     def type_command(self, event: WindowPane.CommandChosen) -> None:

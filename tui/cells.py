@@ -66,6 +66,7 @@ def wrap(text: str, width: int) -> list[str]:
 
 
 _NO_LINE_START = set("，。、；：！？）》」』”’…")
+_NO_LINE_END = set("（《「『“‘")
 
 
 def _words(text: str) -> list[str]:
@@ -78,10 +79,15 @@ def _words(text: str) -> list[str]:
                 word += char
             else:
                 pieces[-1] += char
-        elif cell_len(char) == 2:
+        elif char in _NO_LINE_END:
             if word:
                 pieces.append(word)
-            pieces.append(char)
+            word = char
+        elif cell_len(char) == 2:
+            if word and word[-1] not in _NO_LINE_END:
+                pieces.append(word)
+                word = ""
+            pieces.append(word + char)
             word = ""
         elif char == " ":
             pieces.append(word + " ")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 from textual import events, on
@@ -17,7 +17,7 @@ from day6_tui.tui.frame_mouse import FrameMouse
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.pane_host import PaneHost
-from day6_tui.tui.placement import GUIDE, OTHER, TERMINAL, WIDE, WINDOWS, Needs, put
+from day6_tui.tui.placement import GUIDE, LESSON, OTHER, TERMINAL, WIDE, WINDOWS, Needs, put
 from day6_tui.tui.splits import Extent, Place, Tree
 from day6_tui.tui.tabs import Tab, tab_pieces
 from day6_tui.tui.terminal_pane import TerminalPane
@@ -130,7 +130,14 @@ class Desktop(PaneHost):
         pane = self.slots.get(slot)
         if isinstance(pane, TerminalPane):
             return TERMINAL
-        return WINDOWS.get(pane.window.kind, OTHER) if isinstance(pane, WindowPane) else GUIDE
+        found = WINDOWS.get(pane.window.kind, OTHER) if isinstance(pane, WindowPane) else GUIDE
+        if found.weight > LESSON.weight and self.size.width < WIDE and self._has_lesson:
+            found = found.within(self.size.width - LESSON.good.columns)
+        return found
+
+    @property
+    def _has_lesson(self) -> bool:
+        return any(isinstance(pane, WindowPane) and pane.window.kind == "lesson" for pane in self.slots.values())
 
     def tabs(self, pane: Pane, room: int) -> list[Piece]:
         """The names of the panes that share a place with `pane`, its own among them."""
@@ -332,6 +339,16 @@ class Desktop(PaneHost):
         self._note_focus(pane)
         if self.overlay is None:
             self.give_keyboard(pane)
+
+    def type_at_terminal(self, keys: Sequence[events.Key]) -> None:
+        used = [
+            pane for slot in self.recent if isinstance(pane := self.slots[slot], TerminalPane) and pane.has_terminal
+        ]
+        free = [pane for pane in used if not pane.view.terminal.busy]
+        for terminal in (free or used)[:1]:
+            for key in keys:
+                terminal.type_key(key)
+            self.go_to_pane(terminal)
 
     def bring_to_front(self, pane: Pane) -> None:
         """Show a pane that is behind another one, without giving it the keyboard."""

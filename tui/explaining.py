@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
+from day6_tui.tui.notices import NOTICE_SECONDS, Notices
 from day6_tui.tui.pane import Pane
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminals import Terminals
@@ -22,20 +23,21 @@ LONGEST = 8 * 1024
 class Explaining:
     """Finds the card, lets it look around, shows it."""
 
-    def __init__(self, machine: Machine, desktop: Desktop, terminals: Terminals, look: Look) -> None:
+    def __init__(self, machine: Machine, desktop: Desktop, terminals: Terminals, notices: Notices, look: Look) -> None:
         self._machine = machine
+        self._notices = notices
         self._desktop = desktop
         self._terminals = terminals
         self._look = look
 
     def open_for(self, pane: Pane) -> bool:
-        """Open the card of what is chosen in a pane, or was printed last there; False if that has none."""
+        """Open the card of what is chosen in a pane, or was printed last there; False if that has none, or none in an exam."""
         if isinstance(pane, TerminalPane):
             return pane.has_terminal and self._open_for_terminal(pane)
         return bool(text := pane.unclear) and self._open_for_text(text, pane)
 
     def open_for_line(self, pane: TerminalPane, line: str) -> bool:
-        """Open the card of one line of a terminal; False if it has none."""
+        """Open the card of one line of a terminal; False as above."""
         from day6_tui.core.advice.matching import card_for
         from day6_tui.core.shell.builtins.why import explained_lines
 
@@ -45,21 +47,23 @@ class Explaining:
         terminal = pane.view.terminal
         runs = ((found, run) for found, run in explained_lines(terminal) if found.line.strip() == line.strip())
         found, run = next(runs, (match, None))
-        self._show(found, pane, run.output if run is not None else line, run.source if run is not None else "")
-        return True
+        return self._show(found, pane, run.output if run is not None else line, run.source if run is not None else "")
 
     def _open_for_terminal(self, pane: TerminalPane) -> bool:
-        from day6_tui.core.advice.matching import cards_in
+        from day6_tui.core.advice.matching import cards_in, unfinished
         from day6_tui.core.shell.builtins.why import is_own
 
         if selected := pane.view.selected_text()[-LONGEST:].strip():
             return self._open_for_text(selected, pane)
+        waiting = pane.view.terminal.unfinished
+        if waiting and (open_card := unfinished(waiting)) is not None:
+            self._show(open_card, pane, "", "")
+            return True
         runs = [run for run in pane.view.terminal.runs.all if not is_own(run.source)]
         match = next(cards_in(runs[-1].output), None) if runs else None
         if match is None:
             return False
-        self._show(match, pane, runs[-1].output, runs[-1].source)
-        return True
+        return self._show(match, pane, runs[-1].output, runs[-1].source)
 
     def _open_for_text(self, text: str, pane: Pane) -> bool:
         from day6_tui.core.advice.matching import cards_in
@@ -67,21 +71,25 @@ class Explaining:
         match = next(cards_in(text), None)
         if match is None:
             return False
-        self._show(match, pane, text, "")
-        return True
+        return self._show(match, pane, text, "")
 
-    def _show(self, match: Match, pane: Pane, output: str, command: str) -> None:
+    def _show(self, match: Match, pane: Pane, output: str, command: str) -> bool:
         from day6_tui.core.advice.explain import explain, scene_of
         from day6_tui.core.advice.live import LiveGraph
         from day6_tui.core.advice.rules import Surroundings
+        from day6_tui.core.advice.texts import TEXTS
         from day6_tui.core.graph.domain import DomainError
         from day6_tui.core.shell.commands import command_names
         from day6_tui.core.shell.desk import domain_of
+        from day6_tui.core.shell.language.hints import letters_awaited
         from day6_tui.tui.card import CardModal
 
         desk = self._machine.desk
         if desk is None:
-            return
+            return False
+        if desk.searching() == "exam":
+            self._notices.show(TEXTS["card.exam"][self._look.texts.language == "zh"], NOTICE_SECONDS)
+            return False
         terminal = self._terminal_of(pane)
         variables = terminal.shell.environment if terminal is not None else desk.environment()
         folder = terminal.shell.cwd if terminal is not None else desk.home
@@ -90,9 +98,18 @@ class Explaining:
         except DomainError:
             graph = None
         around = Surroundings(variables, folder, launch=command.startswith("ros2 launch"))
-        scene = scene_of(match, around, output=output, command=command, graph=graph, commands=command_names())
+        scene = scene_of(
+            match,
+            around,
+            output=output,
+            command=command,
+            graph=graph,
+            commands=command_names(),
+            letters=letters_awaited(desk),
+        )
         shown = explain(match, scene, self._look.texts.language)
         self._desktop.open_overlay(CardModal(self._look, shown, lambda line: self._type(line, pane)), about=pane)
+        return True
 
     def _terminal_of(self, pane: Pane) -> Terminal | None:
         """Its own, or that which was used last."""

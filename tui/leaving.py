@@ -69,7 +69,7 @@ class Leaving:
             names = texts("list.comma").join(running[:MOST_NAMES])
             more = texts("quit.more", count=len(running) - MOST_NAMES) if len(running) > MOST_NAMES else ""
             text = texts("quit.runs" if len(running) == 1 else "quit.run", what=names + more)
-            title, yes = texts("quit.running"), texts("quit.end")
+            title, yes = texts("quit.running"), texts("quit.leave")
         answers = [Answer("y", yes, self._app.exit)]
         if self._detach is not None:
             answers.append(Answer("d", texts("quit.detach"), self._detach))

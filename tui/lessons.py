@@ -19,8 +19,6 @@ from day6_tui.tui.survival import PersonMessage
 from day6_tui.tui.terminals import Terminals
 
 if TYPE_CHECKING:
-    from textual import events
-
     from day6_tui.core.lessons.document import Lesson
     from day6_tui.tui.windows.lesson import LessonPane
 
@@ -32,15 +30,11 @@ PUPIL = "pupil"
 
 
 class LessonAsked(PaneMessage, PersonMessage):
-    """The lesson window asks: to 'type' a command, that a key was 'typed', to go to the 'terminal', what was 'opened'."""
+    """The lesson window asks: to go to the 'terminal', what was 'opened'."""
 
-    def __init__(
-        self, pane: Pane, what: str, text: str = "", *, lesson: Lesson | None = None, key: events.Key | None = None
-    ) -> None:
+    def __init__(self, pane: Pane, what: str, *, lesson: Lesson | None = None) -> None:
         super().__init__(pane)
-        self.key = key
         self.what = what
-        self.text = text
         self.lesson = lesson
 
 
@@ -95,6 +89,8 @@ class Lessons:
             self._desktop.go_to_pane(pane)
         elif pane.course.state.solved:
             pane.course.request(pane.course.next)
+            if self._desktop.focused_pane is pane:
+                self.back_to_work()
         elif self._desktop.focused_pane is pane:
             self.back_to_work()
         else:
@@ -132,16 +128,10 @@ class Lessons:
 
     def handle(self, event: LessonAsked) -> None:
         """Do what the window asks for."""
-        if event.what == "type":
-            self._terminals.type(event.text)  # Return is the pupil's
-        elif event.what == "typed":
-            if (pane := self._terminals.current) is not None and event.key is not None:
-                pane.type_key(event.key)
-                self._desktop.go_to_pane(pane)
-        elif event.what == "terminal":
+        if event.what == "terminal":
             self.back_to_work()
-        elif event.what == "opened" and (event.pane.keeps_focus or event.lesson is None):
-            self._desktop.go_to_pane(event.pane)  # the list: something has to be chosen
+        elif event.what == "opened" and (lesson := self.pane) is not None and lesson.takes_focus:
+            self._desktop.go_to_pane(lesson)  # something has to be chosen there
 
     @property
     def where(self) -> str:

@@ -143,18 +143,8 @@ class Machine:
 
     def start(self, name: str, main: Main) -> None:
         """The same for any main function of a program."""
-        from day6_tui.core.session.streams import InputStream, OutputStream
-        from day6_tui.core.shell.language.redirection import Streams
-
-        desk = self.desk
-        if desk is None:
-            return
-        streams = Streams(InputStream(), OutputStream(), OutputStream())
-
-        def start() -> None:
-            desk.start_program([name], main, streams, env=desk.environment(), cwd=desk.home)
-
-        desk.scheduler.call_soon_threadsafe(start)
+        if self.desk is not None:
+            self.desk.start_unseen(name, main)
 
     # -- time ----------------------------------------------------------------------------------------------------------
 

@@ -27,7 +27,12 @@ def main(arguments: list[str] | None = None) -> int:
 
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
-    if words[:1] == ["demo"] and len(words) > 1 and not words[1].startswith("-"):
+    if words[:1] == ["demo"]:
+        if len(words) == 1 or words[1].startswith("-"):
+            print(
+                "usage: day6-tui demo DAY [OPTION ...]\n\nDAY is 1 to 6, or the name of a lesson (day6-tui lessons list)."
+            )
+            return 0 if words[1:] in (["-h"], ["--help"]) else 2
         words = _demo(words[1:])
     command = (_TABLE.get(words[0]) or _named_program(words[0])) if words else None
     if command is not None:

@@ -29,6 +29,8 @@ class Modal(ModalScreen[None]):
     CSS_PATH = "modal.tcss"
     AUTO_FOCUS = ""
     ALLOW_SELECT = True
+    waits = False
+    """Whether it has to be answered before the keys of the desktop do anything: they would do it unseen, behind it."""
     BINDINGS = [
         Binding("escape", "close", show=False),
         Binding("ctrl+c", "copy_or_close", show=False),

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
 
+from textual import events
 from textual.containers import Container
 from textual.screen import Screen
 
@@ -31,6 +33,9 @@ class PaneHost(Container, Host):
         """The modal screen that is open."""
         screen = self.app.screen
         return screen if isinstance(screen, Modal) else None
+
+    def type_at_terminal(self, keys: Sequence[events.Key]) -> None:
+        """Type where a command is expected what was typed at a pane that takes none, and give it the keyboard."""
 
     def open_overlay(self, modal: Modal, about: Pane | None = None) -> None:
         """Open a modal screen in place of any other; one that is about a pane closes with it."""

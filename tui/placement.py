@@ -17,10 +17,16 @@ class Needs(NamedTuple):
     weight: float = 1.0
     """How much it matters that it is seen."""
 
+    def within(self, columns: int) -> Needs:
+        """The same for a pane that makes do with so many columns."""
+        least, good = (Extent(min(each.columns, columns), each.rows) for each in (self.least, self.good))
+        return self._replace(least=least, good=good)
+
 
 TERMINAL = Needs(Extent(30, 8), Extent(40, 12), Extent(80, 30))
 GUIDE = Needs(Extent(30, 10), Extent(40, 18), Extent(60, 20))
 OTHER = Needs(Extent(36, 8), Extent(56, 14), Extent(90, 24))
+LESSON = Needs(Extent(34, 16), Extent(38, 21), Extent(60, 40), 2.0)
 WINDOWS = {
     "turtlesim": Needs(Extent(24, 10), Extent(42, 22), Extent(62, 32), 2.0),
     "car": Needs(Extent(30, 10), Extent(46, 20), Extent(70, 30), 2.0),
@@ -29,9 +35,9 @@ WINDOWS = {
     "rqt_graph": Needs(Extent(38, 8), Extent(60, 14), Extent(100, 24)),
     "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
     "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),
-    "lesson": Needs(Extent(34, 10), Extent(38, 21), Extent(60, 40), 2.0),
+    "lesson": LESSON,
     "kitchen": Needs(Extent(36, 9), Extent(60, 14), Extent(110, 30)),
-    "editor": Needs(Extent(60, 10), Extent(76, 24), Extent(90, 40)),
+    "editor": Needs(Extent(45, 10), Extent(50, 24), Extent(90, 40), 1.5),
 }
 """By the kind of window; the others need what `OTHER` says."""
 

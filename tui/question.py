@@ -1,4 +1,4 @@
-"""A question with a button for each answer; each has its key. Esc leaves everything as it was."""
+"""A question with a button for each answer; each has its key. Esc (`back`) leaves everything as it was."""
 
 from __future__ import annotations
 
@@ -35,8 +35,13 @@ class Question(Modal):
         Binding("left,up,shift+tab", "app.focus_previous", show=False),
     ]
 
-    def __init__(self, look: Look, title: str, text: str, answers: Sequence[Answer], *, careful: bool = False) -> None:
+    waits = True
+
+    def __init__(
+        self, look: Look, title: str, text: str, answers: Sequence[Answer], *, careful: bool = False, back: str = ""
+    ) -> None:
         super().__init__(look, title)
+        self._back = back or look.texts("question.back")
         self._text = text
         self._answers = answers
         self._careful = careful
@@ -47,7 +52,7 @@ class Question(Modal):
         from textual.widgets import Button, Static
 
         yield Static(Content("\n").join(lines_of(self._text)), classes="text")
-        back = Button(plain(f"Esc {self.look.texts('question.back')}"), compact=True, id="back")
+        back = Button(plain(f"Esc {self._back}"), compact=True, id="back")
         buttons = [
             Button(plain(f"{answer.key.upper()} {answer.label}"), compact=True, name=answer.key)
             for answer in self._answers

@@ -74,6 +74,8 @@ class Session:
         """What the windows showed that have not come back yet, by their roles in the layout."""
         self._state: object = None
         """What there was when it was saved last."""
+        self.in_lesson = False
+        """Whether somebody was in the middle of a lesson; known once it was restored."""
         self._foreign = False
         """The file is not one of ours: it is left as it is."""
 
@@ -152,6 +154,8 @@ class Session:
         self._layout, self._views = found["layout"], views
         self._arranging.apply(self._layout)
         self._focus(str(found.get("focus", "")))
+        self.in_lesson = "lesson 1" in views
+        self._until = time.monotonic() + WAITED
         self._offer([(pane, commands) for pane, commands in panes if commands])
         return True
 
@@ -178,7 +182,13 @@ class Session:
 
         again = Answer("y", texts("session.start"), start)
         self._desktop.open_overlay(
-            Question(self._look, texts("session.title"), texts("session.ask", what=names), [again])
+            Question(
+                self._look,
+                texts("session.title"),
+                texts("session.ask", what=names),
+                [again],
+                back=texts("session.back"),
+            )
         )
 
     def place_windows(self) -> None:

@@ -14,7 +14,7 @@ A file is one topic. It begins with `# TITLE | ENGLISH TITLE`; each card in it i
     **en** The same in English, with as many checks.
 
 `says` is a whole line with {names} for what varies ({…}: not needed later), `match` a regular expression from the beginning
-of the line; there may be several. `look` names functions of `lookers_files.py` and `lookers_graph.py`. `next` is what to type.
+of the line; there may be several. `look` names functions of the modules `lookers_*.py`. `next` is what to type.
 Words alone: `- hint` (the first line is certain enough to be shown as a hint, in every language), `- echo` (the message only
 says that another one came before it), `- same` (on a real robot nothing is different). {names} in the texts are filled in; a
 brace is written twice.

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from day6_tui.core.advice import lookers_files, lookers_graph  # they register themselves
+from day6_tui.core.advice import lookers_files, lookers_graph, lookers_line, lookers_values  # they register themselves
 from day6_tui.core.advice.card_files import Card, topics
 from day6_tui.core.advice.fault import fault_in
-from day6_tui.core.advice.looking import LOOKERS, GraphFacts, Scene
+from day6_tui.core.advice.looking import LOOKERS, Found, GraphFacts, Scene
 from day6_tui.core.advice.matching import Match
 from day6_tui.core.advice.rules import Surroundings
 from day6_tui.core.advice.texts import TEXTS
@@ -21,7 +21,7 @@ LONGEST_SHOWN = 300
 
 NARROWEST = 20
 
-_MODULES = (lookers_files, lookers_graph)
+_MODULES = (lookers_files, lookers_graph, lookers_line, lookers_values)
 """Their functions have registered themselves in LOOKERS."""
 
 
@@ -48,11 +48,12 @@ def scene_of(
     command: str = "",
     graph: GraphFacts | None = None,
     commands: Iterable[str] = (),
+    letters: str = "",
 ) -> Scene:
     """Return what lookers may look at for a line of `output`, which `command` printed."""
     fault = fault_in(output or match.line)
     command = simple_command(command, match.values)
-    return Scene(around, match.values, command, fault, graph, tuple(commands))
+    return Scene(around, match.values, command, fault, graph, tuple(commands), letters)
 
 
 def simple_command(source: str, values: Mapping[str, str]) -> str:
@@ -74,16 +75,11 @@ def explain(match: Match, scene: Scene, language: str) -> Explanation:
     """Return a card's words for this line and this place. Reads files: not for the scheduler's thread."""
     card, words = match.card, match.card.words[language]
     here, next_ = "", ""
-    for name in card.look:
-        try:
-            cause = LOOKERS[name](scene)
-        except (OSError, ValueError):
-            continue  # a folder that may not be read, a name that no file can have: nothing was found
-        if cause is not None:
-            template = TEXTS[cause.key][language == "zh"]
-            values = {key: one_line(str(value)) for key, value in cause.values.items()}
-            here, next_ = sentence(template, language).format(**values), cause.next
-            break
+    cause = _cause(card, scene)
+    if cause is not None:
+        template = TEXTS[cause.key][language == "zh"]
+        values = {key: one_line(str(value)) for key, value in cause.values.items()}
+        here, next_ = sentence(template, language).format(**values), cause.next
     if not here and card.next:
         next_ = command_of(card.next, match.values)
     fill = [filled_in(text, match.values, scene.fault) for text in (words.first, words.more, words.robot)]
@@ -101,18 +97,31 @@ def explain(match: Match, scene: Scene, language: str) -> Explanation:
     )
 
 
+def _cause(card: Card, scene: Scene) -> Found | None:
+    """What the first looker that finds something says; before all others a Chinese sign in the command."""
+    if scene.command and (cause := lookers_line.chinese_cause(scene)) is not None:
+        return cause
+    for name in card.look:
+        try:
+            cause = LOOKERS[name](scene)
+        except (OSError, ValueError):
+            continue  # a folder that may not be read, a name that no file can have: nothing was found
+        if cause is not None:
+            return cause
+    return None
+
+
 def parts(shown: Explanation, language: str) -> list[tuple[str, str]]:
     """Return what is shown of an explanation as pairs of heading and text, without the line itself and without `next`."""
-    say = {
-        key: TEXTS[f"card.{key}"][language == "zh"] for key in ("means", "here", "unknown", "checks", "robot", "same")
-    }
+    say = {key: TEXTS[f"card.{key}"][language == "zh"] for key in ("means", "here", "unknown", "checks", "robot")}
     found = [(say["means"], shown.means)]
     listed = "\n".join(f"{number}. {check}" for number, check in enumerate(shown.checks, 1))
     if shown.here:
         found.append((say["here"], shown.here))
     elif listed:
         found.append((say["here"], f"{say['unknown']}\n{listed}") if shown.looked else (say["checks"], listed))
-    found.append((say["robot"], shown.robot or say["same"]))
+    if shown.robot:
+        found.append((say["robot"], shown.robot))
     return found
 
 
@@ -121,7 +130,7 @@ def as_text(shown: Explanation, language: str, columns: int) -> str:
     width = max(NARROWEST, columns - 3)
     found = [*parts(shown, language)]
     if shown.next:
-        found.insert(len(found) - 1, (TEXTS["card.next"][language == "zh"], shown.next))
+        found.insert(len(found) - bool(shown.robot), (TEXTS["card.next"][language == "zh"], shown.next))
     lines = wrapped(shown.line, max(NARROWEST, columns - 1))
     for heading, text in found:
         lines += ["", heading, *(f"  {line}" for line in wrapped(text, width))]

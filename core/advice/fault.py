@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from day6_tui.core.session.plain import without_sequences
+
 LONGEST = 16 * 1024
 """Characters at the end of an output in which a traceback is looked for."""
 
-_CODES = re.compile(r"\x1b\[[0-9;:?]*[@-~]")
 _LAUNCHED = re.compile(r"^\[[\w.-]+-\d+\] ", re.MULTILINE)
 """What launch puts before each line of a node."""
 _ERROR = re.compile(
@@ -31,7 +32,7 @@ class Fault:
 
 def fault_in(output: str) -> Fault | None:
     """Return the last exception that a program did not catch, None if its output does not end with one."""
-    text = _LAUNCHED.sub("", _CODES.sub("", output[-LONGEST:]).replace("\r\n", "\n"))
+    text = _LAUNCHED.sub("", without_sequences(output[-LONGEST:]))
     begin = max(text.rfind("Traceback (most recent call last):"), text.rfind("Caught exception in launch"))
     if begin < 0:  # a syntax error of the program itself has no traceback, only its place
         places = list(_PLACE.finditer(text))

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from day6_tui.core.interfaces.definition import InvalidSpecification, Structure, parse_message
+from day6_tui.core.interfaces.definition import (
+    InvalidSpecification,
+    Structure,
+    parse_action,
+    parse_message,
+    parse_service,
+)
 from day6_tui.core.interfaces.fields import SINGLE
 from day6_tui.core.interfaces.values import InvalidValue
 from day6_tui.core.ros.environment import PYTHON_PATH, SHARE_PATH
@@ -36,9 +43,7 @@ def names_of(module: str, variables: Mapping[str, str]) -> list[str]:
     """Return what can be imported from a module: its types where it is one of messages, else its classes and functions."""
     package, _, kind = module.partition(".")
     if kind in ("msg", "srv", "action"):
-        return sorted(
-            {path.stem for share in _shares(variables) for path in (share / package / kind).glob(f"*.{kind}")}
-        )
+        return sorted({path.stem for share in shares(variables) for path in (share / package / kind).glob(f"*.{kind}")})
     found = set(parts_of(module, variables))
     for folder in _folders_of(module, variables):
         for path in (folder / "__init__.py", folder.with_suffix(".py")):
@@ -54,7 +59,7 @@ def names_of(module: str, variables: Mapping[str, str]) -> list[str]:
 def types_called(name: str, variables: Mapping[str, str]) -> list[str]:
     """Return the interfaces of that name: ['std_msgs/msg/String']."""
     found = []
-    for share in _shares(variables):
+    for share in shares(variables):
         for kind in ("msg", "srv", "action"):
             found += [f"{path.parent.parent.name}/{kind}/{name}" for path in share.glob(f"*/{kind}/{name}.{kind}")]
     return sorted(set(found))
@@ -75,13 +80,45 @@ def layout_of(whole: str, variables: Mapping[str, str]) -> dict[str, str]:
     return {field.name: field.type.base if field.type.count == SINGLE else "" for field in structure.fields}
 
 
-def _structure(whole: str, variables: Mapping[str, str]) -> Structure | None:
+def sent_layout(whole: str, variables: Mapping[str, str]) -> dict[str, str]:
+    """Return the fields of what is sent with this type: of a message, of the request of a service, of the goal of an action."""
+    if whole.count("/") != 2:
+        return {}
+    structure = _structure(whole, variables, sent=True)
+    if structure is None:
+        return {}
+    return {field.name: field.type.base if field.type.count == SINGLE else "" for field in structure.fields}
+
+
+def template_of(whole: str, variables: Mapping[str, str], deepest: int = 3) -> str:
+    """Return contents of that type with a nought for each field, as YAML: `{x: 0.0, name: ''}`; '' for one without fields."""
+    return _template(sent_layout(whole, variables), variables, deepest)
+
+
+def _template(layout: Mapping[str, str], variables: Mapping[str, str], deepest: int) -> str:
+    values = []
+    for name, base in layout.items():
+        if base.count("/") == 2:
+            inner = _template(layout_of(base, variables), variables, deepest - 1) if deepest else ""
+            values.append(f"{name}: {inner or '{}'}")
+        else:
+            values.append(f"{name}: {_NOUGHTS.get(base, '0')}")
+    return f"{{{', '.join(values)}}}" if values else ""
+
+
+_NOUGHTS = {"bool": "false", "float32": "0.0", "float64": "0.0", "string": "''", "wstring": "''", "": "[]"}
+
+
+def _structure(whole: str, variables: Mapping[str, str], *, sent: bool = False) -> Structure | None:
     package, kind, name = whole.split("/")
-    for share in _shares(variables):
+    for share in shares(variables):
         path = share / package / kind / f"{name}.{kind}"
         if path.is_file():
             try:
-                return parse_message(package, kind, name, path.read_text(encoding="utf-8", errors="replace"))
+                text = path.read_text(encoding="utf-8", errors="replace")
+                if sent and kind in ("srv", "action"):
+                    return (parse_service if kind == "srv" else parse_action)(package, kind, name, text)[0]
+                return parse_message(package, kind, name, text)
             except (InvalidSpecification, InvalidValue, ValueError, NameError, TypeError):
                 return None  # the build says what is wrong with it
     return None
@@ -109,13 +146,43 @@ def source_package(name: str, variables: Mapping[str, str], cwd: Path) -> tuple[
     return None
 
 
+def missing_comma(setup: Path) -> int:
+    """Return the line of a setup.py that lacks the comma between two entry points; 0 if none does, or it cannot be read.
+
+    Python joins two texts without a comma to one: 'a = p.a:main' 'b = p.b:main' is one entry, and no right one.
+    """
+    try:
+        tree = ast.parse(setup.read_text(encoding="utf-8", errors="replace"))
+    except (OSError, SyntaxError, ValueError):
+        return 0
+    for node in ast.walk(tree):
+        if isinstance(node, ast.List):
+            for text in node.elts:
+                joined = (
+                    isinstance(text, ast.Constant) and isinstance(text.value, str) and _TWO_ENTRIES.match(text.value)
+                )
+                if joined and text.end_lineno != text.lineno:
+                    return text.lineno
+    return 0
+
+
+def setup_files(variables: Mapping[str, str], cwd: Path) -> Iterator[Path]:
+    """Yield the setup.py of each package of the workspace one is in, and of the usual one."""
+    for workspace in _workspaces(variables, cwd):
+        yield from sorted((workspace / "src").glob("*/setup.py"))
+
+
+_TWO_ENTRIES = re.compile(r"\s*[\w.-]+\s*=\s*[\w.]+:\w+?\s*[\w.-]+\s*=\s*[\w.]+:\w+\s*$")
+
+
 def _workspaces(variables: Mapping[str, str], cwd: Path) -> Iterator[Path]:
     """The workspace one is in, and the usual one."""
     around = [folder for folder in (cwd, *cwd.parents) if (folder / "src").is_dir()]
     yield from dict.fromkeys([*around, Path(variables.get("HOME", "/")) / "ros2_ws"])
 
 
-def _shares(variables: Mapping[str, str]) -> Iterator[Path]:
+def shares(variables: Mapping[str, str]) -> Iterator[Path]:
+    """Yield the folders in which a terminal with these variables finds packages."""
     yield SHARE_PATH
     for prefix in variables.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         if prefix:

@@ -11,8 +11,10 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from day6_tui.core.advice import known
+from day6_tui.core.advice.lookers_line import of_slip
 from day6_tui.core.advice.looking import Found, Scene, found, looker
-from day6_tui.core.advice.rules import CLOSE, CLOSE_AMONG_FEW, SHORTEST, cause_of
+from day6_tui.core.advice.rules import cause_of
+from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
 from day6_tui.core.ros.environment import SHARE_PATH
 from day6_tui.urdf.explain import language_of
 
@@ -84,6 +86,8 @@ def executable(scene: Scene) -> Found | None:
         return (
             found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near) if near else None
         )
+    if (comma := _comma(folder / "setup.py", scene)) is not None:
+        return comma
     build = _build(_workspace_of(folder, scene), package, scene)
     points = _entry_points(folder / "setup.py")
     if name in points:
@@ -98,6 +102,18 @@ def executable(scene: Scene) -> Found | None:
     if points:
         return found("executable.others", "", package=package, names=", ".join(sorted(points)))
     return found("executable.none", f"nano {_short(folder / 'setup.py', scene)}", setup=folder / "setup.py")
+
+
+def _comma(setup: Path, scene: Scene) -> Found | None:
+    line = known.missing_comma(setup)
+    return found("setup.comma", f"nano {_short(setup, scene)}", setup=_short(setup, scene), line=line) if line else None
+
+
+@looker
+def setup_comma(scene: Scene) -> Found | None:
+    """A comma that is missing between two entry points of a setup.py."""
+    commas = (_comma(setup, scene) for setup in known.setup_files(scene.variables, scene.cwd))
+    return next((each for each in commas if each is not None), None)
 
 
 @looker
@@ -130,6 +146,10 @@ def launch_file(scene: Scene) -> Found | None:
 def path(scene: Scene) -> Found | None:
     """A path that is not there: the home of somebody else, another place, nearly another name, a folder that is missing."""
     name = scene.value("name").strip("'\"")
+    if scene.command.startswith(name) and not (scene.cwd / name.partition("/")[0]).exists():
+        slip = slip_of_command(name, scene.command, scene.commands)
+        if slip is not None:
+            return of_slip(slip)
     home = re.match(r"/home/[^/]+((?:/[^/]+)*)/?$", name)
     if home is not None and not Path(name).exists() and not str(scene.home).startswith(f"/home/{name.split('/')[2]}"):
         rest = home[1]
@@ -152,21 +172,6 @@ def path(scene: Scene) -> Found | None:
     elsewhere = _elsewhere(whole.name, scene)
     if elsewhere is not None:
         return found("path.elsewhere", f"cd {_short(elsewhere.parent, scene)}", name=whole.name, place=elsewhere)
-    return None
-
-
-@looker
-def command(scene: Scene) -> Found | None:
-    """A command that does not exist: it is a file of this folder, or a slip of one that does; or ROS is not sourced."""
-    name = scene.value("name")
-    here = scene.cwd / name
-    if here.is_file() and name.endswith(".py"):
-        return found("command.python", shlex.join(["python3", name]), name=name)
-    if here.is_file():
-        return found("command.here", shlex.quote(f"./{name}"), name=name)
-    near = get_close_matches(name, scene.commands, 1, CLOSE) if len(name) >= SHORTEST else []
-    if near and near[0] != name:
-        return found("command.near", _again(scene, name, near[0]) or near[0], name=name, near=near[0])
     return None
 
 
@@ -217,6 +222,8 @@ def message_package(scene: Scene) -> Found | None:
     whole = scene.value("type")
     if not whole:
         whole = next((word for word in scene.words() if re.fullmatch(r"\w+(?:/\w+)?/\w+", word)), "")
+    if re.fullmatch(r"\w+", whole):
+        return _type_of_name(whole, scene)
     package, _, kind = whole.partition("/")
     if not kind or not package.isidentifier():
         return None
@@ -225,8 +232,8 @@ def message_package(scene: Scene) -> Found | None:
         return state
     name = kind.rpartition("/")[2]
     exact = known.types_called(name, scene.variables)
-    if exact and whole.count("/") == 1 and f"{package}/msg/{name}" in exact:
-        return None
+    if exact and whole.count("/") == 1 and (three := [each for each in exact if each.startswith(f"{package}/")]):
+        return found("type.parts", scene.with_word(whole, three[0]), name=whole, near=three[0])
     others = [each for each in exact if each != whole]
     if others and whole not in exact:
         near = others[0]
@@ -242,6 +249,17 @@ def message_package(scene: Scene) -> Found | None:
             return None
         near = found_near[0]
     return found("type.near", _again(scene, whole, near), name=whole, near=near)
+
+
+def _type_of_name(name: str, scene: Scene) -> Found | None:
+    """A type without its package: the one there is, or all of them."""
+    exact = known.types_called(name, scene.variables) or known.types_called(
+        name[:1].upper() + name[1:], scene.variables
+    )
+    exact = [each for each in exact if not each.startswith("test_msgs/")] or exact
+    if len(exact) == 1:
+        return found("type.whole", scene.with_word(name, exact[0]), name=name, near=exact[0])
+    return found("type.several", "", name=name, types=", ".join(exact)) if exact else None
 
 
 # -- what they share -------------------------------------------------------------------------------------------------------

@@ -5,8 +5,9 @@ from __future__ import annotations
 import shlex
 from difflib import get_close_matches
 
+from day6_tui.core.advice.known import template_of
 from day6_tui.core.advice.looking import Found, GraphFacts, Scene, found, looker
-from day6_tui.core.advice.rules import CLOSE_AMONG_FEW
+from day6_tui.core.advice.typed import CLOSE_AMONG_FEW
 
 _ACTION = "/_action/send_goal"
 
@@ -77,6 +78,72 @@ def action(scene: Scene) -> Found | None:
     if _full(name) in actions:
         return found("graph.now_there", "", name=_full(name))
     return _near(scene, name, actions, "ros2 action list")
+
+
+@looker
+def needed(scene: Scene) -> Found | None:
+    """What a command still needs and the graph knows: the type of a service, an action, a topic; the node of a parameter."""
+    words = scene.words()
+    if scene.graph is None or words[:1] != ["ros2"] or len(words) < 3:
+        return None
+    first = next((name.strip() for name in scene.value("names").split(",")), "")
+    operands = [word for word in words[3:] if not word.startswith("-")]
+    if first in _LISTS and not operands:
+        return found("needed.name", _LISTS[first], lists=_LISTS[first])
+    if first in _TYPES and len(operands) == 1 and scene.command.rstrip().endswith(operands[0]):
+        return _needed_type(scene, words[1], operands[0])
+    if words[1] == "param":
+        return _needed_node(scene, words, operands)
+    return None
+
+
+_LISTS = {"service_name": "ros2 service list", "action_name": "ros2 action list", "topic_name": "ros2 topic list",
+          "node_name": "ros2 node list"}  # fmt: skip
+"""What is missing -> the command that lists what there is."""
+
+_TYPES = ("service_type", "action_type", "message_type")
+
+
+def _needed_type(scene: Scene, command: str, name: str) -> Found | None:
+    """The type of what is named, from the graph, and the whole line with it."""
+    assert scene.graph is not None
+    full = _full(name)
+    if command == "action":
+        services = scene.graph.services()
+        known_types = {
+            each.removesuffix(_ACTION): [kind.removesuffix("_SendGoal") for kind in kinds]
+            for each, kinds in services.items()
+            if each.endswith(_ACTION)
+        }
+    elif command == "service":
+        known_types = {each: kinds for each, kinds in scene.graph.services().items() if "/_action/" not in each}
+    else:
+        known_types = scene.graph.topics()
+    if full not in known_types:
+        return _near(scene, name, sorted(known_types), f"ros2 {command} list") if known_types else None
+    kind = known_types[full][0]
+    contents = template_of(kind, scene.variables)
+    line = f"{scene.command.rstrip()} {kind}" + (f' "{contents}"' if contents else "")
+    return found("needed.type" if contents else "needed.type_alone", line, name=full, type=kind)
+
+
+def _needed_node(scene: Scene, words: list[str], operands: list[str]) -> Found | None:
+    """`ros2 param set NAME VALUE`: the node is missing, not the value; and `NAME=VALUE`."""
+    assert scene.graph is not None
+    nodes = sorted(set(scene.graph.nodes()))
+    if not operands or words[2] not in ("set", "get", "describe", "delete"):
+        return None
+    if _full(operands[0]) in nodes:
+        name, _, value = operands[-1].partition("=")
+        if words[2] == "set" and len(operands) == 2 and name and value:
+            return found("needed.no_equals", scene.with_word(operands[1], f"{name} {value}"), name=name, value=value)
+        return None
+    if "/" in operands[0] or not nodes or len(operands) > (2 if words[2] == "set" else 1):
+        return None
+    if get_close_matches(_full(operands[0]), nodes, 1, CLOSE_AMONG_FEW):
+        return _near(scene, operands[0], nodes, "ros2 node list")
+    line = shlex.join([*words[:3], nodes[0], *words[3:]]) if len(nodes) == 1 else "ros2 param list"
+    return found("needed.node", line, name=operands[0], nodes=", ".join(nodes))
 
 
 @looker

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -46,6 +47,8 @@ class Scene:
     graph: GraphFacts | None = None
     commands: tuple[str, ...] = ()
     """The commands that the terminal knows."""
+    letters: str = ""
+    """The answers that a question of the lesson waits for: 'abc'."""
 
     @property
     def variables(self) -> Mapping[str, str]:
@@ -65,6 +68,16 @@ class Scene:
             return shlex.split(self.command)
         except ValueError:
             return []
+
+    def with_word(self, wrong: str, right: str) -> str:
+        """Return the line that was run with one word put right; '' if that word is not there once."""
+        pattern = rf"(?<!\S){re.escape(wrong)}(?!\S)"
+        plain = all(shlex.quote(word) == word for word in right.split(" "))
+        return (
+            re.sub(pattern, lambda _: right, self.command)
+            if plain and len(re.findall(pattern, self.command)) == 1
+            else ""
+        )
 
     def value(self, name: str) -> str:
         """Return what the card's pattern found, '' if it has no such name."""

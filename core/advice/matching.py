@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from day6_tui.core.advice.card_files import Card, all_cards
+from day6_tui.core.session.plain import without_sequences
 
 MOST_LINES = 400
 """Lines at the end of an output in which cards are looked for."""
@@ -14,7 +15,6 @@ MOST_LINES = 400
 LONGEST_LINE = 2000
 """Characters of a line that are looked at."""
 
-_CODES = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\^_=>()#][0-9A-Z]?)")
 _BEFORE = (
     re.compile(r"\[[\w.-]+-\d+\] "),  # launch, before each line of a node
     re.compile(r"\[?(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]? \[[\d.]+\] \[[^\]]*\]: "),  # rclpy and rclcpp
@@ -43,8 +43,7 @@ class Match:
 
 def plain_lines(output: str) -> list[str]:
     """Return the lines of what a terminal was given, without colours and what was overwritten."""
-    text = _CODES.sub("", output).replace("\r\n", "\n")
-    return [line.rpartition("\r")[2].rstrip()[:LONGEST_LINE] for line in text.split("\n")]
+    return [line.rpartition("\r")[2].rstrip()[:LONGEST_LINE] for line in without_sequences(output).split("\n")]
 
 
 def forms(line: str) -> list[str]:
@@ -91,3 +90,10 @@ def cards_in(output: str) -> Iterator[Match]:
         else:
             yield match
     yield from echoes
+
+
+def unfinished(source: str) -> Match | None:
+    """Return the card of the prompt `> `, with what was typed so far."""
+    line = next(iter(source.strip().splitlines()), "")
+    match = card_for(f"the prompt > waits for the end of: {line}")
+    return replace(match, line=line) if match is not None else None

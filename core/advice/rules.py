@@ -8,22 +8,16 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 
 from day6_tui.core.advice import known
 from day6_tui.core.advice.fault import Fault, fault_in
 from day6_tui.core.advice.matching import card_for, cards_in
 from day6_tui.core.advice.texts import TEXTS
+from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, PUNCTUATION, chinese_sign, near_choice, slip_of_command
 from day6_tui.core.advice.wording import filled_in
 from day6_tui.urdf.explain import Hint, hints_wanted, language_of
-
-CLOSE = 0.75
-"""How alike two names are of which one is taken for a slip of the other (difflib's ratio)."""
-
-SHORTEST = 4
-"""Letters of a command that can be taken for another's slip."""
-
-CLOSE_AMONG_FEW = 0.6
 
 _FOR_EXAMPLES = ("example_interfaces/", "test_msgs/")
 """Packages whose types are seldom meant."""
@@ -32,10 +26,6 @@ _PIP = {"cv2": "opencv-python", "serial": "pyserial", "PIL": "pillow", "sklearn"
     name: name for name in ("matplotlib", "numpy", "pandas", "pygame", "requests", "scipy", "transforms3d")
 }
 """Python packages that lessons use: module -> what pip calls it."""
-
-_PUNCTUATION = {"“": '"', "”": '"', "‘": "'", "’": "'", "。": ".", "、": ",", "【": "[", "】": "]", "《": "<", "》": ">",
-                "—": "-", "–": "-", "−": "-", "×": "*", "÷": "/", "…": "..."}  # fmt: skip
-"""Characters whose counterpart in code Unicode does not know."""
 
 _SAMPLES = {
     "Node": "from rclpy.node import Node",
@@ -69,22 +59,49 @@ def hint_below(output: str, around: Surroundings) -> str:
     return Hint(0, 0, text).sentence("", language) if text else ""
 
 
-def hint_about_command(argv: list[str], around: Surroundings, commands: Iterable[str] = ()) -> str:
-    """Return the same for a command that failed: a path below a home that is not here, a package that is not sourced.
+def hint_about_command(
+    argv: list[str],
+    around: Surroundings,
+    commands: Iterable[str] = (),
+    *,
+    line: str = "",
+    letters: str = "",
+    output: str = "",
+) -> str:
+    """Return the same for a command that failed: what is wrong for certain with its words, its prompt, its blanks.
 
-    `commands`: if it does not exist, those that do.
+    `commands`: if it does not exist, those that do; `line` is how it was typed, `letters` are the answers that a question of
+    the lesson waits for, `output` is what it printed.
     """
     if not hints_wanted(around.variables):
         return ""
     language = language_of(around.variables)
+    line = line or " ".join(argv)
     text = next((text for word in argv[1:] if (text := _home(word, "home", around, language))), "")
     if not text and argv[:2] in (["ros2", "run"], ["ros2", "launch"]):
         package = next((word for word in argv[2:] if not word.startswith("-")), "")
         text = _of_the_workspace(package, around, language)
-    near = get_close_matches(argv[0], list(commands), 1, CLOSE) if len(argv[0]) >= SHORTEST else []
-    if not text and near and near[0] != argv[0]:
-        text = _say("command.near", language, name=argv[0], near=near[0])
+    if not text and (slip := chinese_sign(argv, line)) is not None:
+        text = _say(slip.key, language, **slip.values)
+    folder = "/" in argv[0] and (around.cwd / argv[0].partition("/")[0]).exists()
+    if not text and not folder and (known_ones := list(commands)):
+        slip = slip_of_command(argv[0], line, known_ones, letters)
+        text = _say(slip.key, language, **slip.values) if slip is not None else ""
+    if not text and (choice := _CHOICE.search(output)) is not None:
+        near = near_choice(choice[1], re.findall(r"[\w.-]+", choice[2]))
+        text = _say("choice.near", language, name=choice[1], near=near) if near else ""
     return Hint(0, 0, text).sentence("", language) if text else ""
+
+
+_CHOICE = re.compile(r"invalid choice: '([^'\n]*)' \(choose from ([^\n]*)\)")
+
+
+def hint_about_quote(quote: str, around: Surroundings) -> str:
+    """Return the same for lines that are typed while a quotation mark is open."""
+    if not hints_wanted(around.variables):
+        return ""
+    language = language_of(around.variables)
+    return Hint(0, 0, _say("quote.open", language, quote=quote)).sentence("", language)
 
 
 def hint_about_folder(packages: int, around: Surroundings) -> str:
@@ -141,6 +158,17 @@ def first_line_below(output: str, around: Surroundings) -> str:
     if match is None or match.card.echo:
         return ""
     return TEXTS["card.below"][1].format(first=filled_in(match.card.words["zh"].first, match.values, fault_in(output)))
+
+
+@lru_cache(maxsize=16)
+def in_short(message: str, line: int, language: str) -> str:
+    """Return what a message of a checker (`SyntaxError: …`) about a line of a text means, in one sentence; '' without a card."""
+    kind, _, rest = message.partition(": ")
+    fault = Fault(kind, rest, "", line)
+    if kind == "SyntaxError" and (text := _syntax(fault, Surroundings({}, Path()), language)):
+        return text
+    match = card_for(message)
+    return filled_in(match.card.words[language].first, match.values, fault) if match is not None else ""
 
 
 def dimmed(line: str) -> str:
@@ -242,6 +270,16 @@ def _no_attribute(fault: Fault, around: Surroundings, language: str) -> str:
     return _say("field", language, type=kind, name=name, near=near, fields=", ".join(fields))
 
 
+def _no_setup(fault: Fault, around: Surroundings, language: str) -> str:
+    """setuptools gave up: what it says does not name the comma that is missing between two entry points."""
+    if not fault.message.startswith("'distutils.core.setup()' was never called"):
+        return ""
+    for setup in known.setup_files(around.variables, around.cwd):
+        if line := known.missing_comma(setup):
+            return _say("setup.comma", language, setup=setup, line=line)
+    return ""
+
+
 # -- syntax ----------------------------------------------------------------------------------------------------------------
 
 
@@ -250,7 +288,7 @@ def _syntax(fault: Fault, around: Surroundings, language: str) -> str:
     if found is None:
         return ""
     wrong = chr(int(found[2], 16))
-    right = _PUNCTUATION.get(wrong) or unicodedata.normalize("NFKC", wrong)
+    right = PUNCTUATION.get(wrong) or unicodedata.normalize("NFKC", wrong)
     if right.isspace():
         return _say("odd_blank", language, line=fault.line)
     if right == wrong or not right.isascii():
@@ -271,4 +309,5 @@ _RULES: dict[str, Callable[[Fault, Surroundings, str], str]] = {
     "NameError": _no_name,
     "AttributeError": _no_attribute,
     "SyntaxError": _syntax,
+    "RuntimeError": _no_setup,
 }

@@ -35,12 +35,127 @@ TEXTS: dict[str, tuple[str, str]] = {
         "没有叫 {name} 的命令，是不是想写 {near}？",
     ),
     "folder.src": (
-        "this is the folder src: build in {workspace}, or a second build and install will lie about here. Remove those of here",
-        "这里是 src 文件夹：要在 {workspace} 里编译，不然这里会多出一套 build 和 install。把这里的删掉",
+        (
+            "this is the folder src: build in {workspace}, or a second build and install will lie about here. "
+            "To remove these: rm -r build install log"
+        ),
+        "这里是 src 文件夹：要在 {workspace} 里编译，不然这里会多出一套 build 和 install。删掉这里的：rm -r build install log",
     ),
     "folder.nothing": (
         "there is no package below this folder. Your workspace is ~/ros2_ws: cd ~/ros2_ws, then build",
         "这个文件夹下面没有功能包。你的工作空间是 ~/ros2_ws：先 cd ~/ros2_ws，再编译",
+    ),
+    "command.meant": ("did you mean {near}?", "是不是想写 {near}？"),
+    "command.case": (
+        "commands are written in small letters: {near}",
+        "命令要用小写字母写：{near}",
+    ),
+    "command.prompt": (
+        "{name} is the prompt: it shows that the terminal is waiting, and is not typed. Type only what comes after it",
+        "{name} 是提示符，表示终端在等你输入，不用打出来：只输入它后面的内容",
+    ),
+    "command.blank": (
+        "there is no command {name}; a blank is missing after {command}: {right}",
+        "没有叫 {name} 的命令：{command} 后面少了一个空格，应该写 {right}",
+    ),
+    "command.blank_here": (
+        "a blank is missing after {command}: {right}",
+        "{command} 后面少了一个空格，应该写 {right}",
+    ),
+    "command.answer": (
+        "the question is answered in the lesson's window, not here: press F5, then {name}",
+        "回答问题要在课程窗口里：先按 F5，再按 {name}",
+    ),
+    "quote.open": (
+        "> means that the closing {quote} is still missing: what you type becomes a part of that text. Ctrl-C begins anew",
+        "> 表示引号 {quote} 还没有关上，输入的都算那段文字。按 Ctrl-C 重来",
+    ),
+    "chinese.typed": (
+        "the command has a Chinese '{wrong}', it needs the English '{right}': switch the input method to English",
+        "命令里有中文的「{wrong}」，要用英文的「{right}」：把输入法切换成英文再输入",
+    ),
+    "chinese.end": (
+        "the command ends with a Chinese '{wrong}', which does not belong to it: {right}",
+        "命令最后多了一个中文的「{wrong}」，它不是命令的一部分：{right}",
+    ),
+    "chinese.blank": (
+        "the command has a wide, Chinese blank: switch the input method to English and type it again",
+        "命令里有一个全角的（中文的）空格：把输入法切换成英文再输入",
+    ),
+    "choice.near": ("there is no {name} here; did you mean {near}?", "这里没有 {name}，是不是想写 {near}？"),
+    "ros_args.option": (
+        "{word} has no {option} before it: each one needs its own {option}",
+        "{word} 前面少了 {option}：每一个前面都要有自己的 {option}",
+    ),
+    "ros_args.colon": (
+        "between name and value stands := and not = alone: {right}",
+        "名字和值中间要写 :=，不能只写 =：{right}",
+    ),
+    "value.blank": (
+        "a blank is missing after {name}: the colon needs one behind it",
+        "{name}: 后面少了一个空格：冒号后面一定要有空格",
+    ),
+    "value.name": (
+        "the name of the field is missing: {right}",
+        "少了字段的名字：{right}",
+    ),
+    "value.inside": (
+        "{name} is not a field of its own: it is inside {holders}. So it is written {right}",
+        "{name} 不在最外面一层，它在 {holders} 里面，所以要写成 {right}",
+    ),
+    "value.near": ("there is no field {name}; did you mean {near}?", "没有字段 {name}，是不是想写 {near}？"),
+    "value.deeper": (
+        "{name} has fields of its own, in brackets: {right}",
+        "{name} 里面还有自己的字段，要写在括号里：{right}",
+    ),
+    "value.integer": (
+        "{name} takes whole numbers from {low} to {high}",
+        "{name} 只能是 {low} 到 {high} 的整数",
+    ),
+    "value.decimal": ("{name} takes a number, like 1.0", "{name} 要写一个数，比如 1.0"),
+    "value.bool": ("{name} takes true or false", "{name} 只能写 true 或者 false"),
+    "value.string": ("{name} takes a text, like 'hello'", "{name} 要写文字，比如 'hello'"),
+    "value.fields": ("{type} has these fields: {fields}", "{type} 有这些字段：{fields}"),
+    "value.unquoted": (
+        "the contents have blanks, so they need quotation marks around them all",
+        "内容里有空格，要在整个内容外面加上引号",
+    ),
+    "needed.name": ("its name is missing; {lists} lists those there are", "少了名字，{lists} 列出现在有哪些"),
+    "needed.type": (
+        "{name} has the type {type}: it comes after the name, then the contents. Put your own values in",
+        "{name} 的类型是 {type}：写在名字后面，再后面是内容。把里面的值换成你自己的",
+    ),
+    "needed.type_alone": (
+        "{name} has the type {type}: it comes after the name",
+        "{name} 的类型是 {type}：写在名字后面",
+    ),
+    "needed.node": (
+        "what is missing is the node: it comes before {name}. There are these nodes: {nodes}",
+        "少的其实是节点：它要写在 {name} 前面。现在有这些节点：{nodes}",
+    ),
+    "needed.no_equals": (
+        "between name and value stands a blank and no =: {name} {value}",
+        "名字和值中间写空格，不写 =：{name} {value}",
+    ),
+    "run.package": (
+        "{name} is a program, and its package is missing: it comes first, and is {package}",
+        "{name} 是程序，前面少了它的包：{package}",
+    ),
+    "run.program": (
+        "{name} is a package; which of its programs is to run? Its name comes after it",
+        "{name} 是包，后面还要写运行它里面的哪个程序",
+    ),
+    "type.parts": (
+        "the type has three parts here: {near}",
+        "这里的类型要写成三段：{near}",
+    ),
+    "type.whole": (
+        "before {name} comes the package: {near}",
+        "{name} 前面还要写它的包：{near}",
+    ),
+    "type.several": (
+        "several types are called {name}; write the one you want: {types}",
+        "有几个类型都叫 {name}，写出要的那一个：{types}",
     ),
     "module.near": (
         "there is no module {name}; did you mean {near}?",
@@ -100,6 +215,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "package.near": (
         "no package is called {name}, but there is {near}",
         "没有叫 {name} 的包，不过有一个叫 {near}",
+    ),
+    "setup.comma": (
+        "a comma is missing at the end of line {line} of {setup}: each entry of console_scripts but the last needs one",
+        "{setup} 第 {line} 行末尾少了一个逗号：console_scripts 里每一项后面都要有逗号",
     ),
     "executable.near": (
         "the package has no program {name}, but it has {near}",
@@ -243,7 +362,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "card.checks": ("What to check", "检查什么"),
     "card.next": ("Type next", "接着输入"),
     "card.robot": ("On a real robot", "真机上"),
-    "card.same": ("The same.", "一样。"),
+    "card.exam": (
+        "In an exam there are no cards. The lesson's hints (F5, then h) are there, and are counted",
+        "考试里没有卡片。课程窗口里的提示（先按 F5，再按 h）可以看，会记下来",
+    ),
     "card.none": (
         "There is no card for this. explain lists what there are cards for",
         "这句话没有卡片。输入 explain 看有哪些卡片",

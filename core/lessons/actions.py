@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+import reprlib
+
+from day6_tui.core.lessons.flaws import Flaw, line_of, meant, path_flaw
 
 KEYS = {
     "up": "\x1b[A",
@@ -23,6 +26,12 @@ KEYS = {
 NAMES = ("type", "terminal", "keys", "write", "replace", "wait", "pause", "rviz", "close", "answer")
 MOST_PAUSE = 60.0
 
+WINDOWS = (
+    "turtlesim", "rqt_graph", "rviz2", "editor", "inspector", "rqt_plot", "rqt_console", "rqt", "topics", "car", "world",
+    "joint_state_publisher", "kitchen", "lesson",
+)  # fmt: skip
+"""Kinds of windows."""
+
 _PRESSES = re.compile(r"(\S+?)(?:\*(\d{1,3}))?\Z")
 _PATHS = {"write": {"file", "text"}, "replace": {"file", "old", "new"}}
 
@@ -38,18 +47,24 @@ def presses(text: str) -> list[str]:
 
 
 def action_mistake(given: object) -> str:
-    """What is wrong with an action of a lesson file; '' if nothing is."""
+    """What is wrong with an action of a lesson file, a Flaw with its line if that is known; '' if nothing is."""
     if not isinstance(given, dict) or len(given) != 1:
-        return f"an action is 'name: value', not {str(given)[:40]!r}"
+        more = isinstance(given, dict) and len(given) > 1
+        why = f": does '- ' miss before '{list(given)[1]}'?" if more and isinstance(given, dict) else ""
+        return Flaw(f"an action is 'name: value', not {reprlib.repr(given)}{why}", line_of(given))
     name, value = next(iter(given.items()))
+    line = line_of(given, name)
     if name not in NAMES:
-        return f"there is no action '{name}'; there are {', '.join(NAMES)}"
+        return Flaw(f"there is no action '{name}'{meant(name, NAMES)}", line)
     if name == "wait":
         from day6_tui.core.lessons.checks import condition_of
 
         made = condition_of(value)
-        return f"wait: {made}" if isinstance(made, str) else ""
-    return _judged(str(name), value)
+        return made.of("wait", line) if isinstance(made, Flaw) else ""
+    mistake = _judged(str(name), value)
+    if not mistake:
+        return ""
+    return Flaw(mistake, line_of(value, "file") if name in _PATHS and "home folder" in mistake else line)
 
 
 def _judged(name: str, value: object) -> str:
@@ -57,7 +72,7 @@ def _judged(name: str, value: object) -> str:
         try:
             presses(str(value))
         except KeyError as unknown:
-            return f"keys: there is no key {unknown}; there are {', '.join(list(KEYS)[:9])}, ctrl+c …"
+            return f"keys: there is no key {unknown}{meant(unknown.args[0], KEYS)}"
     elif name == "pause":
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if not number or not math.isfinite(float(str(value))) or not 0 <= float(str(value)) <= MOST_PAUSE:
@@ -67,6 +82,8 @@ def _judged(name: str, value: object) -> str:
             return f"{name}: needs {' and '.join(sorted(_PATHS[name]))}"
         if not all(isinstance(each, str) for each in value.values()):
             return f"{name}: every value has to be a text"
+        if flaw := path_flaw(value["file"]):
+            return f"{name}: {flaw}"
     elif name == "rviz":
         if not isinstance(value, dict) or value.keys() - {"fixed_frame", "add"} or not value:
             return "rviz: needs 'fixed_frame: NAME' or 'add: TYPE'"
@@ -76,7 +93,11 @@ def _judged(name: str, value: object) -> str:
         if value not in ("new", "idle") and not (isinstance(value, int) and not isinstance(value, bool) and value > 0):
             return "terminal: 'new', 'idle', a number from 1 or {running: PATTERN}"
     elif not isinstance(value, str):
-        return f"{name}: has to be a text"
+        return f"{name}: has to be a text (quote it)"
+    elif name == "close" and value not in WINDOWS:
+        return f"close: there is no window '{value}'{meant(value, WINDOWS)}"
+    elif name == "answer" and not (len(value) == 1 and "a" <= value <= "z"):
+        return "answer: one letter, a to z"
     return ""
 
 

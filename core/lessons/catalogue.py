@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
-from day6_tui.core.lessons.document import Lesson, LessonMistakes, read_lesson
+from day6_tui.core.lessons.document import Lesson
+from day6_tui.core.lessons.reading import read_lesson
+from day6_tui.core.lessons.remarks import TOPICS
+from day6_tui.core.lessons.source import LessonMistakes
 
 HERE = Path(__file__).parent
 MOST_FILES = 500
 
-TOPICS = (
-    "environment", "workspace", "package", "code", "names", "types", "qos", "parameters", "services", "tf", "rviz", "time",
-    "network",
-)  # fmt: skip
-"""The topics of drills, in the order in which they are listed; others come last."""
+_NAMED = re.compile(r"(?:lesson|drill): *([\w-]+)")
 
 
 @dataclass
@@ -39,6 +40,15 @@ def lessons_in(folder: Path) -> Found:
     return Found(sorted(lessons, key=lambda each: (each.is_drill, each.order, each.name)), mistakes)
 
 
+def shipped_names() -> set[str]:
+    """The names of all lessons and drills that come with the program."""
+    found = set()
+    for path in (*(HERE / "days").glob("*.md"), *(HERE / "drills").glob("*.md")):
+        with open(path, encoding="utf-8") as file:
+            found |= {match[1] for line in islice(file, 20) if (match := _NAMED.match(line)) is not None}
+    return found
+
+
 def days() -> list[Lesson]:
     """The six days."""
     return lessons_in(HERE / "days").lessons
@@ -47,6 +57,11 @@ def days() -> list[Lesson]:
 def drills() -> list[Lesson]:
     """The drills, by topic and the number of their fault."""
     return by_topic(lessons_in(HERE / "drills").lessons)
+
+
+def is_shipped(lesson: Lesson) -> bool:
+    """Whether it comes with the program; a teacher's own does not."""
+    return HERE in lesson.path.parents
 
 
 def by_topic(lessons: Iterable[Lesson]) -> list[Lesson]:

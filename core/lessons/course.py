@@ -12,15 +12,15 @@ import threading
 import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from day6_tui.core.lessons.catalogue import Found, by_topic, days, drills, lessons_in
-from day6_tui.core.lessons.checks import Verdict
 from day6_tui.core.lessons.demonstration import Demonstration
-from day6_tui.core.lessons.document import HINTS, Action, Lesson, LessonMistakes, Step, read_lesson
+from day6_tui.core.lessons.document import HINTS, Action, Lesson, Step
 from day6_tui.core.lessons.exam import Exam, Result, new_exam
+from day6_tui.core.lessons.following import FollowedFile
 from day6_tui.core.lessons.live import Live
 from day6_tui.core.lessons.progress import (
     LONGEST_ANSWERS,
@@ -31,7 +31,9 @@ from day6_tui.core.lessons.progress import (
     load,
     save,
 )
+from day6_tui.core.lessons.source import LessonMistakes
 from day6_tui.core.lessons.stage import Stage, StageError
+from day6_tui.core.lessons.state import State
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
@@ -45,46 +47,11 @@ _log = logging.getLogger(__name__)
 LOOK_SECONDS = 0.25
 """Between two looks at the machine."""
 
-READ_SECONDS = 1.0
-"""Between two looks whether the lesson's file was changed."""
-
 ENDING_SECONDS = 6.0
 """How long a drill waits for what ran before it."""
 
 READING_PACE = 40.0
 """Characters a second that are typed for the pupil."""
-
-
-@dataclass(frozen=True)
-class State:
-    """Where the pupil is."""
-
-    lesson: Lesson | None = None
-    index: int = 0
-    verdicts: tuple[Verdict, ...] = ()
-    solved: bool = False
-    before_asked: bool = False
-    """Whether it was solved already when the step was opened."""
-    hints: int = 0
-    missing: tuple[str, ...] = ()
-    """Earlier steps whose state is needed and not there."""
-    answer: str = ""
-    refused: str = ""
-    """The letter of the last wrong answer."""
-    working: bool = False
-    """Whether something is typed or prepared for the pupil now."""
-    problem: str = ""
-    """Why something could not be done, in the words of what failed."""
-    mistakes: LessonMistakes | None = None
-    """The lesson's file was changed and is wrong now; the old text is shown."""
-
-    @property
-    def step(self) -> Step | None:
-        return self.lesson.steps[self.index] if self.lesson is not None else None
-
-    @property
-    def is_last(self) -> bool:
-        return self.lesson is not None and self.index == len(self.lesson.steps) - 1
 
 
 class Course:
@@ -100,9 +67,12 @@ class Course:
         self._wanted = Signal()
         self._unsaved = False
         self._saving = False
-        self._read_at = 0.0
-        self._stamp: tuple[int, int] | None = None
+        self._file: FollowedFile | None = None
         self._began = 0.0
+        self._prepared: set[str] = set()
+        """The steps of this lesson that have got what they begin with."""
+        self._performed: set[str] = set()
+        """The steps of this lesson whose solution was played because a later one needs it."""
         self._shown = False
         """Whether the solution of this step was played for the pupil."""
         self.version = 0
@@ -119,8 +89,16 @@ class Course:
         """The name of a lesson that was asked for and is not there."""
         self.exam: Exam | None = None
         self.demonstration: Demonstration | None = None
+        self.finished: Lesson | None = None
+        """The lesson whose last step was left just now."""
         self.ready = False
         """Whether the lessons and the progress have been read."""
+
+    @property
+    def letters_awaited(self) -> str:
+        """The answers of the question that is open now ('abc'), '' for none; what is typed at a prompt may be one."""
+        state = self.state
+        return "" if state.step is None or state.solved else "".join(a.letter for a in state.step.pages["zh"].answers)
 
     # -- for the window, any thread ------------------------------------------------------------------------------------
 
@@ -129,8 +107,19 @@ class Course:
         self._requests.append(action)
         self._desk.scheduler.call_soon_threadsafe(self._wanted.set)
 
+    @property
+    def _in_exam(self) -> bool:
+        return self.exam is not None and not self.exam.over
+
     def lesson(self, name: str) -> Lesson | None:
         return next((each for each in (*self.lessons, *self.drills) if each.name == name), None)
+
+    def searching(self) -> str:
+        """'drill' or 'exam' while the pupil is to find a fault himself: until it is mended, or the solution was shown."""
+        state = self.state
+        if state.lesson is None or not state.lesson.is_drill or state.solved or self._shown:
+            return ""
+        return "exam" if self._in_exam else "drill"
 
     # -- life ----------------------------------------------------------------------------------------------------------
 
@@ -162,6 +151,7 @@ class Course:
             self._live.close()
             self._live = None
         self.demonstration = None
+        self._desk.searching = lambda: ""
         room, self._desk.room = self._desk.room, None
         if room is not None:
             theirs = [each for each in self._desk.terminals if each.shell.variables.get("HOME") == str(room)]
@@ -173,7 +163,7 @@ class Course:
         found = await in_thread(lambda: lessons_in(folder) if folder is not None else Found(days(), []))
         self.lessons = tuple(lesson for lesson in found.lessons if not lesson.is_drill)
         own = [lesson for lesson in found.lessons if lesson.is_drill]
-        self.drills = tuple(by_topic([*own, *await in_thread(drills)]))
+        self.drills = (*by_topic(own), *await in_thread(drills))
         self.broken = tuple(found.mistakes)
         try:
             progress = await in_thread(lambda: load(file_of(self._desk.home, pupil)))
@@ -215,37 +205,48 @@ class Course:
             self._changed()
             return None
         self.leave()
+        self.finished = None
         wanted = step or self.progress.at.get(name, "")
         index = next((at for at, each in enumerate(lesson.steps) if each.name == wanted), 0)
         if not step and index < len(lesson.steps) - 1 and self.progress.step(name, lesson.steps[index].name).solved:
             index += 1  # it was solved, and then the pupil stopped
         self._live = Live(self._desk, self._session, lesson.path.parent)
         self._stage = Stage(self._live, self._session)
-        self._stamp = _stamp(lesson.path)
+        self._file = FollowedFile(lesson.path)
+        self._prepared, self._performed = set(), set()
         self.state = State(lesson)
+        self._shown = False
+        self._desk.searching = self.searching
         if not lesson.is_drill:
             self.progress.last, self.progress.last_title = name, dict(lesson.title)
         else:
             self._go_to(0)
             return self._inject(lesson)
         self._go_to(index)
+        if not index:
+            self._set(leftovers=tuple(dict.fromkeys(self._live.nodes())))
         return None
 
     def open_last(self) -> Awaitable[None] | None:
-        """Go on where the pupil stopped the last time, if that lesson is here."""
-        return self.open(self.progress.last) if self.lesson(self.progress.last) is not None else None
+        """Go on where the pupil stopped the last time, if that lesson is here; after its end with the list."""
+        lesson = self.lesson(self.progress.last)
+        if lesson is None:
+            return None
+        last = lesson.steps[-1].name
+        if self.progress.at.get(lesson.name, "") == last and self.progress.step(lesson.name, last).solved:
+            self.finished = lesson
+            self._changed()
+            return None
+        return self.open(lesson.name)
 
     async def _inject(self, lesson: Lesson) -> None:
         """Make the fault of a drill in a home folder of its own, so that no file of the pupil's is touched."""
         live, stage = self._live, self._stage
         if live is None or stage is None:
             return
-        waited = 0.0
-        while live.nodes():  # those of the drill before are just ending
-            if waited > ENDING_SECONDS:
-                raise StageError("something-runs")
-            await self._session.sleep(LOOK_SECONDS)
-            waited += LOOK_SECONDS
+        # Those of the drill before may just be ending.
+        if not await self._session.until(lambda: not live.nodes(), ENDING_SECONDS, LOOK_SECONDS):
+            raise StageError("something-runs")
         folder = self._desk.home / "drills"
         number = 1
         while (room := folder / (lesson.name if number == 1 else f"{lesson.name}-{number}")).exists():
@@ -279,7 +280,8 @@ class Course:
     def _next_of_exam(self, exam: Exam) -> Awaitable[None] | None:
         state = self.state
         seconds = round(time.monotonic() - self._began, 1)
-        exam = self.exam = exam.with_result(Result(exam.at, state.solved, seconds, state.hints))
+        solved = state.solved and not self._shown
+        exam = self.exam = exam.with_result(Result(exam.at, solved, seconds, state.hints))
         if not exam.over:
             return self.open(exam.at)
         self.progress.exams.append(exam.kept())
@@ -297,14 +299,28 @@ class Course:
         self._live.begin_step()
         self._began = time.monotonic()
         done = self.progress.step(lesson.name, step.name)
-        self.state = State(lesson, index, hints=min(done.hints, HINTS))
+        self.state = State(
+            lesson, index, done_before=bool(done.solved), hints=0 if self._in_exam else min(done.hints, HINTS)
+        )
         self._shown = False
+        if step.before and not lesson.is_drill and step.name not in self._prepared:
+            self._prepared.add(step.name)
+            self._session.spawn(self._guarded(self._begin(step)))
         if self.demonstration is None:
             self.progress.at[lesson.name] = step.name
             self._unsaved = True
         self.look()
         self._set(before_asked=self.state.solved)
         self._changed()
+
+    async def _begin(self, step: Step) -> None:
+        """Prepare what a step begins with; a file that the pupil has already is left as it is."""
+        if (stage := self._stage) is not None:
+            stage.spares = True
+            try:
+                await stage.perform(step.before)
+            finally:
+                stage.spares = False
 
     def next(self) -> Awaitable[None] | None:
         """To the next step; after the last one back to the list. A step that is not solved is passed over."""
@@ -315,10 +331,11 @@ class Course:
             done = self.progress.step(state.lesson.name, state.step.name)
             if not done.solved:
                 self._note(replace(done, passed_over=True))
-        if self.exam is not None and not self.exam.over:
+        if self.exam is not None and self._in_exam:
             return self._next_of_exam(self.exam)
         if state.is_last:
             self.close()
+            self.finished = state.lesson
         else:
             self._go_to(state.index + 1)
         return None
@@ -329,8 +346,8 @@ class Course:
             self._go_to(self.state.index - 1)
 
     def again(self) -> None:
-        """The same step once more: what was done counts no longer."""
-        if self.state.lesson is not None:
+        """The same step once more: what was done counts no longer. Not in an exam, whose time runs on."""
+        if self.state.lesson is not None and not self._in_exam:
             self._go_to(self.state.index)
 
     def hint(self) -> None:
@@ -370,6 +387,13 @@ class Course:
             step = lesson.step(name)
             if step is not None:
                 await self.perform(step.solve)
+                self._performed.add(name)
+
+    def clear_up(self) -> Awaitable[None] | None:
+        """End what runs from before, so that the lesson begins with nothing."""
+        if not self.state.leftovers or self.state.working or self._stage is None:
+            return None
+        return self._stage.clear_up()
 
     def show_solution(self) -> Awaitable[None] | None:
         """Play this step's solution, visibly; the step counts as passed over, not as solved by the pupil."""
@@ -416,6 +440,10 @@ class Course:
         """World time, so that a paused world holds a demonstration too."""
         await self._session.sleep(seconds)
 
+    async def until(self, holds: Callable[[], object], seconds: float, every: float) -> bool:
+        """Wait, in world time, for something to hold; False if it does not."""
+        return await self._session.until(holds, seconds, every)
+
     def touch(self) -> None:
         """Something changed that is shown."""
         self._changed()
@@ -429,9 +457,14 @@ class Course:
             return
         if state.solved or (state.lesson.is_drill and state.working):
             return
-        verdicts = tuple(check.judge(live) for check in state.step.checks)
+        if state.leftovers:
+            running = live.nodes()
+            self._set(leftovers=tuple(name for name in state.leftovers if name in running))
+        checks = state.step.checks
+        verdicts = tuple(check.judge(live) for check in checks)
         solved = all(verdict.ok for verdict in verdicts)
-        missing = () if solved else self._missing(state.lesson, state.step, live)
+        ending = any(verdict.ok for check, verdict in zip(checks, verdicts, strict=True) if check.name == "no_node")
+        missing = () if solved or ending else self._missing(state.lesson, state.step, live)
         self._set(verdicts=verdicts, solved=solved, missing=missing)
         if solved:
             done = self.progress.step(state.lesson.name, state.step.name)
@@ -441,14 +474,14 @@ class Course:
                 seconds = done.seconds + time.monotonic() - self._began
                 self._note(replace(done, solved=time.time(), seconds=round(seconds, 1), passed_over=False))
 
-    @staticmethod
-    def _missing(lesson: Lesson, step: Step, live: Live) -> tuple[str, ...]:
-        """The needed steps whose state is not there; what only happened once counts as there."""
+    def _missing(self, lesson: Lesson, step: Step, live: Live) -> tuple[str, ...]:
+        """The needed steps whose state is not there, and those of events alone that were never solved."""
         found = []
         for name in step.needs:
             needed = lesson.step(name)
             states = [check for check in needed.checks if not check.is_event] if needed is not None else []
-            if not all(check.judge(live).ok for check in states):
+            there = states or name in self._performed or self.progress.step(lesson.name, name).solved
+            if not there or not all(check.judge(live).ok for check in states):
                 found.append(name)
         return tuple(found)
 
@@ -474,38 +507,23 @@ class Course:
             self._changed()
 
     async def _follow_file(self) -> None:
-        """Read the lesson again when its file was changed."""
-        lesson = self.state.lesson
-        now = time.monotonic()
-        if lesson is None or now - self._read_at < READ_SECONDS:
+        """Show the lesson as its file is now."""
+        if self.state.lesson is None or self._file is None:
             return
-        self._read_at = now
-        stamp = _stamp(lesson.path)
-        if stamp is None or stamp == self._stamp:
-            return
-        self._stamp = stamp
         try:
-            new = await in_thread(lambda: read_lesson(lesson.path))
+            new = await self._file.changed()
         except LessonMistakes as mistakes:
             self._set(mistakes=mistakes)
             return
-        except OSError as error:
-            _log.info("the lesson's file cannot be read: %s", error)
+        if new is None or self.state.step is None:
             return
-        name = self.state.step.name if self.state.step is not None else ""
-        index = next((at for at, step in enumerate(new.steps) if step.name == name), 0)
+        name = self.state.step.name
+        here = min(self.state.index, len(new.steps) - 1)  # its name may be what was changed
+        index = next((at for at, step in enumerate(new.steps) if step.name == name), here)
         self.lessons = tuple(new if each.path == new.path else each for each in self.lessons)
         self.drills = tuple(new if each.path == new.path else each for each in self.drills)
         self.state = replace(self.state, lesson=new)
         self._go_to(index)
-
-
-def _stamp(path: Path) -> tuple[int, int] | None:
-    try:
-        found = path.stat()
-    except OSError:
-        return None
-    return found.st_mtime_ns, found.st_size
 
 
 def _close(terminals: Iterable[Terminal]) -> None:

@@ -78,12 +78,8 @@ class Demonstration:
             course.next()
 
     async def _until_solved(self, name: str) -> None:
-        waited = 0.0
-        while not self._course.state.solved and not self.stopped:
-            if waited > SOLVED_WITHIN:
-                raise StageError(f"step '{name}' was not solved by its solution")
-            await self._course.sleep(SLICE)
-            waited += SLICE
+        if not await self._course.until(lambda: self._course.state.solved or self.stopped, SOLVED_WITHIN, SLICE):
+            raise StageError(f"step '{name}' was not solved by its solution")
 
     async def _rest(self, seconds: float) -> None:
         left = seconds

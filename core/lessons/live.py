@@ -6,10 +6,11 @@ subscription would make the topic.
 
 from __future__ import annotations
 
+import os
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.graph.endpoints import EndpointKind
 from day6_tui.core.graph.names import OBSERVER_PREFIX, full_name
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from day6_tui.core.shell.runs import Run
     from day6_tui.core.shell.terminal import Terminal
     from rclpy.node import Node
-    from rclpy.subscription import Subscription
+    from rclpy.subscription import MessageInfo, Subscription
 
 KEPT = 500
 """Messages that are kept of a topic."""
@@ -32,19 +33,38 @@ ASK_SECONDS = 0.5
 """Between two questions for the same parameter."""
 
 
+class Arrival(NamedTuple):
+    """One message, when it came (ns of real time), and the full name of the node that sent it ('': it has ended)."""
+
+    when: int
+    message: Any
+    sender: str
+
+
+class OutsideHome(OSError):
+    """A path of a lesson that leaves the home folder."""
+
+    def __init__(self, path: object) -> None:
+        super().__init__(f"{path} is not in the home folder")
+
+
 class Heard:
-    """The messages of one topic: the last ones with when they came (ns of real time), and how many there were in all."""
+    """The messages of one topic: the last ones, and how many there were in all."""
 
     def __init__(self) -> None:
         self.count = 0
-        self._last: deque[tuple[int, Any]] = deque(maxlen=KEPT)
+        self._last: deque[Arrival] = deque(maxlen=KEPT)
 
-    def add(self, now_ns: int, message: Any) -> None:
+    def add(self, arrival: Arrival) -> None:
         self.count += 1
-        self._last.append((now_ns, message))
+        self._last.append(arrival)
 
     def since(self, count: int) -> list[tuple[int, Any]]:
-        """The messages after the first `count`, as far as they are kept."""
+        """When the messages after the first `count` came, and they themselves, as far as they are kept."""
+        return [(each.when, each.message) for each in self.arrivals(count)]
+
+    def arrivals(self, count: int) -> list[Arrival]:
+        """The same with who sent them."""
         new = self.count - count
         return list(self._last)[-new:] if new > 0 else []
 
@@ -83,10 +103,10 @@ class Live:
         self.answer = ""
         self.step_began_ns = self.now_ns()
         for topic, heard in list(self._heard.items()):
-            last = heard.since(heard.count - 1) if topic in self._lasting else []
+            last = heard.arrivals(heard.count - 1) if topic in self._lasting else []
             self._heard[topic] = Heard()
-            for when, message in last:  # what is sent once for all who come later does not come again
-                self._heard[topic].add(when, message)
+            for each in last:  # what is sent once for all who come later does not come again
+                self._heard[topic].add(each)
 
     def memory(self, owner: object) -> dict[str, Any]:
         """A dictionary of this owner for this step."""
@@ -174,10 +194,15 @@ class Live:
         reliability = QoSReliabilityPolicy.RELIABLE if lasting else QoSReliabilityPolicy.BEST_EFFORT
         qos = QoSProfile(depth=100, durability=durability, reliability=reliability)
 
-        def take(message: Any) -> None:
-            self._heard.setdefault(topic, Heard()).add(self.now_ns(), message)
+        def take(message: Any, info: MessageInfo) -> None:
+            sender = self._sender(topic, info["publisher_gid"])
+            self._heard.setdefault(topic, Heard()).add(Arrival(self.now_ns(), message, sender))
 
         self._subscriptions[topic] = self.node.create_subscription(kind, topic, take, qos), type_name
+
+    def _sender(self, topic: str, gid: Mapping[str, Any] | None) -> str:
+        ends = self.graph.endpoints(EndpointKind.PUBLISHER, topic=topic)
+        return next((end.node.full_name for end in ends if gid is not None and end.gid == gid["data"]), "")
 
     def _is_lasting(self, topic: str) -> bool:
         """Whether everybody who publishes it keeps the last messages for who comes later."""
@@ -217,13 +242,18 @@ class Live:
     def terminals(self) -> list[Terminal]:
         return [terminal for terminal in self.desk.terminals if not terminal.closed]
 
-    def runs(self, since_ns: int) -> list[Run]:
-        """The lines that were run in all terminals, or still ran, after a moment; the oldest first."""
+    def runs(self, since_ns: int, *, new: bool = False) -> list[Run]:
+        """The lines that were run in all terminals, or still ran, after a moment; the oldest first.
+
+        `new`: only those of terminals whose very first line was run after it.
+        """
         found = [
             run
             for terminal in self.desk.terminals
-            for run in terminal.runs.all
-            if run.ended_ns is None or run.ended_ns >= since_ns
+            for all_runs in [terminal.runs.all]
+            for run in all_runs
+            if (run.ended_ns is None or run.ended_ns >= since_ns)
+            and (not new or (all_runs[0].number == 1 and all_runs[0].began_ns >= since_ns))
         ]
         return sorted(found, key=lambda run: run.began_ns)
 
@@ -248,8 +278,12 @@ class Live:
         return self.desk.login_home
 
     def path(self, text: str) -> Path:
-        """The file that a lesson means: below the home folder where it begins with '~/'."""
-        return self.home / text[2:] if text.startswith("~/") else self.home if text == "~" else self.home / text
+        """The file that a lesson means: below the home folder. Raises OutsideHome for any other."""
+        path = self.home / text[2:] if text.startswith("~/") else self.home if text == "~" else self.home / text
+        home, meant = (Path(os.path.normpath(each)) for each in (self.home, path))
+        if meant != home and home not in meant.parents:
+            raise OutsideHome(text)
+        return path
 
     def close(self) -> None:
         """Stop listening."""

@@ -7,7 +7,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -16,9 +16,7 @@ from day6_tui.core.lessons.document import Action, Lesson, Step, Wrong
 from day6_tui.core.lessons.live import Live
 from day6_tui.core.lessons.stage import Stage, StageError
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
-from day6_tui.core.shell.language.redirection import Streams
 
 SOON = 0.5
 """Seconds in which a check would notice what is there already, or that a wrong answer was taken."""
@@ -40,10 +38,13 @@ class Played:
     faults: list[str] = field(default_factory=list)
 
 
-def rehearse(lesson: Lesson, home: Path, told: Callable[[Played], None] = lambda _: None) -> list[Played]:
+def rehearse(
+    lesson: Lesson, home: Path, told: Callable[[Played], None] = lambda _: None, only: str | None = None
+) -> list[Played]:
     """Play a lesson with `home` as the machine's home folder; `told` hears of each step when it is done.
 
-    The machine meets no other one. Blocks; for commands and tests. Raises TimeoutError.
+    `only`: this step alone, after the solutions of those that it needs. The machine meets no other one. Blocks; for commands
+    and tests. Raises TimeoutError.
     """
     played: list[Played] = []
     with _apart():
@@ -53,26 +54,36 @@ def rehearse(lesson: Lesson, home: Path, told: Callable[[Played], None] = lambda
         async def main(session: Session) -> int:
             try:
                 rehearsal = _Rehearsal(desk, session, lesson)
+                needed = _needed(lesson, only)
                 for step in lesson.steps:
+                    if step.name in needed:
+                        await rehearsal.prepare(step)
+                    if only not in (None, step.name):
+                        continue
                     played.append(await rehearsal.play(step))
                     told(played[-1])
             finally:
                 done.set()
             return 0
 
-        def start() -> None:
-            streams = Streams(InputStream(), OutputStream(), OutputStream())
-            desk.start_program(["lesson"], main, streams, env=desk.environment(), cwd=desk.home)
-
         desk.start()
         try:
-            desk.scheduler.call_soon_threadsafe(start)
+            desk.start_unseen("lesson", main)
             if not done.wait(LONGEST):
                 raise TimeoutError(f"the lesson was not done after {LONGEST:g} s")
         finally:
             desk.hurry()
             desk.close()
     return played
+
+
+def _needed(lesson: Lesson, name: str | None) -> set[str]:
+    """The steps that have to be done before the one of this name; none for the whole lesson."""
+    step = lesson.step(name) if name is not None else None
+    found: set[str] = set()
+    for each in step.needs if step is not None else ():
+        found |= {each, *_needed(lesson, each)}
+    return found
 
 
 @contextmanager
@@ -99,22 +110,36 @@ class _Rehearsal:
         self._session = session
         self._live = Live(desk, session, lesson.path.parent)
         self._stage = Stage(self._live, session)
+        self._now = ""
+        """Which actions are performed."""
+
+    async def prepare(self, step: Step) -> None:
+        """Do what is needed for a later step."""
+        with suppress(StageError, OSError, ValueError):  # the step that needs it tells what is missing
+            await self._stage.perform((*step.before, *step.solve))
+            await self._session.until(lambda: self._solved(step), SOLVED_WITHIN, LOOK)
 
     async def play(self, step: Step) -> Played:
         played = Played(step.name, step.line)
         began = time.monotonic()
+        if not step.solve:
+            played.faults.append("has no 'solve' (the actions that solve it), so it cannot be played")
+            return played
+        self._now = "before"
         try:
             await self._stage.perform(step.before)
             self._live.begin_step()
-            if await self._holds(step, SOON):
-                played.faults.append("is solved before anything was done")
+            if await self._session.until(lambda: self._solved(step), SOON, LOOK):
+                played.faults.append(f"is solved before anything was done: {self._holding(step)}")
             for number, wrong in enumerate(step.wrong, 1):
                 await self._refuse(step, number, wrong, played)
+            self._now = "solve"
             await self._perform(step, step.solve)
-            if not await self._holds(step, SOLVED_WITHIN):
-                played.faults.append(f"is not solved by its solution: {self._failing(step)}")
+            if not await self._session.until(lambda: self._solved(step), SOLVED_WITHIN, LOOK):
+                played.faults.append(f"is not solved by its solution: {self._missing(step)}")
         except (StageError, OSError, ValueError, KeyError) as error:
-            played.faults.append(f"could not be played: {error}")
+            reason = f"unknown name {error}" if isinstance(error, KeyError) else str(error)
+            played.faults.append(f"could not be played, {self._now}: {reason}")
         played.seconds = time.monotonic() - began
         return played
 
@@ -134,32 +159,23 @@ class _Rehearsal:
             performing = False
 
     async def _refuse(self, step: Step, number: int, wrong: Wrong, played: Played) -> None:
+        what = f"the wrong answer {number} (line {wrong.line})"
+        self._now = what
         await self._perform(step, wrong.do)
-        waited, said = 0.0, ""
+        waited = 0.0
         while waited < REFUSED_WITHIN:
             if self._solved(step):
-                played.faults.append(f"takes the wrong answer {number} for right")
+                played.faults.append(f"takes {what} for right: {self._holding(step)}")
                 break
-            said = self._failing(step)
-            if waited >= SOON and wrong.says.lower() in said.lower():
+            if waited >= SOON and _plain(wrong.says) in _plain(self._failing(step)):
                 break
             await self._session.sleep(LOOK)
             waited += LOOK
         else:
-            played.faults.append(
-                f"the wrong answer {number} should be refused with {wrong.says!r}, but it says: {said}"
-            )
+            played.faults.append(f"{what} should be refused with {wrong.says!r}, but it says: {self._missing(step)}")
+        self._now = f"{what}, undo"
         await self._stage.perform(wrong.undo)
         self._live.begin_step()
-
-    async def _holds(self, step: Step, seconds: float) -> bool:
-        waited = 0.0
-        while not self._solved(step):
-            if waited >= seconds:
-                return False
-            await self._session.sleep(LOOK)
-            waited += LOOK
-        return True
 
     def _verdicts(self, step: Step) -> list[Verdict]:
         return [check.judge(self._live) for check in step.checks]
@@ -168,4 +184,23 @@ class _Rehearsal:
         return all(verdict.ok for verdict in self._verdicts(step))
 
     def _failing(self, step: Step) -> str:
+        """What `says` is compared with."""
         return "; ".join(verdict.text("en") for verdict in self._verdicts(step) if not verdict.ok)
+
+    def _missing(self, step: Step) -> str:
+        """The same for an author: what does not hold, and what was seen instead."""
+        verdicts = [verdict for verdict in self._verdicts(step) if not verdict.ok]
+        return "; ".join(f"not yet '{each.wanted.text('en')}'{_seen(each)}" for each in verdicts)
+
+    def _holding(self, step: Step) -> str:
+        return "; ".join(f"'{verdict.wanted.text('en')}' holds" for verdict in self._verdicts(step))
+
+
+def _seen(verdict: Verdict) -> str:
+    text = verdict.saw.text("en").strip() if verdict.saw is not None else ""
+    return f" (seen: {text})" if text else ""
+
+
+def _plain(text: str) -> str:
+    """A message as it is compared: without the marks of commands, with single blanks."""
+    return " ".join(text.replace("`", "").lower().split())

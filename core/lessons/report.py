@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from day6_tui.core.lessons.catalogue import days, drills, lessons_in
-from day6_tui.core.lessons.document import LANGUAGES, Lesson
+from day6_tui.core.lessons.document import Lesson
 from day6_tui.core.lessons.progress import FOLDER, Progress, ProgressError, StepDone, load
+from day6_tui.core.lessons.source import LANGUAGES
 from day6_tui.core.lessons.tables import (
     Cell,
     Exists,

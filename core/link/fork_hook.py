@@ -18,6 +18,6 @@ def install() -> None:
 
 
 def _forget_links() -> None:
-    link = sys.modules.get("day6_tui.core.link")
-    if link is not None:
-        link.after_fork()
+    after_fork = getattr(sys.modules.get("day6_tui.core.link"), "after_fork", None)
+    if after_fork is not None:
+        after_fork()

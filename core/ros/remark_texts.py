@@ -199,6 +199,14 @@ TEXTS = {
     "inspector.unseen.terminals": "not looked at: the terminals (they are on the desktop only)",
     "inspector.unseen.files": "not looked at: the files of the workspaces",
     "inspector.unseen.programs": "not looked at: the insides of other programs",
+    "inspector.quiet.drill": (
+        "In a drill you search yourself: the inspector says nothing until it is solved or given up. Look at what the programs "
+        "say, at `ros2 node list`, `ros2 topic list`, `ros2 topic info -v`; `why` explains a message."
+    ),
+    "inspector.quiet.exam": (
+        "In an exam you search yourself: the inspector says nothing until the drill is solved. Look at what the programs say, at "
+        "`ros2 node list`, `ros2 topic list`, `ros2 topic info -v`."
+    ),
     "inspector.well": "nothing is wrong",
     "inspector.well_so_far": "nothing is wrong in what was looked at",
     # Beside the car

@@ -49,7 +49,11 @@ class Overview(Protocol):
 
     @property
     def home(self) -> Path:
-        """The home folder of the user."""
+        """The home folder of the user; a drill has one of its own."""
+
+    @property
+    def searching(self) -> str:
+        """'drill' or 'exam' while the pupil is to find a fault himself, '' otherwise: what names faults is quiet then."""
 
     def terminals(self) -> list[TerminalView]:
         """Return the open terminals, the oldest first."""

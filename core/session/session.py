@@ -203,6 +203,16 @@ class Session:
         """Wait for `signal`, at most `timeout` world seconds; True if it is set."""
         return await wait_for(signal, self._deadline(timeout))
 
+    async def until(self, holds: Callable[[], object], seconds: float, every: float = 0.05) -> bool:
+        """Look again `every` so many world seconds until something holds; False if it does not within `seconds`."""
+        waited = 0.0
+        while not holds():
+            if waited >= seconds:
+                return False
+            await self.sleep(every)
+            waited += every
+        return True
+
     def every(self, seconds: float) -> Ticks:
         """Return an async iterator that yields 1, 2, 3 … at exact multiples of `seconds` from now, skipping none."""
         return Ticks(self.clock, nanoseconds(seconds))

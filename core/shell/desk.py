@@ -21,6 +21,7 @@ from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Main, Session
+from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.core.shell.overview import DeskOverview
@@ -89,6 +90,8 @@ class Desk:
         self.home = (default_home() if home is None else home).expanduser().resolve()
         self.room: Path | None = None
         """Another home folder for new terminals, while a drill has one of its own."""
+        self.searching: Callable[[], str] = lambda: ""
+        """'drill' or 'exam' while the pupil is to find a fault himself: whatever names faults asks, and is quiet then."""
         self.user = login_name()
         (self.home / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
         self.domain_id = _own_domain() if domain_id is None else domain_id
@@ -158,8 +161,6 @@ class Desk:
             TERM="xterm-256color",
             ROS_DOMAIN_ID=self._domain_text,
         )
-        if self.room is not None:
-            env["DAY6_HINTS"] = "off"  # a drill is there to find out oneself
         return env
 
     def shell(
@@ -190,6 +191,8 @@ class Desk:
             raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
         from day6_tui.core.shell.process import run_python
 
+        if self.searching():
+            env = {**env, "DAY6_HINTS": "off"}
         session = Session(
             self.scheduler,
             lambda: self._linked_graph_of(domain_of(env)),
@@ -215,6 +218,15 @@ class Desk:
 
         session.defer(forget)
         return program
+
+    def start_unseen(self, name: str, main: Main) -> None:
+        """The same on any thread, in the home folder, for a program without a terminal: nothing to read, silent output."""
+
+        def start() -> None:
+            streams = Streams(InputStream(), OutputStream(), OutputStream())
+            self.start_program([name], main, streams, env=self.environment(), cwd=self.home)
+
+        self.scheduler.call_soon_threadsafe(start)
 
     # -- time ----------------------------------------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from day6_tui.core.shell.completion import Completer
 from day6_tui.core.shell.history import History
 from day6_tui.core.shell.language import parser
 from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.hints import hint_at_open_quote
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem
 from day6_tui.core.shell.line_editor import EndOfLines, LineEditor
@@ -18,6 +19,9 @@ from day6_tui.core.shell.recall import NoSuchLine, recalled
 
 if TYPE_CHECKING:
     from day6_tui.core.shell.terminal import Terminal
+
+LINES_TO_A_HINT = 3
+"""Lines of one command, the last two typed at `> `, after which an open quotation mark is told."""
 
 
 async def login(session: Session, terminal: Terminal) -> int:
@@ -79,11 +83,15 @@ async def run_command(session: Session, terminal: Terminal, command: str) -> int
 
 async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) -> str:
     """Read lines until they make whole commands; '' after Ctrl-C. Raises EndOfLines at the end of the input."""
-    source = ""
+    source, lines = "", 0
     streams = terminal.streams
     shown = await prompt(shell, streams)
     while True:
-        typed = await editor.read(shown)
+        terminal.unfinished = source
+        try:
+            typed = await editor.read(shown)
+        finally:
+            terminal.unfinished = ""
         if typed is None:
             shell.status = 130
             return ""
@@ -97,8 +105,10 @@ async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) ->
         source += line
         try:
             parser.parse(source, shell.aliases)
-        except Incomplete:
-            source += "\n"
+        except Incomplete as problem:
+            source, lines = source + "\n", lines + 1
+            if lines == LINES_TO_A_HINT and (hint := hint_at_open_quote(shell, str(problem))):
+                streams.stderr.write(hint)
             shown = shell.variables.get("PS2", "> ")
             continue
         except SyntaxProblem:

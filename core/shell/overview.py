@@ -21,7 +21,11 @@ class DeskOverview:
 
     @property
     def home(self) -> Path:
-        return self._desk.home
+        return self._desk.login_home
+
+    @property
+    def searching(self) -> str:
+        return self._desk.searching()
 
     def terminals(self) -> list[TerminalView]:
         """Return the open terminals, without those whose shell has ended."""

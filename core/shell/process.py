@@ -281,6 +281,7 @@ class Process:
         self._keys = PtyKeys(master, slave)
         try:
             _set_window_size(master, terminal.columns, terminal.rows)
+            _let_any_key_go_on(slave)
             for name in ("COLUMNS", "LINES"):
                 env.pop(name, None)  # programs ask the pty, whose size follows the window; fixed numbers would lie
             self._popen = subprocess.Popen(
@@ -477,6 +478,16 @@ def _spawn_feeder(session: Session, popen: subprocess.Popen[bytes] | None) -> No
             feeder.put(b"")
 
     session.spawn(feed())
+
+
+def _let_any_key_go_on(slave: int) -> None:
+    """After Ctrl-S, which people press to save: Ctrl-Q, which lets the output go on elsewhere, is the desktop's."""
+    if sys.platform != "win32":
+        import termios
+
+        mode = termios.tcgetattr(slave)
+        mode[0] |= termios.IXANY
+        termios.tcsetattr(slave, termios.TCSANOW, mode)
 
 
 def _set_window_size(fd: int, columns: int, rows: int) -> None:

@@ -81,6 +81,8 @@ class Terminal:
         """Takes text as a pty delivers it (with \\r\\n)."""
         self.waiting_at_prompt = False
         """Whether the line editor waits for a key and its line is empty; set by the line editor."""
+        self.unfinished = ""
+        """The lines of a command that goes on at the prompt `> `, '' at the ordinary one."""
         self.runs = Runs()
         """The lines that were run here."""
         self._unhandled = 0

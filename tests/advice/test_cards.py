@@ -86,8 +86,9 @@ def test_a_card_that_is_not_right_is_refused_with_its_line(tmp_path: Path, text:
 FAULTS = {
     # The texts of beginner-faults.md that have one -> the card. The others make no sound: the inspector names them.
     "Package 'x' not found": "package-not-found",
-    "ros2: command not found": "command-not-found",
-    "bash: ros2: command not found": "command-not-found",
+    "ros2: command not found": "ros-command-not-found",
+    "bash: ros2: command not found": "ros-command-not-found",
+    "bash: mkdri: command not found": "command-not-found",
     "No executable found": "executable-not-found",
     "file 'x.launch.py' was not found in the share directory of package 'y' which is at '/w/share/y'": "launch-file-not-found",
     "ModuleNotFoundError: No module named 'rclpy._rclpy_pybind11'": "rclpy-other-python",

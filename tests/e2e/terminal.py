@@ -110,7 +110,11 @@ class Terminal(Screen):
     def look(self, seconds: float = 0.0) -> str:
         """The screen as text, after reading what comes within `seconds`, without blanks at the ends of lines."""
         self._take(seconds)
-        return "\n".join(line.rstrip() for line in self._picture.display)
+        return "\n".join(self._row(row).rstrip() for row in range(self._picture.lines))
+
+    def _row(self, row: int) -> str:
+        """Not pyte's `display`, which cannot read half of a wide character: what is written comes in pieces."""
+        return "".join(self._picture.buffer[row][column].data for column in range(self._picture.columns))
 
     @property
     def rows(self) -> int:
@@ -122,7 +126,7 @@ class Terminal(Screen):
 
     def row(self, row: int) -> str:
         """One row of the screen."""
-        return str(self._picture.display[row])
+        return self._row(row)
 
     def columns_of(self, row: int) -> list[int]:
         """The column in which each character of a row stands."""

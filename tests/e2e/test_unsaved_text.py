@@ -102,3 +102,29 @@ def test_where_no_copy_can_be_made_it_is_told_and_leaving_asks(place: Place) -> 
         for each in (place.home, folder):
             each.chmod(0o700)
     assert data.is_dir()
+
+
+def test_what_is_typed_at_the_terminal_of_an_editor_is_seen(place: Place) -> None:
+    with desktop(place) as screen:
+        screen.wait("$")
+        screen.line("nano work.txt")
+        screen.wait("┏ 2 nano")
+        screen.press("F3")
+        screen.wait("┏ 1 nano")
+        screen.send("seen by everybody")
+        screen.wait(
+            "seen by everybody", "┏ 2 nano"
+        )  # wherever the editor was: it might have been behind another window
+
+
+def test_keys_that_come_at_once_are_taken_in_their_order(place: Place) -> None:
+    place.home.mkdir(parents=True, exist_ok=True)
+    (place.home / "work.txt").write_text("TODO: package description")
+    with desktop(place) as screen:
+        screen.wait("$")
+        screen.line("nano work.txt")
+        screen.wait("TODO: package description", "┏ 2 nano")
+        screen.send(
+            "\x05" + "\x7f" * 25 + "\x1b[D" + "My first" + "\x01" + "2 " + "\x1b[C" * 5 + "-" + "\x05" + "\x7f" + "!"
+        )
+        screen.wait("2 My fi-rs!")

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from waiting import until
+from waiting import PATIENCE, until
 
 from day6_tui.core.ros.programs import load
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding
@@ -112,8 +112,8 @@ class Lab:
     def wait_node(self, name: str) -> None:
         until(lambda: any(node.full_name == name for node in self.desk.graph.nodes), told=lambda: self.screen())
 
-    def wait(self, condition: Callable[[], object]) -> None:
-        until(condition, told=lambda: "\n".join(self.screen(number) for number in range(len(self.terminals))))
+    def wait(self, condition: Callable[[], object], limit: float = PATIENCE) -> None:
+        until(condition, limit, told=lambda: "\n".join(self.screen(number) for number in range(len(self.terminals))))
 
     # -- what the inspector says ---------------------------------------------------------------------------------------
 
@@ -144,7 +144,7 @@ class Lab:
         said: dict[str, str] = {}
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            for terminal in self.terminals:
+            for terminal in list(self.desk.terminals):
                 terminal.update()
             said.update(
                 {key: each.text for key, each in self.findings.items() if each.level != "info" and key != "late"}

@@ -9,7 +9,7 @@ import pytest
 
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.ros.programs.day6_inspector.file_rules import _fits
-from day6_tui.core.ros.programs.day6_inspector.files import Files, ParameterFile, Where, look
+from day6_tui.core.ros.programs.day6_inspector.files import Files, ParameterFile, Typed, Where, look
 from day6_tui.core.ros.programs.day6_inspector.program_rules import script_of
 from day6_tui.core.ros.programs.day6_inspector.rules import findings
 from day6_tui.core.ros.programs.day6_inspector.setup_file import read_setup
@@ -87,13 +87,31 @@ def test_keys_of_parameter_files_mean_nodes_as_in_rcl(key: str, node: str, fits:
 def test_a_parameter_file_is_read_from_the_running_line(tmp_path: Path) -> None:
     (tmp_path / "p.yaml").write_text("team:\n  talker:\n    ros__parameters: {a: 1}\n", encoding="utf-8")
     (tmp_path / "bad.yaml").write_text("a: [", encoding="utf-8")
-    lines = tuple((f"ros2 run a b --ros-args --params-file {name}", tmp_path) for name in ("p.yaml", "bad.yaml", "no"))
+    names = ("p.yaml", "bad.yaml", "no")
+    lines = tuple(Typed(f"ros2 run a b --ros-args --params-file {name}", (tmp_path,), tmp_path) for name in names)
     found = look(Where(tmp_path, lines=lines)).parameters
     assert [(each.keys, each.problem) for each in found] == [
         (("/team/talker",), ""),
         ((), "no YAML"),
         ((), "No such file or directory"),
     ]
+
+
+def test_a_name_begins_where_the_line_was_typed_or_in_the_home_of_its_terminal(tmp_path: Path) -> None:
+    """Not in that of who runs the desktop; and where a process was started is not known."""
+    home, cwd = tmp_path / "home", tmp_path / "cwd"
+    typed, started = Typed("", (tmp_path, cwd), home), Typed("", (), home)
+    assert typed.path("p.yaml") == tmp_path / "p.yaml"
+    cwd.mkdir()
+    (cwd / "p.yaml").touch()
+    assert typed.path("p.yaml") == cwd / "p.yaml"
+    assert typed.path("~/p.yaml") == started.path("~/p.yaml") == home / "p.yaml"
+    assert started.path(str(cwd / "p.yaml")) == cwd / "p.yaml"
+    assert started.path("p.yaml") is None
+    assert typed.path("q.yaml") == tmp_path / "q.yaml"
+    assert typed._replace(source="cd x; y").path("q.yaml") is None
+    line = Typed("/x/talker.py --ros-args --params-file p.yaml", (), home)
+    assert look(Where(home, lines=(line,))).parameters == ()
 
 
 def test_values_for_a_node_that_does_not_run_yet_are_no_fault_where_no_node_runs() -> None:
@@ -104,7 +122,14 @@ def test_values_for_a_node_that_does_not_run_yet_are_no_fault_where_no_node_runs
 
 @pytest.mark.parametrize(
     ("line", "script"),
-    [("python3 a.py x", "a.py"), ("python a.py", "a.py"), ("./a.py", "a.py"), ("python3 -c 1", ""), ("echo 'a", "")],
+    [
+        ("python3 a.py x", "a.py"),
+        ("python3 ~/a.py", "home/a.py"),
+        ("python a.py", "a.py"),
+        ("./a.py", "a.py"),
+        ("python3 -c 1", ""),
+        ("echo 'a", ""),
+    ],
 )
 def test_the_script_of_a_line(tmp_path: Path, line: str, script: str) -> None:
-    assert script_of(line, tmp_path) == (tmp_path / script if script else None)
+    assert script_of(line, tmp_path, tmp_path / "home") == (tmp_path / script if script else None)

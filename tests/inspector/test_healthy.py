@@ -206,6 +206,22 @@ def parameters(lab: Lab) -> None:
     lab.start("ros2 run turtlesim turtle_teleop_key", 1)
 
 
+def parameters_elsewhere(lab: Lab) -> None:
+    """The file is named from the folder of the terminal, and from the home folder, of programs of one's own."""
+    text = TALKER.replace("'hello'", "self.get_parameter('word').value")
+    text = text.replace("super().__init__('talker')", "super().__init__('talker'); self.declare_parameter('word', '')")
+    lab.file("work/talker.py", text)
+    lab.file("work/params.yaml", "/**/talker:\n  ros__parameters:\n    word: hello\n")
+    lab.file("listener.py", LISTENER)
+    lab.start("cd work; python3 talker.py --ros-args --params-file params.yaml")
+    lab.start("python3 work/talker.py --ros-args -r __ns:=/b --params-file ~/work/params.yaml", 1)
+    lab.start("python3 listener.py", 2, shows="I heard hello")
+    lab.start("python3 listener.py --ros-args -r __ns:=/b", 3, shows="I heard hello")
+    lab.start("cd work; python3 talker.py --ros-args -r __ns:=/c --params-file params.yaml &", 4)
+    lab.wait_node("/c/talker")
+    lab.run("cd /", 4)
+
+
 def multisim(lab: Lab) -> None:
     lab.start("ros2 launch turtlesim multisim.launch.py")
     lab.wait_node("/turtlesim2/turtlesim")
@@ -226,7 +242,7 @@ def minimal_examples(lab: Lab) -> None:
 
 SCENES: tuple[Callable[[Lab], object], ...] = (
     turtle, square, talker_and_listener, demo_nodes, fibonacci, slow_action, slow_service, spin_once_loop, threads, car, display,
-    rviz_with_the_robot, world, workspace, parameters, multisim, bag, minimal_examples,
+    rviz_with_the_robot, world, workspace, parameters, parameters_elsewhere, multisim, bag, minimal_examples,
 )  # fmt: skip
 
 

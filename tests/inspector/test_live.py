@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import TransformStamped, Twist
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, Header, String
+from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
@@ -201,6 +202,31 @@ def test_one_message_a_second_is_too_slow_for_the_eye(lab: Lab) -> None:
     assert lab.findings() == {"slow": "/joint_states arrives 1 times a second; the eye needs about 20"}
     lab.turn(publisher, WHEELS, times=30)
     assert lab.findings() == {}
+
+
+def test_frames_are_listened_to_only_where_somebody_asks_and_those_that_nobody_sends_any_more_go(lab: Lab) -> None:
+    listening = lab.inspector._listening
+    publisher = lab.says(TFMessage, "/tf", "broadcaster")
+    fixed = lab.says(TFMessage, "/tf_static", "shelf", QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+    fixed.publish(TFMessage(transforms=[transform("world", "shelf")]))
+
+    def heard(*frames: str, wanted: bool = True) -> frozenset[str]:
+        listening.wants_frames = wanted
+        for _ in range(2):
+            listening.listen()
+            publisher.publish(TFMessage(transforms=[transform("/world", frame) for frame in frames]))
+            lab.advance(0.1)
+        return listening.frames
+
+    assert heard("cup", wanted=False) == frozenset()
+    assert heard("cup") == {"world", "shelf", "cup"}
+    lab.advance(4.0)
+    assert heard("fork") == {"world", "shelf", "fork"}
+    assert heard("fork", wanted=False) == frozenset()
+
+
+def transform(parent: str, child: str) -> TransformStamped:
+    return TransformStamped(header=Header(frame_id=parent), child_frame_id=child)
 
 
 def test_what_was_put_right_is_no_longer_said(lab: Lab) -> None:

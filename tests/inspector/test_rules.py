@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import NamedTuple
+
 import pytest
 
 from day6_tui.core.ros.programs.day6_inspector.rules import Endpoint, Facts, findings
+from day6_tui.core.session.overview import TerminalView
 
 TWIST, STRING, JOINTS = "geometry_msgs/msg/Twist", "std_msgs/msg/String", "sensor_msgs/msg/JointState"
 WHEELS = frozenset({"left_wheel_joint", "right_wheel_joint"})
@@ -92,3 +96,67 @@ def test_two_nodes_of_one_name_are_told() -> None:
     assert texts(Facts(nodes=("/talker", "/talker", "/listener"))) == [
         "warning: 2 nodes are called /talker: lists and parameters cannot tell them apart"
     ]
+
+
+class Ran(NamedTuple):
+    """A line of a terminal."""
+
+    output: str
+    status: int | None = None
+    source: str = "ros2 run my_pkg follower"
+    number: int = 1
+    cwd: Path = Path("/")
+    began_ns: int = 0
+
+    @property
+    def ended_ns(self) -> int | None:
+        return None if self.status is None else NOW
+
+
+NOW = 1_700_000_000 * 10**9
+ECHO = 'Invalid frame ID "carrot" passed to canTransform argument target_frame - frame does not exist\n'
+LOOKED_UP = '"carrot" passed to lookupTransform argument source_frame does not exist.\n'
+LATE = "[INFO] [{at}] [follower]: Lookup would require extrapolation into the future.\n"
+
+
+def keys_after(*lines: Ran, **more: object) -> list[str]:
+    running = [line.source for line in lines if line.status is None]
+    terminal = TerminalView(1, Path("/"), {}, lines, running, 1)
+    facts = Facts(terminals=(terminal,), now_ns=NOW, **more)  # type: ignore[arg-type]
+    return [each.id.removeprefix("inspector.") for each in findings(facts)]
+
+
+@pytest.mark.parametrize("said", [ECHO, LOOKED_UP])
+def test_a_frame_that_came_after_the_program_had_asked_for_it_is_no_fault(said: str) -> None:
+    assert keys_after(Ran(said)) == ["no_frame"]
+    assert keys_after(Ran(said), frames=frozenset({"world", "carrot"})) == []
+    assert keys_after(Ran(said), frames=frozenset({"world"})) == ["no_frame"]
+    assert keys_after(Ran(said + "At time 17.5\n- Translation: [0.0, 0.0, 0.0]\n" * 3)) == []
+    assert keys_after(Ran(said + "At time 17.5\n- Translation: [0.0, 0.0, 0.0]\n" * 3 + "^C\n", status=130)) == []
+    ended = Ran(said, status=1)
+    assert keys_after(ended, frames=frozenset({"carrot"})) == ["no_frame"], "it ended of it"
+
+
+def test_an_extrapolation_is_a_fault_as_long_as_the_program_complains_of_it() -> None:
+    new, old = LATE.format(at="1699999998.5"), LATE.format(at="1699999980.5")
+    assert keys_after(Ran(new)) == keys_after(Ran(old + new)) == ["extrapolation"]
+    assert keys_after(Ran(old)) == [], "it would have said so again"
+    assert keys_after(Ran(new + "going on\n" * 4)) == []
+    assert keys_after(Ran(old, status=1)) == ["extrapolation"]
+
+
+def test_two_types_are_told_as_long_as_there_are_two() -> None:
+    said = Ran("Cannot echo topic '/score', as it contains more than one type: [a, b]", 1, "ros2 topic echo /score")
+    number = {"/score": (Endpoint("/board", "std_msgs/msg/Int32"),)}
+    assert "two_types_said" in keys_after(said, publishers={"/score": (*number["/score"], Endpoint("/text", STRING))})
+    assert "two_types_said" not in keys_after(said, publishers=number)
+
+
+def test_a_command_that_went_well_takes_the_place_of_its_failed_attempts() -> None:
+    wrong = Ran(
+        "Setting parameter failed: Wrong parameter type, expected double", 1, "ros2 param set /heater target 25"
+    )
+    right = Ran("Set parameter successful", 0, "ros2 param set /heater target 25.0")
+    other = Ran("", 0, "ros2 param get /heater target")
+    assert keys_after(wrong) == keys_after(wrong, other) == keys_after(right, wrong) == ["parameter_type"]
+    assert keys_after(wrong, right) == keys_after(wrong, right, other) == []

@@ -26,6 +26,7 @@ class Model:
 
     findings: tuple[Finding, ...] = ()
     unseen: tuple[str, ...] = ()
+    quiet: str = ""
     version: int = 1
 
     def find(self, *findings: Finding) -> None:

@@ -245,7 +245,7 @@ def test_a_lesson_that_is_being_written_is_read_again(room: Classroom) -> None:
 
 
 def test_a_check_that_fails_is_told_and_the_step_can_be_passed_over(room: Classroom) -> None:
-    write_lesson(room.folder / "small.md", {"odd": "check:\n  - trail: dodecagon\nsolve: []\n", **STEPS})
+    write_lesson(room.folder / "small.md", {"odd": "check:\n  - trail: pentagram\nsolve: []\n", **STEPS})
     room.program.kill()
     room.course = room.begin()
     room.open()
@@ -311,6 +311,86 @@ def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
         room.desk.close()
 
 
+def test_what_runs_from_before_is_told_and_ended_on_request(room: Classroom) -> None:
+    terminals = [room.desk.open_terminal() for _ in range(3)]
+    room.wait(lambda: all(each.idle for each in terminals))
+    terminals[0].run_line("ros2 run demo_nodes_cpp talker")
+    terminals[1].run_line("ros2 run demo_nodes_cpp listener &")
+    terminals[2].run_line("nano poem.txt")
+    room.wait(lambda: len(room.desk.graph.nodes) == 2 and terminals[2].busy)
+    room.open()
+    room.wait(lambda: room.course.state.leftovers == ("/listener", "/talker"))
+    room.ask(room.course.clear_up)
+    room.wait(lambda: not room.course.state.leftovers and not room.desk.graph.nodes)
+    room.wait(lambda: terminals[0].idle and terminals[1].idle)
+    assert terminals[2].busy
+
+
+def test_a_step_begins_with_the_file_it_gives_but_not_over_one_of_the_pupil(room: Classroom) -> None:
+    given = "before:\n  - write: {file: ~/one.py, text: given}\n  - write: {file: ~/two.py, text: given}\n"
+    write_lesson(room.folder / "small.md", {"start": f"check:\n  - file: ~/done.txt\n{given}"})
+    (room.home / "two.py").write_text("mine")
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    room.wait(lambda: (room.home / "one.py").exists() and not room.course.state.working)
+    assert ((room.home / "one.py").read_text(), (room.home / "two.py").read_text()) == ("given", "mine")
+    (room.home / "one.py").write_text("changed")
+    room.ask(room.course.again)
+    room.go()
+    assert (room.home / "one.py").read_text() == "changed"
+
+
+def test_a_needed_step_of_events_alone_is_missing_until_it_was_solved(room: Classroom) -> None:
+    steps = {
+        "said": "check:\n  - ran: ^echo\nsolve:\n  - type: echo hello\n",
+        "after": "check:\n  - file: ~/after.txt\nneeds: [said]\n",
+    }
+    write_lesson(room.folder / "small.md", steps)
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.state.missing == ("said",))
+    room.ask(room.course.prepare)
+    room.wait(lambda: not room.course.state.missing and not room.course.state.working)
+
+
+def own_file(room: Classroom, solve: str) -> Path:
+    """A step whose solution writes a file that the pupil has already written; the solution is shown."""
+    write_lesson(
+        room.folder / "small.md", {"poem": f"check:\n  - file: {{path: ~/poem.txt, has: theirs}}\nsolve:\n{solve}"}
+    )
+    mine = room.home / "poem.txt"
+    mine.write_text("mine, an hour of work\n")
+    room.program.kill()
+    room.course = room.begin()
+    room.open()
+    room.ask(room.course.show_solution)
+    room.wait(lambda: room.solved() and not room.course.state.working)
+    return mine
+
+
+@pytest.mark.parametrize(
+    ("solve", "text"),
+    [
+        ("  - write: {file: ~/poem.txt, text: theirs}\n", "theirs\n"),
+        ("  - replace: {file: ~/poem.txt, old: an hour, new: theirs}\n", "mine, theirs of work\n"),
+    ],
+    ids=["write", "replace"],
+)
+def test_a_solution_that_is_shown_keeps_what_the_pupil_had_written(room: Classroom, solve: str, text: str) -> None:
+    mine = own_file(room, solve)
+    assert mine.read_text() == text
+    assert (room.home / "poem.txt.mine").read_text() == "mine, an hour of work\n"
+
+
+def test_what_solutions_have_written_themselves_is_not_kept(room: Classroom) -> None:
+    twice = "  - write: {file: ~/poem.txt, text: first}\n  - write: {file: ~/poem.txt, text: theirs}\n"
+    own_file(room, twice)
+    assert sorted(path.name for path in room.home.glob("poem*")) == ["poem.txt", "poem.txt.mine"]
+
+
 def drills(room: Classroom, count: int) -> None:
     for number in range(count):
         head = (
@@ -347,6 +427,39 @@ def test_an_exam_is_five_drills_with_time_and_hints_counted(room: Classroom) -> 
     assert room.course.state.lesson is None
     room.wait(lambda: load(file_of(room.home, "anna")).exams)
     assert load(file_of(room.home, "anna")).exams == [exam.kept()]
+
+
+def test_hints_of_earlier_practice_are_not_shown_in_an_exam_and_do_not_count_there(room: Classroom) -> None:
+    drills(room, 1)
+    room.course.progress.note("slip0", "slip", StepDone(hints=3))
+    room.ask(room.course.start_exam)
+    room.wait(lambda: room.course.state.verdicts and not room.course.state.working)
+    assert room.course.state.hints == 0
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.exam is not None and room.course.exam.over)
+    assert room.course.exam is not None and [each.hints for each in room.course.exam.results] == [0]
+    assert room.course.progress.step("slip0", "slip").hints == 3
+
+
+def test_in_an_exam_a_solution_that_was_shown_is_no_solved_drill_and_time_does_not_begin_again(room: Classroom) -> None:
+    drills(room, 1)
+    (drill,) = room.course.drills
+    path = drill.path
+    path.write_text(path.read_text().replace("solve: []", "solve:\n  - write: {file: ~/a.txt, text: right}"))
+    room.program.kill()
+    room.course = room.begin()
+    room.course.drills = tuple(each for each in room.course.drills if each.name == drill.name)
+    room.ask(room.course.start_exam)
+    room.wait(lambda: room.course.state.verdicts and not room.course.state.working)
+    began = room.course._began
+    room.ask(room.course.show_solution)
+    room.wait(lambda: room.solved() and not room.course.state.working)
+    room.ask(room.course.again)
+    room.go(0.6)
+    assert room.solved() and room.course._began == began
+    room.ask(room.course.next)
+    room.wait(lambda: room.course.exam is not None and room.course.exam.over)
+    assert room.course.exam is not None and [each.solved for each in room.course.exam.results] == [False]
 
 
 def test_any_drill_is_one_that_is_not_solved_yet(room: Classroom) -> None:

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from day6_tui.core.lessons import catalogue
-from day6_tui.core.lessons.document import LANGUAGES, Lesson, LessonMistakes, read_lesson
+from day6_tui.core.lessons.document import Lesson
+from day6_tui.core.lessons.reading import read_lesson
+from day6_tui.core.lessons.source import LANGUAGES, LessonMistakes
 
 EXAMPLE = (Path(catalogue.__file__).parent / "example.md").read_text(encoding="utf-8")
 
@@ -46,13 +48,13 @@ def test_the_example_is_read_whole(tmp_path: Path) -> None:
     ("old", "new", "told"),
     [
         ("---\nlesson", "lesson", "1: the file has to begin with '---'"),
-        ("lesson: example", "lesson: My Lesson", "1: 'lesson' (or 'drill') has to be a name"),
-        ("lesson: example", "lesson: example\ncolour: red", "1: unknown key 'colour'"),
-        ("minutes: 5", "minutes: soon", "1: 'minutes' has to be a whole number"),
-        ("  en: A little turtle\n", "", "1: 'title' needs a text for 'zh' and for 'en'"),
+        ("lesson: example", "lesson: My Lesson", "2: 'lesson' has to be a name"),
+        ("lesson: example", "lesson: example\ncolour: red", "3: unknown key 'colour'"),
+        ("minutes: 5", "minutes: soon", "4: 'minutes' has to be a whole number"),
+        ("  en: A little turtle\n", "", "5: 'title' needs a text for 'zh' and for 'en'"),
         ("order: 10", "order: [10", "not YAML"),
         ("- node: /turtlesim", "- nodes: /turtlesim", "there is no check 'nodes'; did you mean 'node'?"),
-        ("- node: /turtlesim", "- node: {named: /turtlesim}", "unknown argument 'named'; there are name, count"),
+        ("- node: /turtlesim", "- node: {named: /turtlesim}", "unknown argument 'named'; did you mean 'name'?"),
         ("- node: /turtlesim", "- node: {count: 2}", "node: the argument 'name' is missing"),
         ("- node: /turtlesim", "- node: {name: /turtlesim, count: two}", "'count' has to be a whole number, not 'two'"),
         ("- node: /turtlesim", "- node: 7", "node: 'name' has to be a text, not 7 (quote it)"),
@@ -107,7 +109,7 @@ def test_a_drill_has_one_step(tmp_path: Path) -> None:
     lesson = read(tmp_path, drill)
     assert (lesson.is_drill, lesson.fault, lesson.topic) == (True, 12, "names")
     second = drill[drill.index("# turtle") :].replace("# turtle", "# again")
-    assert mistakes(tmp_path, drill + second) == ["1: a drill has one step, not 2"]
+    assert mistakes(tmp_path, drill + second) == [f"{len(drill.split(chr(10)))}: a drill has one step, not 2"]
 
 
 def test_two_steps_of_one_name_are_refused(tmp_path: Path) -> None:

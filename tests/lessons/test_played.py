@@ -16,7 +16,7 @@ import pytest
 from todays import todays
 
 from day6_tui.core.lessons.catalogue import HERE
-from day6_tui.core.lessons.document import read_lesson
+from day6_tui.core.lessons.reading import read_lesson
 
 AT_A_TIME = 5
 LONGEST = 400.0
@@ -24,7 +24,7 @@ LONGEST = 400.0
 
 DAYS = sorted((HERE / "days").glob("*.md"))
 DRILLS = sorted((HERE / "drills").glob("*.md"))
-FILES = todays([*DAYS, HERE / "example.md", *DRILLS])
+FILES = todays([*DAYS, HERE / "example.md", HERE / "example_drill.md", *DRILLS])
 
 Played = Future["subprocess.CompletedProcess[str]"]
 
@@ -50,9 +50,9 @@ def test_it_is_solved_by_its_solutions_alone(path: Path, playing: dict[Path, Pla
     assert [line[:4] for line in lines] == ["ok  "] * len(read_lesson(path).steps)
 
 
-def test_every_drill_has_three_wrong_answers_and_two_thirds_of_the_steps_have_one() -> None:
+def test_every_drill_has_three_wrong_answers_at_least_and_two_thirds_of_the_steps_have_one() -> None:
     drills = [read_lesson(path) for path in DRILLS]
-    assert [(drill.name, len(drill.steps[0].wrong)) for drill in drills] == [(drill.name, 3) for drill in drills]
+    assert [drill.name for drill in drills if len(drill.steps[0].wrong) < 3] == []
     assert [drill.fault for drill in drills] == list(range(1, 47))
     for path in DAYS:
         steps = read_lesson(path).steps

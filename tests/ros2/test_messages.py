@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from types import ModuleType
+
 import pytest
 from geometry_msgs.msg import PointStamped, Polygon, PoseWithCovariance, Twist
 from rosidl_runtime_py import (
@@ -188,3 +191,10 @@ def test_paths_of_definitions_that_are_not_there(name, error):
     with pytest.raises((ValueError, LookupError), match=error):
         get_interface_path(name)
     assert get_interface_path("std_msgs/msg/String").endswith("String.msg")
+
+
+def test_another_thread_may_just_be_importing_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "numpy", ModuleType("numpy"))  # as it is before its first line has run
+    message = JointState()
+    set_message_fields(message, {"name": ["wheel"], "position": [0.5]})
+    assert message_to_ordereddict(message)["position"] == [0.5]

@@ -134,6 +134,19 @@ def test_ctrl_c_is_the_kernels_and_the_traceback_pythons(seat: Any) -> None:
 
 
 @posix
+def test_any_key_goes_on_after_ctrl_s(seat: Any) -> None:
+    write(seat.desk.home, "a.py", "import time\nfor n in range(9999):\n    print('line', n)\n    time.sleep(0.01)\n")
+    seat.line("python3 a.py")
+    seat.wait(lambda text: "line 3" in text)
+    seat.type("\x13")
+    time.sleep(0.3)
+    stopped = int(re.findall(r"line (\d+)", seat.type("a"))[-1])
+    seat.wait(lambda text: int(re.findall(r"line (\d+)", text)[-1]) > stopped + 100)
+    seat.type("\x03")
+    seat.wait_prompt()
+
+
+@posix
 def test_ctrl_backslash_ends_a_program_that_ignores_ctrl_c_and_leaves_no_core_file(seat: Any) -> None:
     deaf = "import signal, time\nsignal.signal(2, signal.SIG_IGN)\nprint('deaf')\nwhile True: time.sleep(9)\n"
     write(seat.desk.home, "deaf.py", deaf)

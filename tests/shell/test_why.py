@@ -103,7 +103,7 @@ def test_names_are_looked_for_in_the_live_graph(machine: Any, tall: Any) -> None
     said(tall, "ros2 node info /turtlsim")
     assert "Type next ros2 node info /turtlesim" in said(tall, "why")
     said(tall, "ros2 node info /zzz")
-    assert "I could not find the cause here; check in this order: 1. `ros2 node list`" in said(tall, "why")
+    assert "I could not find the cause here; check in this order: 1. ros2 node list" in said(tall, "why")
     said(tall, "export ROS_DOMAIN_ID=5; ros2 node info /turtlesim")
     seen = said(tall, "why")
     assert "ROS_DOMAIN_ID is 5 in this terminal, and no node runs there; but in domain 0 there are /turtlesim" in seen
@@ -142,7 +142,7 @@ def test_explain_takes_a_text_a_topic_a_card_or_what_is_piped(machine: Any) -> N
     assert "package-not-found" in machine.run("explain packages").out
     assert "语法错误" in machine.run("DAY6_LANG=zh; export DAY6_LANG; explain").out
     card = machine.run("explain ctrl-c").out
-    assert "这不是错误" in card and "真机上" in card
+    assert "这不是错误" in card and "真机上" not in card  # nothing is different there
     for line in ("explain zzqqzz", "why zzqqzz", "echo all is well | why"):
         done = machine.run(line)
         assert (done.status, done.out) == (1, "") and "没有卡片" in done.err

@@ -31,6 +31,7 @@ class FakeTerminal:
         self.discipline = SimpleNamespace(front=SimpleNamespace(is_raw=True, receiver=None))
         self.shell = SimpleNamespace(cwd=Path("/"), environment={}, front=None, jobs=SimpleNamespace(jobs=[]))
         self.version = 0
+        self.unfinished = ""
         self.runs = Runs()
 
     @property
@@ -90,6 +91,7 @@ class FakeDesk:
         self.scheduler = SimpleNamespace(on_activity=None)
         self.terminals: list[FakeTerminal] = []
         self.steps: list[float] = []
+        self.searching = lambda: ""
         self.home = Path("/dev/null/home")  # nothing can be written there
 
     def graph_of(self, domain_id: int) -> Graph:

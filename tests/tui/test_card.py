@@ -123,7 +123,7 @@ async def test_a_command_goes_to_another_terminal_while_a_program_runs_in_this_o
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40), (40, 12)])
 async def test_the_command_stays_in_sight_and_the_text_scrolls(tmp_path, width: int, height: int) -> None:
     async with opened(tmp_path, width, height) as (app, pilot):
-        await fail(app, pilot, "nothing_like_it", "nothing_like_it: ")
+        await fail(app, pilot, "ros2 run no_pkg x", "no_pkg")
         await pilot.press("f1")
         await until(app, pilot, lambda: isinstance(app.desktop.overlay, CardModal))
         modal = app.desktop.overlay

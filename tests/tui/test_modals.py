@@ -134,7 +134,7 @@ async def test_the_palette_opened_while_a_scene_plays_stays_and_keeps_the_keyboa
         await step(app, pilot)
         assert isinstance(app.desktop.overlay, Menu)
         desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle()))
-        for _ in range(200):
+        for _ in range(1000):
             await step(app, pilot)
             desk.terminals[-1].busy = len(desk.terminals) == 3 and desk.terminals[-1].sent.endswith("\r")
             if desk.terminals[-1].busy:
@@ -288,7 +288,7 @@ async def test_leaving_names_what_still_runs_and_ends_it_when_told(desk: FakeDes
             terminal.busy, terminal.title = True, title
         await pilot.press("ctrl+q")
         await step(app, pilot)
-        assert "turtlesim_node, talker.py are still running: end all?" in screen_text(app)
+        assert "turtlesim_node, talker.py still run. End all and quit?" in screen_text(app)
         await pilot.press("escape")
         await step(app, pilot)
         assert left == [] and app.desktop.overlay is None

@@ -151,6 +151,7 @@ TEXTS = {
     "layout.unreadable": "{file}: {reason}",
     "session.title": "As you left it",
     "session.ask": "When you left, these were running. Start them again?\n\n{what}",
+    "session.back": "Not now",
     "session.start": "Start again",
     "session.restored": "from {when}",
     "session.foreign": "not a session of this version; it stays as it is",
@@ -226,6 +227,7 @@ TEXTS = {
     "rqt.refresh": "refresh",
     "inspector.title": "Inspector",
     "inspector.count": "{errors} errors, {all} in all",
+    "inspector.quiet": "quiet",
     "action.inspector": "Inspect",
     "help.action.inspector": "what is wrong right now, and what to type next",
     "editor.save": "save",
@@ -264,9 +266,10 @@ TEXTS = {
     "quit.lost": "Neither saved nor kept: {what}",
     "quit.anyway": "Quit anyway",
     "quit.running": "Programs are still running",
-    "quit.runs": "{what} is still running: end it?",
-    "quit.run": "{what} are still running: end all?",
+    "quit.runs": "{what} still runs. End it and quit?",
+    "quit.run": "{what} still run. End all and quit?",
     "quit.more": " and {count} more",
+    "quit.leave": "Quit",
     "quit.end": "End",
     "quit.detach": "Detach",
     "quit.was_lost": "day6-tui: unsaved work was lost: {what}",
@@ -551,7 +554,8 @@ TEXTS = {
         "that fight, joints the robot does not have), in the terminals (nothing sourced or built, what a program failed of), "
         "in the files (changed and not built again, what setup.py lacks), and inside programs (nobody spins, a callback that "
         "does not come back).\n\nRed keeps something from working. The line below is a command that helps: Enter, or a click, "
-        "writes it into a terminal, where another Enter runs it.\n\nThe inspector only looks on: it is in no list and no count."
+        "writes it into a terminal, where another Enter runs it.\n\nThe inspector only looks on: it is in no list and no count. "
+        "In a drill and in an exam it is quiet until the fault is mended or given up."
     ),
     "help.topics": (
         "All topics, with their types. Enter, or a click on the box, listens to a topic: then its bandwidth, its rate and its "
@@ -713,15 +717,23 @@ commands:
     "lesson.unknown": "there is no lesson {name}",
     "lesson.minutes": "{minutes} min",
     "lesson.drills": "Find the fault",
+    "lesson.own": "Lessons of this folder",
+    "lesson.drills.own": "Find the fault (of this folder)",
     "lesson.drills.more": "Something does not work; find out why. All in a folder of its own: your files are not touched.",
     "lesson.step": "Step {number} of {all}",
     "lesson.working": "typing for you …",
     "lesson.more": "↓ more",
+    "lesson.answer": "Press F5 to come to this window, choose with {letters}, then Enter",
+    "lesson.answer.here": "Choose with {letters}, then press Enter",
     "lesson.hint": "Hint {number} of {all}",
     "lesson.hint.key": "h hint",
-    "lesson.next.key": "F5 next",
-    "lesson.solved": "Done! F5 (or Enter) goes on to the next step.",
-    "lesson.already": "You have done this already. Have a look, then F5 goes on.",
+    "lesson.next.key": "F5 next step",
+    "lesson.solved": "Done! {key} goes on to the next step.",
+    "lesson.already": "You have done this already. Have a look, then {key} goes on.",
+    "lesson.done_before": "You have solved this step before: do it again, or go on with F5 and →.",
+    "lesson.finished": "{title}: done! {solved} of {all} steps solved, {hints} hints read. Enter opens what comes next.",
+    "lesson.leftovers": "Still running from before: {names}. To begin with an empty desk press F5, then C (capital): I end them.",
+    "lesson.key.clear": "end what runs",
     "lesson.missing": "This step needs an earlier one: {names}. Press P (capital) and I set it up.",
     "lesson.problem": "That did not work: {reason}",
     "lesson.something_runs": "Programs are still running. End them with Ctrl-C in their terminals, then open this drill again.",
@@ -765,9 +777,10 @@ commands:
         "Learning step by step. The terminal beside it is yours: do what it says; it watches the running system, ticks off "
         "what is there and says what it saw where something is not.\n\n"
         "F5 goes on when a step is done; otherwise it goes between lesson and terminal. h gives a hint, three in all, "
-        "the last one is the command; then Enter types it for you.\n\n"
+        "the last one is the command; then Enter types it for you. A question is answered by a letter and Enter.\n\n"
         "Left and Right show the step before and after, L (capital) the list of lessons, P sets up the steps that are needed, "
-        "S shows you how. What is typed here goes to the terminal. Progress is kept after every step."
+        "C ends what runs from before, S shows you how (a file of yours is copied to .mine first). "
+        "What is typed here goes to the terminal. Progress is kept after every step."
     ),
     "manual.lesson": "Lessons",
     "cli.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",

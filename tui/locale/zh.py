@@ -3,7 +3,7 @@
 TEXTS = {
     # actions
     "action.terminal": "终端",
-    "action.next": "下一个",
+    "action.next": "换窗口",
     "action.previous": "上一个",
     "action.windows": "窗口",
     "action.enlarge": "放大",
@@ -148,6 +148,7 @@ TEXTS = {
     "layout.unreadable": "{file}：{reason}",
     "session.title": "和你离开时一样",
     "session.ask": "你离开的时候，这些程序正在运行。要重新启动吗？\n\n{what}",
+    "session.back": "不启动",
     "session.start": "重新启动",
     "session.restored": "以上是 {when} 的内容",
     "session.foreign": "不是这个版本保存的，文件原样留着",
@@ -394,6 +395,15 @@ TEXTS = {
     "inspector.unseen.files": "没有看：工作空间里的文件",
     "inspector.unseen.programs": "没有看：别的程序里面",
     "inspector.title": "检查",
+    "inspector.quiet.drill": (
+        "练习里要自己找问题：解决或放弃以前，检查器什么也不说。看看程序说了什么，再看看 `ros2 node list`、"
+        "`ros2 topic list`、`ros2 topic info -v`；看不懂的话，输入 `why`。"
+    ),
+    "inspector.quiet.exam": (
+        "考试里要自己找问题：这一题解决以前，检查器什么也不说。看看程序说了什么，再看看 `ros2 node list`、"
+        "`ros2 topic list`、`ros2 topic info -v`。"
+    ),
+    "inspector.quiet": "不说话",
     "inspector.well": "一切正常",
     "inspector.well_so_far": "看过的地方一切正常",
     "inspector.count": "{errors} 个错误，共 {all} 条",
@@ -435,9 +445,10 @@ TEXTS = {
     "quit.lost": "既没保存也没有副本：{what}",
     "quit.anyway": "仍然退出",
     "quit.running": "还有程序在运行",
-    "quit.runs": "{what} 还在运行，结束它吗？",
-    "quit.run": "{what} 还在运行，全部结束吗？",
+    "quit.runs": "{what} 还在运行。结束它并退出吗？",
+    "quit.run": "{what} 还在运行。全部结束并退出吗？",
     "quit.more": "等，另有 {count} 个",
+    "quit.leave": "退出",
     "quit.end": "结束",
     "quit.detach": "暂离",
     "quit.was_lost": "day6-tui：未保存的内容丢失了：{what}",
@@ -714,7 +725,7 @@ TEXTS = {
         "终端里的（没有 source、没有编译、程序报的错），文件里的（改了没有再编译、setup.py 少写了什么），"
         "还有程序里面的（没有 spin、回调一直不回来）。\n\n"
         "标红的会让东西不能用。下面那一行是接下来可以输入的命令：按 Enter 或者点一下，它就写进终端，再按一次 Enter 才会运行。\n\n"
-        "检查器只是看：它不在任何列表和数目里。"
+        "检查器只是看：它不在任何列表和数目里。练习和考试里，问题解决或放弃以前，它什么也不说。"
     ),
     "help.topics": (
         "所有的话题和它们的类型。按 Enter，或者点一下方框，就开始听这个话题：会显示带宽、频率和最新的一条消息。"
@@ -868,15 +879,23 @@ TEXTS = {
     "lesson.unknown": "没有叫 {name} 的课程",
     "lesson.minutes": "{minutes} 分钟",
     "lesson.drills": "排错练习",
+    "lesson.own": "这个文件夹里的课程",
+    "lesson.drills.own": "排错练习（这个文件夹里的）",
     "lesson.drills.more": "先遇到毛病，再自己找原因。练习在一个单独的文件夹里进行，不会碰你的文件。",
     "lesson.step": "第 {number}/{all} 步",
     "lesson.working": "正在替你输入……",
     "lesson.more": "↓ 下面还有",
+    "lesson.answer": "按 F5 到这个窗口来，按 {letters} 选，再按 Enter",
+    "lesson.answer.here": "按 {letters} 选，再按 Enter",
     "lesson.hint": "提示 {number}/{all}",
     "lesson.hint.key": "h 提示",
     "lesson.next.key": "F5 下一步",
-    "lesson.solved": "做到了！按 F5（或者 Enter）去下一步。",
-    "lesson.already": "这一步你已经做过了。看一看，再按 F5 去下一步。",
+    "lesson.solved": "做到了！按 {key} 去下一步。",
+    "lesson.already": "这一步你已经做过了。看一看，再按 {key} 去下一步。",
+    "lesson.done_before": "这一步你以前做对过：可以再做一遍，也可以按 →（先按 F5）往后走。",
+    "lesson.finished": "{title}，学完了！{all} 步里做对 {solved} 步，看了 {hints} 个提示。Enter 打开下一课。",
+    "lesson.leftovers": "以前的程序还在运行：{names}。想从空桌面开始，就按 F5 再按 C（大写），我替你结束它们。",
+    "lesson.key.clear": "结束以前的程序",
     "lesson.missing": "这一步要用到前面的：{names}。按 P（大写），我替你准备好。",
     "lesson.problem": "没有做成：{reason}",
     "lesson.something_runs": "还有程序在运行。先在它们的终端里按 Ctrl-C 结束，再打开这个练习。",
@@ -919,8 +938,9 @@ TEXTS = {
     "help.lesson": (
         "一步一步地学。旁边的终端是你的：照着做，这里会看着正在运行的系统，做到了就打勾，没做到会说看见了什么。\n\n"
         "做好一步按 F5 去下一步。没做好的时候，F5 在课程和终端之间来回。"
-        "h 给提示，一共三个，最后一个就是命令；之后按 Enter 替你输入。\n\n"
-        "左右方向键看前一步、后一步，L（大写）回到课程表，P 替你准备前面的步骤，S 做给你看。"
+        "h 给提示，一共三个，最后一个就是命令；之后按 Enter 替你输入。问题用字母选，按 Enter 回答。\n\n"
+        "左右方向键看前一步、后一步，L（大写）回到课程表，P 替你准备前面的步骤，"
+        "C 结束以前的程序，S 做给你看（你写的文件先复制一份 .mine）。"
         "在这里打字会进到终端里。进度每一步都会保存。"
     ),
     "manual.lesson": "课程",

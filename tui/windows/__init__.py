@@ -49,6 +49,9 @@ class WindowPane(Pane, Generic[Model]):
             super().__init__(pane)
             self.error = error
 
+    class KeyboardWanted(PaneMessage, PersonMessage):
+        """Somebody types what this window gets, but the keyboard is elsewhere: what is typed has to be seen."""
+
     class CommandChosen(PaneMessage, PersonMessage):
         """A command of the window's is to be typed into a terminal."""
 

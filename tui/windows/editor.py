@@ -88,14 +88,20 @@ class EditorPane(WindowPane[Editor]):
         if self._outside:
             return [Piece(f" {texts('editor.gone' if self._gone else 'editor.outside')} ", colours.warning)]
         if self.problem is not None:
-            return [
-                Piece(
-                    f" {texts('editor.problem', line=self.problem.line, text=self.problem.message)} ", colours.warning
-                )
-            ]
+            return [Piece(f" {self._problem_in_short(self.problem)} ", colours.warning)]
         if self.editor.recovered:
             return [Piece(f" {texts('editor.recovered')} ", colours.warning)]
         return []
+
+    def _problem_in_short(self, problem: Problem) -> str:
+        """What is wrong, in the reader's language where a card knows it, else in the checker's own words."""
+        from day6_tui.core.advice.rules import in_short
+
+        texts = self.look.texts
+        said = in_short(problem.message, problem.line, texts.language)
+        if not said or not any(char.isdecimal() for char in said):
+            said = texts("editor.problem", line=problem.line, text=said or problem.message)
+        return said[0].upper() + said[1:]
 
     def status_right(self) -> list[Piece]:
         if self.editor.file is None:
@@ -151,6 +157,7 @@ class EditorPane(WindowPane[Editor]):
             return False
         if keys := self.typed_ahead():
             self.area.call_next(self.area.take_keys, keys)
+            self.post_message(self.KeyboardWanted(self))
         if self._edited and now - self._edited >= KEEP_SECONDS:
             self._edited = 0.0
             self._keep_and_check()

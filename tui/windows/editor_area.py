@@ -92,22 +92,24 @@ class EditorArea(TextArea):
         if keys := self._pane.typed_ahead():
             await self.take_keys(keys)
         pasted, self._last_key = event.time - self._last_key < FASTEST_FINGERS, event.time
-        if not self._pane.used(event.key) and not self._typed(event.key, pasted):
-            await super()._on_key(event)
-            return
-        event.stop()
-        event.prevent_default()
+        if await self._handle_key(event, pasted=pasted):
+            event.stop()
+            event.prevent_default()
 
     async def take_keys(self, keys: list[events.Key]) -> None:
         """Handle keys that were typed elsewhere, bindings included."""
         for event in keys:
-            if self._pane.used(event.key) or self._typed(event.key, pasted=True):
-                continue
-            bound = self._bindings.key_to_bindings.get(event.key)
-            if bound:
-                await self.run_action(bound[0].action)
-            else:
-                await super()._on_key(event)
+            await self._handle_key(event, pasted=True)
+
+    async def _handle_key(self, event: events.Key, *, pasted: bool) -> bool:
+        """Handle a key at once, bindings included: Textual looks for those later, when the next key may have been handled."""
+        if self._pane.used(event.key) or self._typed(event.key, pasted):
+            return True
+        if bound := self._bindings.key_to_bindings.get(event.key):
+            await self.run_action(bound[0].action)
+            return True
+        await super()._on_key(event)
+        return False
 
     async def _on_paste(self, event: events.Paste) -> None:
         event.stop()  # the text area, which gets the event next, inserts it; nothing else may

@@ -25,6 +25,8 @@ class InspectorPane(ListPane[Inspector, FindingList]):
         return self.look.texts("inspector.title")
 
     def status(self) -> list[Piece]:
+        if self.inspector.quiet:
+            return [Piece(f" {self.look.texts('inspector.quiet')} ", self.look.colours.muted)]
         errors = sum(finding.level == "error" for finding in self.inspector.findings)
         text = self.look.texts("inspector.count", errors=errors, all=len(self.inspector.findings))
         return [Piece(f" {text} ", self.look.colours.warning if errors else self.look.colours.muted)]
@@ -33,7 +35,7 @@ class InspectorPane(ListPane[Inspector, FindingList]):
         state = (self.inspector.version, self.look.texts.language)
         if state != self._shown and self.list.is_attached:
             self._shown = state
-            self.list.show(self.inspector.findings, self.inspector.unseen)
+            self.list.show(self.inspector.findings, self.inspector.unseen, self.inspector.quiet)
             self.touch()
         return False
 

@@ -27,14 +27,19 @@ class FindingList(PaneList):
         super().__init__(look)
         self._findings: list[Finding] = []
 
-    def show(self, findings: Sequence[Finding], unseen: Sequence[str] = ()) -> None:
-        """Show these findings, the first one at the top; if there are none, that all is well; then what was not looked at."""
+    def show(self, findings: Sequence[Finding], unseen: Sequence[str] = (), quiet: str = "") -> None:
+        """Show these findings, the first one at the top; if there are none, that all is well; then what was not looked at.
+
+        `quiet` ('drill', 'exam'): why nothing is said.
+        """
         at, offset = self.highlighted, self.scroll_offset.y
         chosen = self._findings[at] if at is not None and at < len(self._findings) else None
         self._findings = list(findings)
         colours, texts = self.look.colours, self.look.texts
         rows = [self._row(index, finding) for index, finding in enumerate(findings)]
-        if not findings:
+        if quiet:
+            rows = [Row(self, -1, texts(f"inspector.quiet.{quiet}"), "", colours.text)]
+        elif not findings:
             well = texts("inspector.well_so_far" if unseen else "inspector.well")
             rows.append(Row(self, -1, well, "", colours.publisher))
         rows += [Row(self, -1, texts(f"inspector.unseen.{part}"), "", colours.muted) for part in unseen]

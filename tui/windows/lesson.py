@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
@@ -13,11 +14,17 @@ from day6_tui.core.session.display import Window
 from day6_tui.tui.lessons import LessonAsked
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
+from day6_tui.tui.pane_host import PaneHost
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.lesson_page import Action, Entry, Row, list_rows, step_rows
 
 if TYPE_CHECKING:
-    from day6_tui.core.lessons.course import Course, State
+    from day6_tui.core.lessons.course import Course
+    from day6_tui.core.lessons.state import State
+
+
+SHORT = 15
+"""Lines of a window that shares its half of the screen, with the kitchen for instance."""
 
 
 class LessonPane(WindowPane["Course"]):
@@ -33,6 +40,8 @@ class LessonPane(WindowPane["Course"]):
         """What was last shown of the things that come up while the pupil works."""
         self._leaving = False
         """Whether a command is being typed for a terminal: the focus moves a moment later than quick fingers."""
+        self._picked = ""
+        """Letters of answers that were pressed. Enter gives the last one: they may as well be the beginning of a command."""
         self._notes = False
         """Whether the notes for the teacher are shown."""
         self._follow = True
@@ -54,13 +63,18 @@ class LessonPane(WindowPane["Course"]):
 
     @property
     def takes_focus(self) -> bool:  # type: ignore[override]
-        """A list waits for a choice; a step is done in the terminal."""
-        return self.course.state.lesson is None or self.keeps_focus
+        """A list waits for a choice and a question for an answer; other steps are done in the terminal."""
+        state = self.course.state
+        is_question = state.step is not None and all(check.name == "answer" for check in state.step.checks)
+        return state.lesson is None or is_question or self.keeps_focus
 
     @property
     def keeps_focus(self) -> bool:  # type: ignore[override]
         """While something is typed for a hall the keys that hold it and set its pace are needed here."""
         return self.course.demonstration is not None
+
+    def kept_view(self) -> str:
+        return self.course.state.lesson.name if self.course.state.lesson is not None else ""
 
     def pull(self, now: float) -> bool:
         state = self.course.state
@@ -86,12 +100,18 @@ class LessonPane(WindowPane["Course"]):
             self.chosen,
             self._top,
             self._notes,
+            self._picked,
+            self.has_focus,
         )
 
     def _choose_last(self) -> None:
-        names = [lesson.name for lesson in (*self.course.lessons, *self.course.drills)]
-        if self.course.progress.last in names:
-            self.chosen = names.index(self.course.progress.last)
+        course = self.course
+        names = [lesson.name for lesson in (*course.lessons, *course.drills)]
+        last = course.finished.name if course.finished is not None else course.progress.last
+        if last in names:
+            self.chosen = names.index(last)
+            if course.finished is not None and self.chosen + 1 < len(names):
+                self.chosen += 1
         self._follow = True
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
@@ -106,9 +126,11 @@ class LessonPane(WindowPane["Course"]):
         return row.line
 
     def _build(self, width: int) -> None:
+        version = self.course.version  # before what it counts: the course goes on meanwhile
         state = self.course.state
         if self._place(state) != self._shown:
             self._shown = self._place(state)
+            self._picked = ""
             self._top = 0
             self._news = {}
             if state.step is None:
@@ -120,15 +142,26 @@ class LessonPane(WindowPane["Course"]):
                 self._keep_chosen_in_sight()
         else:
             self._entries = []
-            self._rows = step_rows(self.course, state, self.look, width, self._doing, notes=self._notes)
+            self._rows = step_rows(
+                self.course,
+                state,
+                self.look,
+                width,
+                self._doing,
+                notes=self._notes,
+                here=self.has_focus,
+                picked=self._picked[-1:],
+                short=self.inner_height < SHORT,
+            )
             self._show_news(state)
         self._top = max(0, min(self._top, len(self._rows) - self.inner_height))
-        self._built_for = self._key()
+        self._built_for = (version, *self._key()[1:])
 
     def _show_news(self, state: State) -> None:
         """Scroll to what has just come up: a hint, that the step is solved, what stands in the way."""
         news: dict[str, object] = {
-            "problem": (state.missing, state.problem, state.mistakes),
+            "problem": (state.missing, state.leftovers, state.problem, state.mistakes),
+            "question": all(verdict.ok for verdict in state.verdicts if verdict.wanted.key != "answer"),
             "answer": state.answer,
             "hint": state.hints,
             "notes": self._notes,
@@ -137,7 +170,7 @@ class LessonPane(WindowPane["Course"]):
         for what, now in news.items():
             rows = [at for at, row in enumerate(self._rows) if row.news == what]
             if rows and self._news.get(what, now) != now and rows[-1] >= self._top + self.inner_height:
-                self._top = rows[-1] - self.inner_height + 1
+                self._top = min(rows[0], rows[-1] - self.inner_height + 1)
         self._news = news
 
     def _keep_chosen_in_sight(self) -> None:
@@ -170,9 +203,10 @@ class LessonPane(WindowPane["Course"]):
     def status_right(self) -> list[Piece]:
         texts, colours, state = self.look.texts, self.look.colours, self.course.state
         more = self._top + self.inner_height < len(self._rows)
+        there = "" if self.has_focus else "F5 "
         pieces = (
-            [Piece(f" {texts('lesson.more')} ", colours.muted, lambda: self._scroll(self.inner_height - 2))]
-            if more
+            [Piece(f" {there}{texts('lesson.more')} ", colours.muted, lambda: self._scroll(self.inner_height - 2))]
+            if more and not state.solved  # there is no room for both, and it is time to go on
             else []
         )
         if state.lesson is None:
@@ -180,7 +214,7 @@ class LessonPane(WindowPane["Course"]):
         if state.solved:
             pieces.append(Piece(f" {texts('lesson.next.key')} ", colours.choice, self._next))
         elif state.hints < HINTS:
-            pieces.append(Piece(f" {texts('lesson.hint.key')} ", colours.accent, self._doing("hint")))
+            pieces.append(Piece(f" {there}{texts('lesson.hint.key')} ", colours.accent, self._doing("hint")))
         return pieces
 
     def key_hints(self) -> list[tuple[str, str]]:
@@ -200,13 +234,15 @@ class LessonPane(WindowPane["Course"]):
             keys.append(("h", texts("lesson.key.hint")))
         if not state.solved and state.hints >= HINTS and state.step.command:
             keys.append(("Enter", texts("lesson.key.type")))
+        if state.leftovers:
+            keys.append(("C", texts("lesson.key.clear")))
         if state.missing:
             keys.append(("P", texts("lesson.key.prepare")))
         return [*keys, ("←→", texts("lesson.key.steps")), ("L", texts("lesson.key.list"))]
 
     def more_key_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
-        return [
+        keys = [
             ("PgUp PgDn", texts("lesson.key.scroll")),
             ("S", texts("lesson.key.solution")),
             ("D", texts("lesson.key.demo")),
@@ -214,6 +250,7 @@ class LessonPane(WindowPane["Course"]):
             ("R", texts("lesson.key.again")),
             ("Esc", texts("lesson.key.terminal")),
         ]
+        return [each for each in keys if each[0] not in "DTR" or self.course.searching() != "exam"]
 
     # -- what is done --------------------------------------------------------------------------------------------------
 
@@ -232,6 +269,7 @@ class LessonPane(WindowPane["Course"]):
             "solution": course.show_solution,
             "demo": lambda: course.demonstrate(self.look.texts.language),
             "random": course.random_drill,
+            "clear": course.clear_up,
             "exam": course.start_exam,
         }
         return lambda: course.request(table[word])  # type: ignore[arg-type]
@@ -254,10 +292,14 @@ class LessonPane(WindowPane["Course"]):
         state = self.course.state
         if state.step is None:
             self._open_entry(self.chosen)
+        elif self._picked and not state.solved:
+            letter, self._picked = self._picked[-1], ""
+            self.course.request(lambda: self.course.choose(letter))
         elif state.solved:
             self._next()
+            self.post_message(LessonAsked(self, "terminal"))  # where the next step is done
         elif state.hints >= HINTS and state.step.command:
-            self.post_message(LessonAsked(self, "type", state.step.command))
+            self.post_message(self.CommandChosen(self, state.step.command))  # Return is the pupil's
 
     def on_key(self, event: events.Key) -> None:
         state = self.course.state
@@ -277,6 +319,7 @@ class LessonPane(WindowPane["Course"]):
             "h": self._doing("hint"),
             "L": self._doing("list"),
             "P": self._doing("prepare"),
+            "C": self._doing("clear"),
             "R": self._doing("again"),
             "S": self._doing("solution"),
             "D": self._doing("demo"),
@@ -295,12 +338,14 @@ class LessonPane(WindowPane["Course"]):
             "pageup": lambda: self._scroll(-page),
             "escape": lambda: self.post_message(LessonAsked(self, "terminal")),
         }
-        if event.character is not None and event.character in letters:
-            action: Callable[[], object] | None = self._doing(f"answer {event.character}")
+        if self._leaving:
+            action: Callable[[], object] | None = self._typing(event)
+        elif event.character is not None and event.character in letters:
+            action = partial(self._pick, event.character)
         else:
             key = event.character if event.character is not None and event.character.isalpha() else event.key
             action = both.get(key) or (in_list if state.step is None else in_step).get(key)
-            if self._leaving or (action is None and event.character is not None and event.character.isprintable()):
+            if action is None and event.character is not None and event.character.isprintable():
                 self._leaving = True
                 action = self._typing(event)
         if action is not None:
@@ -311,13 +356,21 @@ class LessonPane(WindowPane["Course"]):
 
     def _typing(self, event: events.Key) -> Action:
         """A command is typed where there is no terminal: it goes to the one used last, as from the welcome page."""
-        return lambda: self.post_message(LessonAsked(self, "typed", key=event))
+        letters, self._picked = self._picked, ""
+        keys = [*(events.Key(letter, letter) for letter in letters), event]
+        # At once, not by a message: the next key may already go to the terminal.
+        return lambda: self.parent.type_at_terminal(keys) if isinstance(self.parent, PaneHost) else None
 
     def on_blur(self, event: events.Blur) -> None:
         self._leaving = False
 
+    def _pick(self, letter: str) -> None:
+        self._picked += letter
+        self.touch()
+
     def _toggle_notes(self) -> None:
-        self._notes = not self._notes
+        """The teacher's notes say what the fault is: not in an exam."""
+        self._notes = not self._notes and self.course.searching() != "exam"
         self.touch()
 
     def _choose(self, step: int) -> None:

@@ -7,15 +7,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from rich.segment import Segment
 
-from day6_tui.core.lessons.catalogue import TOPICS
+from day6_tui.core.lessons.catalogue import is_shipped
 from day6_tui.core.lessons.document import HINTS, Lesson
+from day6_tui.core.lessons.remarks import TOPICS
 from day6_tui.tui.cells import cell_len, clip, fit, wrap
 from day6_tui.tui.windows.lesson_text import Line, text_lines
 
 if TYPE_CHECKING:
-    from day6_tui.core.lessons.course import Course, State
-    from day6_tui.core.lessons.document import Page
+    from rich.style import Style
+
+    from day6_tui.core.lessons.course import Course
+    from day6_tui.core.lessons.document import Answer, Page
     from day6_tui.core.lessons.exam import Exam
+    from day6_tui.core.lessons.state import State
     from day6_tui.tui.look import Look
 
 Action = Callable[[], object]
@@ -76,7 +80,9 @@ def list_rows(
             Row([Segment(f" {line}", colours.warning)])
             for line in wrap(texts("lesson.unknown", name=course.unknown), width - 2)
         ]
-    heading(texts("lesson.days"))
+    if course.finished is not None:
+        rows += _finished_rows(course.finished, course, look, width)
+    heading(texts("lesson.days" if all(map(is_shipped, course.lessons)) else "lesson.own"))
     for lesson in course.lessons:
         entry(lesson, lesson.title[texts.language])
     if not course.lessons:
@@ -85,19 +91,38 @@ def list_rows(
         for each in mistakes.mistakes[:3]:
             words = f"{mistakes.path.name}:{each.line}: {each.text}"
             rows += [Row([Segment(f"   {line}", colours.warning)]) for line in wrap(words, width - 4)]
-    if course.drills:
-        heading(texts("lesson.drills"))
-        rows += [Row([Segment(f"   {line}", colours.muted)]) for line in wrap(texts("lesson.drills.more"), width - 4)]
-        for before, lesson in zip((None, *course.drills), course.drills, strict=False):
+    for key, shipped in (("lesson.drills.own", False), ("lesson.drills", True)):
+        drills = [lesson for lesson in course.drills if is_shipped(lesson) == shipped]
+        if not drills:
+            continue
+        heading(texts(key))
+        if drills[0] is course.drills[0]:
+            more = wrap(texts("lesson.drills.more"), width - 4)
+            rows += [Row([Segment(f"   {line}", colours.muted)]) for line in more]
+        for before, lesson in zip((None, *drills), drills, strict=False):
             if before is None or before.topic != lesson.topic:
                 rows.append(Row([Segment(clip(f"   {_topic(lesson.topic, look)}", width), colours.accent)]))
-            entry(lesson, f"{lesson.fault:2} {lesson.title[texts.language]}")
+            number = f"{lesson.fault:2} " if lesson.fault else ""
+            entry(lesson, f"{number}{lesson.title[texts.language]}")
     return rows, entries
 
 
 def _topic(topic: str, look: Look) -> str:
     """The name of a topic; one of a teacher's own as it is."""
     return look.texts(f"lesson.topic.{topic}") if topic in TOPICS else topic
+
+
+def _finished_rows(lesson: Lesson, course: Course, look: Look, width: int) -> list[Row]:
+    """What the pupil has done of the lesson that ends here."""
+    done = [course.progress.step(lesson.name, step.name) for step in lesson.steps]
+    words = look.texts(
+        "lesson.finished",
+        title=lesson.title[look.texts.language],
+        solved=sum(bool(each.solved) for each in done),
+        all=len(done),
+        hints=sum(each.hints for each in done),
+    )
+    return [Row([Segment(f" {line}", look.colours.publisher)]) for line in wrap(words, width - 2)]
 
 
 def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:
@@ -124,28 +149,54 @@ def _exam_rows(exam: Exam, course: Course, look: Look, width: int) -> list[Row]:
 
 
 def step_rows(
-    course: Course, state: State, look: Look, width: int, doing: Callable[[str], Action], *, notes: bool = False
+    course: Course,
+    state: State,
+    look: Look,
+    width: int,
+    doing: Callable[[str], Action],
+    *,
+    notes: bool = False,
+    here: bool = True,
+    picked: str = "",
+    short: bool = False,
 ) -> list[Row]:
-    """The page of the step: picture, text, what to do, how far the checks are, hints, answers, `notes` for the teacher."""
+    """The page of the step: picture, text, what to do, how far the checks are, hints, answers, `notes` for the teacher.
+
+    `here`: the keyboard is in this window, so that its keys need no F5 before them. `picked`: the answer that Enter gives.
+    `short`: there is room for some lines only, so that what to do comes first.
+    """
     assert state.step is not None
     page: Page = state.step.pages[look.texts.language]
-    rows = [*_heading(state, page, look, width), *_picture(page, look, width)]
-    rows += [Row([Segment(" ", look.colours.text), *line]) for line in text_lines(page.body, width - 2, look.colours)]
-    rows.append(Row([]))
-    rows += _do(page, look, width)
+    rows = _heading(state, page, look, width)
+    body = [Row([Segment(" ", look.colours.text), *line]) for line in _text(page.body, width - 2, look)]
+    parts = [_picture(page, look, width), [*body, Row([])], _do(page, look, width)]
+    if short:
+        parts = [[*parts[2], Row([])], parts[0], parts[1][:-1]]
+    rows += [row for part in parts for row in part]
     rows += [Row([])] if page.answers else []
     for answer in page.answers:
-        rows += _answer(answer.letter, answer.text, answer.reason, state, look, width, doing)
+        rows += _answer(answer, state, look, width, doing, picked=answer.letter == picked)
+    if page.answers and not state.solved:
+        letters = texts_list(look, [answer.letter for answer in page.answers])
+        told = look.texts("lesson.answer.here" if here else "lesson.answer", letters=letters)
+        rows += [Row([Segment(f"  {line}", look.colours.accent)], news="question") for line in wrap(told, width - 4)]
     rows.append(Row([]))
-    rows += _checks(state, look, width)
+    rows += _checks(state, look, width, here=here)
     rows += _hints(state, page, look, width, doing)
     rows += _problems(course, state, look, width, doing)
     if notes and page.teacher:
-        rows += [Row([]), Row([Segment(f" {look.texts('lesson.notes')}", look.colours.accent)])]
-        rows += [
-            Row([Segment(" ", look.colours.text), *line]) for line in text_lines(page.teacher, width - 2, look.colours)
-        ]
+        lines = [[Segment(look.texts("lesson.notes"), look.colours.accent)], *_text(page.teacher, width - 2, look)]
+        rows += [Row([]), *(Row([Segment(" ", look.colours.text), *line], news="notes") for line in lines)]
     return rows
+
+
+def _text(markdown: str, width: int, look: Look, style: Style | None = None) -> list[Line]:
+    return text_lines(markdown, width, look.colours, style, goes_on="└ " if look.glyphs.unicode else "| ")
+
+
+def texts_list(look: Look, words: list[str]) -> str:
+    """'a, b, c' in the language that is shown."""
+    return look.texts("list.comma").join(words)
 
 
 def _heading(state: State, page: Page, look: Look, width: int) -> list[Row]:
@@ -169,28 +220,26 @@ def _picture(page: Page, look: Look, width: int) -> list[Row]:
 
 def _do(page: Page, look: Look, width: int) -> list[Row]:
     colours, glyphs = look.colours, look.glyphs
-    lines = text_lines(page.do, width - 4, colours, colours.strong)
+    lines = _text(page.do, width - 4, look, colours.strong)
     return [
         Row([Segment(f" {glyphs.marker if not at else ' '} ", colours.accent), *line]) for at, line in enumerate(lines)
     ]
 
 
 def _answer(
-    letter: str, text: str, reason: str, state: State, look: Look, width: int, doing: Callable[[str], Action]
+    answer: Answer, state: State, look: Look, width: int, doing: Callable[[str], Action], *, picked: bool
 ) -> list[Row]:
-    colours = look.colours
+    colours, letter, reason = look.colours, answer.letter, answer.reason
     chosen = state.answer == letter
     style = colours.publisher if chosen and state.solved else colours.warning if chosen else colours.text
-    lines = text_lines(text, width - 6, colours, style)
+    style = colours.choice if picked else style
+    lines = _text(answer.text, width - 6, look, style)
     rows = [
         Row([Segment(f"  {letter}) " if not at else "     ", style), *line], doing(f"answer {letter}"))
         for at, line in enumerate(lines)
     ]
     if chosen and reason:
-        rows += [
-            Row([Segment("     ", colours.text), *line])
-            for line in text_lines(reason, width - 6, colours, colours.muted)
-        ]
+        rows += [Row([Segment("     ", colours.text), *line]) for line in _text(reason, width - 6, look, colours.muted)]
     return rows
 
 
@@ -200,7 +249,7 @@ def _mark(look: Look, good: bool) -> str:
     return "✓" if good else "·"
 
 
-def _checks(state: State, look: Look, width: int) -> list[Row]:
+def _checks(state: State, look: Look, width: int, *, here: bool) -> list[Row]:
     colours, language = look.colours, look.texts.language
     rows: list[Row] = []
     if state.lesson is not None and state.lesson.is_drill and not state.hints and not state.solved:
@@ -210,14 +259,17 @@ def _checks(state: State, look: Look, width: int) -> list[Row]:
         mark = _mark(look, verdict.ok)
         style = colours.publisher if verdict.ok else colours.text
         room = width - cell_len(mark) - 3
-        for at, line in enumerate(wrap(verdict.wanted.text(language), room)):
-            rows.append(Row([Segment(f" {mark if not at else ' ' * cell_len(mark)} {line}", style)]))
+        for at, line in enumerate(_text(verdict.wanted.text(language), room, look, style)):
+            rows.append(Row([Segment(f" {mark if not at else ' ' * cell_len(mark)} ", style), *line]))
         if not verdict.ok and verdict.saw is not None:
-            for line in wrap(verdict.saw.text(language), room):
-                rows.append(Row([Segment(f" {' ' * cell_len(mark)} {line}", colours.muted)]))
+            for line in _text(verdict.saw.text(language), room, look, colours.muted):
+                rows.append(Row([Segment(f" {' ' * cell_len(mark)} ", colours.muted), *line]))
+    if state.done_before and not state.solved:
+        told = wrap(look.texts("lesson.done_before"), width - 2)
+        rows += [Row([]), *(Row([Segment(f" {line}", colours.publisher)]) for line in told)]
     if state.solved:
         key = "lesson.already" if state.before_asked else "lesson.solved"
-        told = wrap(look.texts(key), width - 2)
+        told = wrap(look.texts(key, key="Enter" if here else "F5"), width - 2)
         rows += [Row([]), *(Row([Segment(f" {line}", colours.publisher)], news="solved") for line in told)]
     return rows
 
@@ -229,9 +281,7 @@ def _hints(state: State, page: Page, look: Look, width: int, doing: Callable[[st
         head = texts("lesson.hint", number=number, all=HINTS)
         rows.append(Row([]))
         rows.append(Row([Segment(f" {head}", colours.accent)]))
-        rows += [
-            Row([Segment(" ", look.colours.text), *line], news="hint") for line in text_lines(hint, width - 2, colours)
-        ]
+        rows += [Row([Segment(" ", look.colours.text), *line], news="hint") for line in _text(hint, width - 2, look)]
     return rows
 
 
@@ -244,9 +294,11 @@ def _problems(course: Course, state: State, look: Look, width: int, doing: Calla
         rows.append(Row([]))
         rows.extend(Row([Segment(f" {line}", colours.warning)], action, "problem") for line in wrap(text, width - 2))
 
+    if state.leftovers and not state.working:
+        say(texts("lesson.leftovers", names=texts_list(look, list(state.leftovers[:3]))), doing("clear"))
     if state.missing and state.lesson is not None and not state.working:
         steps = [state.lesson.step(name) for name in state.missing]
-        names = texts("list.comma").join(step.pages[texts.language].title for step in steps if step is not None)
+        names = texts_list(look, [step.pages[texts.language].title for step in steps if step is not None])
         say(texts("lesson.missing", names=names), doing("prepare"))
     if state.problem:
         key = "lesson.something_runs" if state.problem == "something-runs" else "lesson.problem"

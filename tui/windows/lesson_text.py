@@ -19,15 +19,17 @@ _MARK = re.compile(r"`([^`]+)`|\*\*([^*]+)\*\*")
 _ITEM = re.compile(r"(\s*)(-|\d+\.)\s+(.*)\Z")
 
 
-def text_lines(markdown: str, width: int, colours: Colours, style: Style | None = None) -> list[Line]:
-    """Markdown in lines of at most `width` cells."""
+def text_lines(
+    markdown: str, width: int, colours: Colours, style: Style | None = None, *, goes_on: str = "| "
+) -> list[Line]:
+    """Markdown in lines of at most `width` cells. `goes_on` stands before the rest of a line of code that is too long."""
     plain = colours.text if style is None else style
     found: list[Line] = []
     block = ""
     for paragraph in _paragraphs(markdown):
         if paragraph.startswith("```"):
             block = paragraph.split("\n", 1)[1].removesuffix("```").rstrip("\n")
-            found += [[Segment(" ", plain), *line] for line in _code(block, width - 1, colours)]
+            found += [[Segment(" ", plain), *line] for line in _code(block, width - 1, colours, goes_on)]
             continue
         if not paragraph:
             found.append([])
@@ -83,15 +85,27 @@ def _joined(lines: list[str]) -> str:
     return whole
 
 
-def _code(block: str, width: int, colours: Colours) -> Iterator[Line]:
-    """Lines of code as they are; one that is too long goes on below, a little further in."""
+def _code(block: str, width: int, colours: Colours, goes_on: str) -> Iterator[Line]:
+    """Lines of code as they are; one that is too long goes on below, where it can be seen that it does."""
     for line in block.split("\n"):
-        rest, first = one_line(line.replace("\t", "    ")), True
-        while first or rest:
-            indent = "" if first else "  "
-            head = _head(rest, width - len(indent))
-            yield [Segment(indent + head, colours.publisher)]
-            rest, first = rest[len(head) :], False
+        rest, before = one_line(line.replace("\t", "    ")), ""
+        while rest or not before:
+            head = _broken(rest, width - len(before))
+            yield [Segment(before, colours.muted), Segment(head, colours.publisher)]
+            rest, before = rest[len(head) :], goes_on
+
+
+def _broken(text: str, width: int) -> str:
+    """What fits of a line of code: up to a blank or a sign, not the half of a word."""
+    head = _head(text, width)
+    if len(head) == len(text):
+        return head
+    indent = len(text) - len(text.lstrip())
+    for signs in (" ", ",([{=/"):
+        ends = [at for at, char in enumerate(head, 1) if char in signs and at > max(indent, len(head) // 2)]
+        if ends:
+            return head[: ends[-1]]
+    return head
 
 
 def _head(text: str, width: int) -> str:

@@ -9,12 +9,14 @@ from __future__ import annotations
 import inspect
 import logging
 import re
+import reprlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from day6_tui.core.lessons.flaws import Flaw, line_of, meant, path_flaw
 from day6_tui.core.lessons.texts import Say
 
 if TYPE_CHECKING:
@@ -47,13 +49,20 @@ Check = Callable[..., Verdict]
 
 @dataclass(frozen=True)
 class CheckKind:
-    """A named check: its function and parameters. `event`: once it was so it stays so; `patterns` names regular expressions."""
+    """A named check: its function and parameters. `event`: once it was so it stays so.
+
+    `patterns`, `names` and `paths` are the parameters that are regular expressions, full names of the graph, and places in the
+    home folder; `one_of` are those that have only a few values.
+    """
 
     name: str
     function: Check
     parameters: Mapping[str, inspect.Parameter]
     event: bool = False
     patterns: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    paths: tuple[str, ...] = ()
+    one_of: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def first(self) -> str:
@@ -65,14 +74,22 @@ _KINDS: dict[str, CheckKind] = {}
 AnyCheck = TypeVar("AnyCheck", bound=Check)
 
 
-def check(name: str, *, event: bool = False, patterns: tuple[str, ...] = ()) -> Callable[[AnyCheck], AnyCheck]:
-    """Make a function the check of this name."""
+def check(
+    name: str,
+    *,
+    event: bool = False,
+    patterns: tuple[str, ...] = (),
+    names: tuple[str, ...] = (),
+    paths: tuple[str, ...] = (),
+    one_of: Mapping[str, tuple[str, ...]] | None = None,
+) -> Callable[[AnyCheck], AnyCheck]:
+    """Make a function the check of this name; see CheckKind."""
 
     def register(function: AnyCheck) -> AnyCheck:
         found = inspect.signature(function).parameters
         # `from` is a word of Python: a parameter `from_` is written `from` in a lesson.
         parameters = {each.rstrip("_"): parameter for each, parameter in found.items() if each != "live"}
-        _KINDS[name] = CheckKind(name, function, parameters, event, patterns)
+        _KINDS[name] = CheckKind(name, function, parameters, event, patterns, names, paths, one_of or {})
         return function
 
     return register
@@ -94,6 +111,8 @@ class Condition:
     arguments: Mapping[str, Any] = field(default_factory=dict)
     parts: tuple[Condition, ...] = ()
     once: bool = False
+    line: int = field(default=0, compare=False)
+    """Where it stands in its file."""
 
     def judge(self, live: Live) -> Verdict:
         """Look whether it holds now. What a check remembers is kept in `live` for this step."""
@@ -131,7 +150,10 @@ class Condition:
             best = next((each for each in verdicts if each.ok), None)
             if best is not None:
                 return best
-            return Verdict(False, Say("check.any", inner=tuple(each.wanted for each in verdicts)), verdicts[0].saw)
+            first = verdicts[0]
+            alike = all(part.name == self.parts[0].name for part in self.parts)  # other ways to do the same
+            wanted = first.wanted if alike else Say("check.any", inner=tuple(each.wanted for each in verdicts))
+            return Verdict(False, wanted, first.saw)
         worst = next((each for each in verdicts if not each.ok), None)
         return worst if worst is not None else verdicts[0]
 
@@ -145,70 +167,90 @@ class Condition:
         return [self, *(each for part in self.parts for each in part.every())]
 
 
-def condition_of(given: object) -> Condition | str:
-    """Make a condition of what a lesson file says, or return what is wrong with it."""
+def condition_of(given: object) -> Condition | Flaw:
+    """Make a condition of what a lesson file says, or return what is wrong with it: a Flaw, with its line if that is known."""
     if not isinstance(given, dict) or not given:
-        return f"expected 'name: value', not {_shown(given)}"
+        return Flaw(f"expected 'name: value', not {_shown(given)}", line_of(given))
     if len(given) != 1:
-        return f"one check has one name, but there are {', '.join(map(str, given))}: does the next '- ' or an indentation miss?"
+        names = ", ".join(map(str, given))
+        told = f"one check has one name, but there are {names}: does the next '- ' or an indentation miss?"
+        return Flaw(told, line_of(given, list(given)[1]))
     name, value = next(iter(given.items()))
+    line = line_of(given, name)
     if name in COMBINERS:
-        return _combination(str(name), value)
+        return _combination(str(name), value, line)
     kind = kinds().get(str(name))
     if kind is None:
-        from difflib import get_close_matches
-
-        near = get_close_matches(str(name), [*kinds(), *COMBINERS], 1)
-        return f"there is no check '{name}'" + (f"; did you mean '{near[0]}'?" if near else "")
+        return Flaw(f"there is no check '{name}'{meant(name, [*kinds(), *COMBINERS])}", line)
     arguments = dict(value) if isinstance(value, dict) else {kind.first: value}
     once = arguments.pop("once", False)
-    mistake = _judged(kind, arguments)
-    return mistake or Condition(kind.name, arguments, once=bool(once))
+    key, mistake = _judged(kind, arguments)
+    if mistake:
+        return Flaw(f"{kind.name}: {mistake}", line_of(value, key) or line)
+    return Condition(kind.name, arguments, once=bool(once), line=line)
 
 
-def _combination(name: str, value: object) -> Condition | str:
+def _combination(name: str, value: object, line: int) -> Condition | Flaw:
     given = [value] if name == "not" else value
     if not isinstance(given, list) or not given:
-        return f"'{name}' combines a list of checks"
+        return Flaw(f"'{name}' combines a list of checks", line)
     parts = [condition_of(each) for each in given]
-    mistake = next((part for part in parts if isinstance(part, str)), None)
-    if mistake is not None:
-        return f"{name}: {mistake}"
-    return Condition(name, {}, tuple(part for part in parts if isinstance(part, Condition)))
+    flaw = next((part for part in parts if isinstance(part, Flaw)), None)
+    if flaw is not None:
+        return flaw.of(name, line)
+    return Condition(name, {}, tuple(part for part in parts if isinstance(part, Condition)), line=line)
 
 
-def _judged(kind: CheckKind, arguments: dict[str, Any]) -> str:
-    """What is wrong with the arguments; numbers and texts are made what the check wants."""
+def _judged(kind: CheckKind, arguments: dict[str, Any]) -> tuple[str, str]:
+    """The argument that is wrong, and what is wrong with it; numbers and texts are made what the check wants."""
     for key in arguments:
         if key not in kind.parameters:
-            return f"{kind.name}: unknown argument '{key}'; there are {', '.join(kind.parameters)}"
+            return str(key), f"unknown argument '{key}'{meant(key, kind.parameters)}"
     for name, parameter in kind.parameters.items():
         if name not in arguments:
             if parameter.default is inspect.Parameter.empty:
-                return f"{kind.name}: the argument '{name}' is missing"
+                return name, f"the argument '{name}' is missing"
             continue
-        wanted, value = str(parameter.annotation), arguments[name]
-        if wanted.startswith("float"):
-            if isinstance(value, bool) or not isinstance(value, (int, float)):
-                return f"{kind.name}: '{name}' has to be a number, not {_shown(value)}"
-            arguments[name] = float(value)
-        elif wanted.startswith("int") and (isinstance(value, bool) or not isinstance(value, int)):
-            return f"{kind.name}: '{name}' has to be a whole number, not {_shown(value)}"
-        elif wanted.startswith("str") and not isinstance(value, str):
-            return f"{kind.name}: '{name}' has to be a text, not {_shown(value)} (quote it)"
-        elif wanted.startswith("list"):
-            if not isinstance(value, list):
-                return f"{kind.name}: '{name}' has to be a list: [a, b]"
-            arguments[name] = tuple(str(each) for each in value)
-    for name in kind.patterns:
-        if isinstance(pattern := arguments.get(name), str):
-            try:
-                re.compile(pattern)
-            except (re.error, OverflowError, RecursionError) as error:
-                return f"{kind.name}: '{name}' is no regular expression: {error}"
+        mistake = _typed(name, str(parameter.annotation), arguments) or _valued(kind, name, arguments[name])
+        if mistake:
+            return name, mistake
+    return "", ""
+
+
+def _typed(name: str, wanted: str, arguments: dict[str, Any]) -> str:
+    value = arguments[name]
+    if wanted.startswith("float"):
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            return f"'{name}' has to be a number, not {_shown(value)}"
+        arguments[name] = float(value)
+    elif wanted.startswith("int") and (isinstance(value, bool) or not isinstance(value, int)):
+        return f"'{name}' has to be a whole number, not {_shown(value)}"
+    elif wanted.startswith("str") and not isinstance(value, str):
+        return f"'{name}' has to be a text, not {_shown(value)} (quote it)"
+    elif wanted.startswith("list"):
+        if not isinstance(value, list):
+            return f"'{name}' has to be a list: [a, b]"
+        arguments[name] = tuple(str(each) for each in value)
+    return ""
+
+
+def _valued(kind: CheckKind, name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        return ""
+    if name in kind.patterns:
+        try:
+            re.compile(value)
+        except (re.error, OverflowError, RecursionError) as error:
+            return f"'{name}' is no regular expression: {error}; write '\\' before a sign that is meant as it is"
+    if name in kind.names and not value.startswith("/"):
+        return f"'{name}' is a full name: write /{value}"
+    if name in kind.paths and path_flaw(value):
+        return path_flaw(value)
+    if name in kind.one_of and value not in kind.one_of[name]:
+        return f"'{name}' cannot be '{value}'{meant(value, kind.one_of[name])}"
     return ""
 
 
 def _shown(value: object) -> str:
-    text = repr(value)
+    text = reprlib.repr(value)
     return text if len(text) <= 40 else text[:39] + "…"

@@ -45,7 +45,7 @@ SHORTEST = 0.3
 MOST_POINTS = 20_000
 
 
-@check("trail")
+@check("trail", one_of={"shape": (*SHAPES, *OTHERS)})
 def trail(live: Live, shape: str = "pentagram", turtle: str = "turtle1") -> Verdict:
     wanted = Say("trail", turtle=turtle, shape=Say(f"shape.{shape}"))
     windows = live.windows("turtlesim")

@@ -6,7 +6,7 @@ import os
 import re
 import stat
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from day6_tui.core.lessons.checks import Verdict, check
 from day6_tui.core.lessons.checks.terminals import readable
@@ -46,7 +46,7 @@ def read(path: Path) -> str | None:
         raise Unreadable(error.strerror or str(error)) from None
 
 
-@check("file", patterns=("has", "lacks"))
+@check("file", patterns=("has", "lacks"), paths=("path",))
 def file(live: Live, path: str, has: str = "", lacks: str = "") -> Verdict:
     wanted = Say("file", path=path)
     if has:
@@ -66,24 +66,32 @@ def file(live: Live, path: str, has: str = "", lacks: str = "") -> Verdict:
     return Verdict(True, wanted)
 
 
-@check("folder")
+@check("folder", paths=("path",))
 def folder(live: Live, path: str) -> Verdict:
     ok = live.path(path).is_dir()
     return Verdict(ok, Say("folder", path=path), None if ok else Say("file.saw_none", path=path))
 
 
-@check("no_file")
+@check("no_file", paths=("path",))
 def no_file(live: Live, path: str) -> Verdict:
     there = os.path.lexists(live.path(path))
     return Verdict(not there, Say("no_file", path=path), Say("no_file.saw", path=path) if there else None)
 
 
-def _packages(top: Path, deep: int = 1) -> dict[str, Path]:
+class _Package(NamedTuple):
+    """A folder with a package.xml, and what that says, or why it cannot be read."""
+
+    folder: Path
+    manifest: Manifest | str
+
+
+def _packages(top: Path, deep: int = 1) -> dict[str, list[_Package]]:
     """The packages that lie directly in a folder, by their names in package.xml; `deep`: so many levels below."""
-    found: dict[str, Path] = {}
-    for manifest in sorted(top.glob("*/" * deep + "package.xml"))[:MOST_FILES]:
-        known = _manifest(manifest.parent)
-        found[known.name if isinstance(known, Manifest) else manifest.parent.name] = manifest.parent
+    found: dict[str, list[_Package]] = {}
+    for path in sorted(top.glob("*/" * deep + "package.xml"))[:MOST_FILES]:
+        package = _Package(path.parent, _manifest(path.parent))
+        name = package.manifest.name if isinstance(package.manifest, Manifest) else package.folder.name
+        found.setdefault(name, []).append(package)
     return found
 
 
@@ -94,7 +102,11 @@ def _manifest(folder: Path) -> Manifest | str:
         return str(error).splitlines()[-1]
 
 
-@check("package")
+def _shown(folder: Path, live: Live) -> str:
+    return f"~/{folder.relative_to(live.home).as_posix()}"
+
+
+@check("package", paths=("in",))
 def package(live: Live, name: str, type_: str = "", depends: list[str] | None = None, in_: str = SOURCES) -> Verdict:
     wanted = Say("package", name=name, folder=in_)
     top = live.path(in_)
@@ -102,11 +114,12 @@ def package(live: Live, name: str, type_: str = "", depends: list[str] | None = 
     if name not in packages:
         deeper = _packages(top, 2).get(name) or _packages(top, 3).get(name)
         if deeper is not None:
-            return Verdict(
-                False, wanted, Say("package.saw_deeper", path=f"~/{deeper.relative_to(live.home).as_posix()}")
-            )
+            return Verdict(False, wanted, Say("package.saw_deeper", path=_shown(deeper[-1].folder, live)))
         return Verdict(False, wanted, Say("package.saw", names=tuple(packages)))
-    manifest = _manifest(packages[name])
+    copies = [each.folder for each in packages[name] if isinstance(each.manifest, Manifest)]
+    if len(copies) > 1:  # colcon builds none of them
+        return Verdict(False, wanted, Say("package.saw_twice", paths=tuple(_shown(each, live) for each in copies)))
+    manifest = packages[name][-1].manifest
     if isinstance(manifest, str):
         return Verdict(False, wanted, Say("package.bad", reason=manifest))
     if type_ and manifest.build_type != type_:
@@ -122,7 +135,7 @@ def package(live: Live, name: str, type_: str = "", depends: list[str] | None = 
 _ENTRY = re.compile(r"""['"]\s*([\w.-]+)\s*=\s*([\w.]+:[\w.]+)\s*['"]""")
 
 
-@check("entry_point", patterns=("to",))
+@check("entry_point", patterns=("to",), paths=("in",))
 def entry_point(live: Live, package: str, name: str, to: str = "", in_: str = SOURCES) -> Verdict:
     wanted = Say("entry_point.to" if to else "entry_point", package=package, name=name, to=readable(to))
     path = live.path(in_) / package / "setup.py"
@@ -139,11 +152,12 @@ def entry_point(live: Live, package: str, name: str, to: str = "", in_: str = SO
     return Verdict(ok, wanted, None if ok else Say("entry_point.saw", names=shown))
 
 
-@check("built")
+@check("built", paths=("in",))
 def built(live: Live, name: str, in_: str = SOURCES) -> Verdict:
     wanted = Say("built", name=name)
     top = live.path(in_)
-    source = _packages(top).get(name)
+    sources = _packages(top).get(name)
+    source = sources[-1].folder if sources else None
     install = top.parent / "install"
     share = next(
         (

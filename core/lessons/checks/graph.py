@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 _QUIET = ("/parameter_events", "/rosout")
 
 
-@check("node")
+@check("node", names=("name",))
 def node(live: Live, name: str, count: int = 1) -> Verdict:
     nodes = live.nodes()
     found = nodes.count(name)
@@ -24,13 +24,13 @@ def node(live: Live, name: str, count: int = 1) -> Verdict:
     return Verdict(ok, wanted, None if ok else Say("node.saw_count", found=found))
 
 
-@check("no_node")
+@check("no_node", names=("name",))
 def no_node(live: Live, name: str) -> Verdict:
     ok = name not in live.nodes()
     return Verdict(ok, Say("no_node", name=name), None if ok else Say("no_node.saw", name=name))
 
 
-@check("topic")
+@check("topic", names=("name",))
 def topic(live: Live, name: str, type_: str = "", publishers: int = 0, subscribers: int = 0) -> Verdict:
     topics = live.topics()
     ends = Say("topic.ends", name=name, publishers=publishers, subscribers=subscribers)
@@ -52,14 +52,14 @@ def topic(live: Live, name: str, type_: str = "", publishers: int = 0, subscribe
     return Verdict(True, wanted)
 
 
-@check("no_topic")
+@check("no_topic", names=("name",))
 def no_topic(live: Live, name: str) -> Verdict:
     users = [*live.publishers(name), *live.subscribers(name)]
     saw = Say("no_topic.saw", nodes=tuple(dict.fromkeys(users))) if users else None
     return Verdict(not users, Say("no_topic", name=name), saw)
 
 
-@check("publishers")
+@check("publishers", names=("topic",))
 def publishers(live: Live, topic: str, count: int = 1) -> Verdict:
     nodes = live.publishers(topic)
     ok = len(nodes) == count
@@ -67,19 +67,19 @@ def publishers(live: Live, topic: str, count: int = 1) -> Verdict:
     return Verdict(ok, Say("publishers", topic=topic, count=count), saw)
 
 
-@check("service")
+@check("service", names=("name",))
 def service(live: Live, name: str) -> Verdict:
     ok = bool(live.servers(name))
     return Verdict(ok, Say("service", name=name), None if ok else Say("service.saw", name=name))
 
 
-@check("action")
+@check("action", names=("name",))
 def action(live: Live, name: str) -> Verdict:
     ok = bool(live.servers(f"{name}/_action/send_goal"))
     return Verdict(ok, Say("action", name=name), None if ok else Say("service.saw", name=name))
 
 
-@check("parameter")
+@check("parameter", names=("node",))
 def parameter(live: Live, node: str, name: str, equals: Any) -> Verdict:
     wanted = Say("parameter", node=node, name=name, value=equals)
     if node not in live.nodes():

@@ -18,7 +18,7 @@ CLOSE = 0.02
 """Radians by which an angle may be wrong."""
 
 
-@check("talks")
+@check("talks", names=("node", "topic"))
 def talks(live: Live, node: str, topic: str) -> Verdict:
     nodes = live.publishers(topic)
     ok = node in nodes
@@ -26,7 +26,7 @@ def talks(live: Live, node: str, topic: str) -> Verdict:
     return Verdict(ok, Say("talks", node=node, topic=topic), None if ok else saw)
 
 
-@check("listens")
+@check("listens", names=("node", "topic"))
 def listens(live: Live, node: str, topic: str) -> Verdict:
     nodes = live.subscribers(topic)
     ok = node in nodes
@@ -34,7 +34,7 @@ def listens(live: Live, node: str, topic: str) -> Verdict:
     return Verdict(ok, Say("listens", node=node, topic=topic), None if ok else saw)
 
 
-@check("changes", event=True)
+@check("changes", event=True, names=("topic",))
 def changes(live: Live, topic: str, field: str, count: int = 3) -> Verdict:
     memory, heard = live.remembered, live.heard(topic)
     wanted = Say("changes", topic=topic, field=field, count=count)

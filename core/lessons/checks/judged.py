@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from day6_tui.core.lessons.checks import Verdict, check
@@ -19,7 +20,7 @@ AGAIN = 1.0
 """Seconds until it is asked again."""
 
 
-@check("answer", event=True)
+@check("answer", event=True, one_of={"letter": tuple(ascii_lowercase)})
 def answer(live: Live, letter: str) -> Verdict:
     ok = live.answer == letter
     saw = Say("answer.saw", letter=live.answer) if live.answer else None
@@ -48,7 +49,9 @@ def python(live: Live, file: str) -> Verdict:
     else:
         memory["run"].keep(memory["output"].text)
         last = plain_output(memory["run"]).strip().split("\n")[-1]
-        memory["verdict"] = Verdict(program.status == 0, wanted, Say("python.saw", text=last[:200]))
+        memory["verdict"] = Verdict(
+            program.status == 0, wanted, Say("python.saw", text=last[:200]) if last else Say("python.silent")
+        )
     del memory["program"]
     memory["again"] = now + AGAIN * 1_000_000_000
     verdict: Verdict = memory["verdict"]

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from day6_tui.core.lessons.checks import Verdict, check
 from day6_tui.core.lessons.checks.graph import same
+from day6_tui.core.lessons.checks.terminals import readable
 from day6_tui.core.lessons.texts import Say
 
 if TYPE_CHECKING:
     from day6_tui.core.lessons.live import Live
 
-RATE_SECONDS = 3.0
-"""Over how long a rate is measured at most."""
+RATE_SECONDS, RATE_PERIODS = 3.0, 4.0
+"""Over how long a rate is measured: at least so many seconds, and so many periods of the least rate that is asked for."""
 
 _PART = re.compile(r"([A-Za-z_]\w*)((?:\[\d+\])*)\Z")
 MISSING = object()
@@ -36,7 +38,7 @@ def field_of(message: Any, path: str) -> Any:
     return value
 
 
-@check("message", event=True, patterns=("matches",))
+@check("message", event=True, patterns=("matches",), names=("topic",))
 def message(
     live: Live,
     topic: str,
@@ -46,6 +48,7 @@ def message(
     below: float | None = None,
     matches: str | None = None,
     count: int = 1,
+    by: list[str] | None = None,
 ) -> Verdict:
     memory = live.remembered
     heard = live.heard(topic)
@@ -56,17 +59,24 @@ def message(
         wanted = Say("message.field", topic=topic, field=field, how=how)
     else:
         wanted = Say("message.field_count", topic=topic, field=field, how=how, count=count)
-    for _, each in heard.since(memory.get("read", 0)):
+    if by is not None:
+        wanted = Say("message.by", inner=wanted, nodes=tuple(by))
+    for _, each, sender in heard.arrivals(memory.get("read", 0)):
         value = field_of(each, field) if field else None
-        memory["last"] = value
         if not field or (value is not MISSING and _fits(value, equals, above, below, matches)):
+            if by is not None and not _is_one_of(sender, by):
+                memory["others"] = sender
+                continue
             memory["fit"] = memory.get("fit", 0) + 1
+        memory["last"] = value
     memory["read"] = heard.count
     found = memory.get("fit", 0)
     if found >= count:
         return Verdict(True, wanted)
     if not heard.count:
         return Verdict(False, wanted, Say("message.saw_none", topic=topic))
+    if "last" not in memory and "others" in memory:
+        return Verdict(False, wanted, Say("message.saw_others", sender=memory["others"]))
     if not field:
         return Verdict(False, wanted, Say("message.saw_count", found=found))
     if memory.get("last") is MISSING:
@@ -84,8 +94,14 @@ def _fits(value: Any, equals: Any, above: float | None, below: float | None, mat
     )
 
 
+def _is_one_of(sender: str, names: Iterable[str]) -> bool:
+    """Whether a node is named; a name without a slash is meant in any namespace."""
+    return any(sender == name if name.startswith("/") else sender.rpartition("/")[2] == name for name in names)
+
+
 def _how(equals: Any, above: float | None, below: float | None, matches: str | None) -> tuple[Say, ...]:
-    parts = (("equals", equals), ("above", above), ("below", below), ("matches", matches))
+    pattern = None if matches is None else readable(matches)
+    parts = (("equals", equals), ("above", above), ("below", below), ("matches", pattern))
     return tuple(Say(f"message.{name}", value=value) for name, value in parts if value is not None)
 
 
@@ -94,13 +110,14 @@ def _short(value: Any) -> str:
     return text if len(text) <= 60 else text[:59] + "…"
 
 
-@check("rate")
+@check("rate", names=("topic",))
 def rate(live: Live, topic: str, least: float, most: float | None = None) -> Verdict:
     wanted = Say("rate", topic=topic, least=f"{least:g}")
     if most is not None:
         wanted = Say("rate.most", topic=topic, least=f"{least:g}", most=f"{most:g}")
     now = live.now_ns()
-    times = [when for when, _ in live.heard(topic).since(0) if now - when <= RATE_SECONDS * 1e9]
+    window = max(RATE_SECONDS, RATE_PERIODS / least if least > 0 else 0.0)
+    times = [when for when, _ in live.heard(topic).since(0) if now - when <= window * 1e9]
     if len(times) < 3 or now - times[-1] > max(1.0, 2 / least if least else 1.0) * 1e9:
         return Verdict(False, wanted, Say("rate.saw_none"))
     measured = (len(times) - 1) * 1e9 / max(1, times[-1] - times[0])
@@ -108,7 +125,7 @@ def rate(live: Live, topic: str, least: float, most: float | None = None) -> Ver
     return Verdict(ok, wanted, None if ok else Say("rate.saw", rate=f"{measured:.1f}"))
 
 
-@check("turned", event=True)
+@check("turned", event=True, names=("topic",))
 def turned(live: Live, joint: str, least: float = 1.0, topic: str = "/joint_states") -> Verdict:
     memory, heard = live.remembered, live.heard(topic)
     wanted = Say("turned", joint=joint, least=f"{least:g}")
@@ -132,7 +149,7 @@ def turned(live: Live, joint: str, least: float = 1.0, topic: str = "/joint_stat
     return Verdict(False, wanted, Say("turned.saw", found=f"{total:.2f}"))
 
 
-@check("moved", event=True)
+@check("moved", event=True, names=("topic",))
 def moved(live: Live, topic: str = "/turtle1/pose", least: float = 1.0) -> Verdict:
     memory, heard = live.remembered, live.heard(topic)
     wanted = Say("moved", topic=topic, least=f"{least:g}")

@@ -20,7 +20,7 @@ CLOSE = 1e-6
 """Metres by which a number of a file may differ."""
 
 
-@check("urdf")
+@check("urdf", paths=("file",))
 def urdf(
     live: Live,
     file: str,
@@ -87,7 +87,7 @@ def _joint_has(joint: Joint, what: str, value: str) -> tuple[bool, str]:
     return found == value, found
 
 
-@check("description")
+@check("description", names=("topic",))
 def description(live: Live, joints: list[str] | None = None, topic: str = "/robot_description") -> Verdict:
     wanted = Say("description.joints", names=tuple(joints)) if joints else Say("description")
     heard = live.heard(topic)

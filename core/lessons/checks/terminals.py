@@ -7,21 +7,19 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_tui.core.lessons.actions import WINDOWS
 from day6_tui.core.lessons.checks import Verdict, check
-from day6_tui.core.lessons.texts import Say
+from day6_tui.core.lessons.texts import TEXTS, Say
+from day6_tui.core.session.plain import plain
 
 if TYPE_CHECKING:
     from day6_tui.core.lessons.live import Live
     from day6_tui.core.shell.runs import Run
 
-_CODES = re.compile(r"\x1b\[[0-9;:?]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f]")
-_PLAIN = re.compile(r"[\w /.~:-]+\Z")
-"""A pattern that means itself, nearly: it can be shown as the command."""
-
 
 def plain_output(run: Run) -> str:
     """What a line printed, without control sequences."""
-    return _CODES.sub("", run.output.replace("\r\n", "\n"))
+    return plain(run.output)
 
 
 def single_blanks(line: str) -> str:
@@ -29,17 +27,21 @@ def single_blanks(line: str) -> str:
     return " ".join(line.split())
 
 
-@check("ran", event=True, patterns=("line", "prints"))
-def ran(live: Live, line: str, status: int | None = None, prints: str = "", since: str = "lesson") -> Verdict:
-    wanted = Say("ran" if _PLAIN.match(line) else "ran.pattern", line=readable(line))
+@check("ran", event=True, patterns=("line", "prints"), one_of={"since": ("lesson", "step")})
+def ran(
+    live: Live, line: str, status: int | None = None, prints: str = "", since: str = "lesson", new: bool = False
+) -> Verdict:
+    wanted = Say("ran" if line.startswith("^") else "ran.with", line=readable(line))
     if status is not None:
         wanted = Say("ran.status", inner=wanted) if status == 0 else Say("ran.status_is", inner=wanted, status=status)
     if prints:
         wanted = Say("ran.prints", inner=wanted, prints=readable(prints))
+    if new:
+        wanted = Say("ran.new", inner=wanted)
     began = live.step_began_ns if since == "step" else live.lesson_began_ns
-    runs = live.runs(began)
-    saw = Say("ran.saw_nothing")
-    if runs:
+    runs = live.runs(began, new=new)
+    saw = Say("ran.saw_nothing_new" if new else "ran.saw_nothing")
+    if runs and runs[-1].began_ns >= began:  # what still runs from before is not the last command
         saw = Say("ran.saw_last", line=single_blanks(runs[-1].source))
     for run in reversed(runs):
         if not re.search(line, single_blanks(run.source)):
@@ -80,11 +82,17 @@ def terminals(live: Live, count: int) -> Verdict:
     )
 
 
-@check("window")
+@check("window", one_of={"kind": WINDOWS})
 def window(live: Live, kind: str) -> Verdict:
     ok = bool(live.windows(kind))
-    kinds = tuple(dict.fromkeys(each.kind for each in live.windows() if each.kind != "lesson"))
-    return Verdict(ok, Say("window", kind=kind), None if ok else Say("window.saw", kinds=kinds))
+    kinds = dict.fromkeys(each.kind for each in live.windows() if each.kind != "lesson")
+    names = tuple(_title(each) for each in kinds)
+    return Verdict(ok, Say("window", kind=_title(kind)), None if ok else Say("window.saw", kinds=names))
+
+
+def _title(kind: str) -> Say | str:
+    """What a window is called on the screen; one of a program of ROS is called as that is."""
+    return Say(f"window.{kind}") if f"window.{kind}" in TEXTS else kind
 
 
 @check("environment", patterns=("value",))

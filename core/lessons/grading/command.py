@@ -10,10 +10,10 @@ import threading
 import time
 from pathlib import Path
 
-from day6_tui.core.lessons.document import LANGUAGES, LessonMistakes
 from day6_tui.core.lessons.grading import reports
 from day6_tui.core.lessons.grading.grader import SECONDS, Graded, Grader
 from day6_tui.core.lessons.grading.scenarios import HERE, Grading, gradings
+from day6_tui.core.lessons.source import LANGUAGES, LessonMistakes
 from day6_tui.core.lessons.tables import Exists, must_be_new, write_table
 from day6_tui.core.lessons.texts import Say
 from day6_tui.core.session.harmless import lines, one_line

@@ -64,15 +64,14 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
     from day6_tui.core.lessons.grading.play import Play
     from day6_tui.core.lessons.grading.scenarios import read_grading
     from day6_tui.core.session.session import Session
-    from day6_tui.core.session.streams import InputStream, OutputStream
     from day6_tui.core.shell.desk import Desk
-    from day6_tui.core.shell.language.redirection import Streams
 
     gradings = [read_grading(Path(path)) for path in job["gradings"]]
     desk = Desk(home, domain_id=0)
     done = threading.Event()
 
     async def run(session: Session) -> int:
+        session.background = True
         try:
             play = Play(desk, session, job["seed"])
             for grading in gradings:
@@ -85,13 +84,8 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
             done.set()
         return 0
 
-    def start() -> None:
-        streams = Streams(InputStream(), OutputStream(), OutputStream())
-        program = desk.start_program(["grade"], run, streams, env=desk.environment(), cwd=desk.home)
-        program.session.background = True
-
     desk.start()
-    desk.scheduler.call_soon_threadsafe(start)
+    desk.start_unseen("grade", run)
     done.wait(float(job["seconds"]))
     report.say(done=True, seconds=round(time.process_time(), 2))
     os._exit(0)  # the warden ends whatever runs

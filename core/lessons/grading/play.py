@@ -113,14 +113,13 @@ class Play:
         """End everything that this scenario started, as closing the machine would."""
         mine = [program for program in self._desk.programs.values() if program.pid != self._session.pid]
         for end in ("interrupt", "kill"):
-            waited = 0.0
             for program in mine:
                 if program.status is None:
                     program.resume()
                     getattr(program, end)()
-            while any(program.status is None for program in mine) and waited < ENDING_SECONDS:
-                await self._session.sleep(LOOK)
-                waited += LOOK
+            await self._session.until(
+                lambda mine=mine: all(program.status is not None for program in mine), ENDING_SECONDS, LOOK
+            )
             mine = [program for program in self._desk.programs.values() if program.pid != self._session.pid]
         self._desk.terminals.clear()
         live.close()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from day6_tui.core.lessons.document import LANGUAGES
 from day6_tui.core.lessons.grading.grader import Graded, Result
+from day6_tui.core.lessons.source import LANGUAGES
 from day6_tui.core.lessons.tables import Cell, csv_bytes, html_page, html_table, html_text
 from day6_tui.core.lessons.texts import Say
 from day6_tui.core.session.harmless import one_line

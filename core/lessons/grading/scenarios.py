@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from day6_tui.core.lessons.actions import action_mistake
 from day6_tui.core.lessons.checks import Condition, condition_of
-from day6_tui.core.lessons.document import LANGUAGES, LARGEST, Action, LessonMistakes, Mistake
+from day6_tui.core.lessons.document import Action
+from day6_tui.core.lessons.flaws import line_of
+from day6_tui.core.lessons.source import LANGUAGES, NAME, Source
 
 HERE = Path(__file__).parent / "hidden"
 WITHIN, MOST_WITHIN = 15.0, 60.0
@@ -26,7 +26,6 @@ ACTIONS = {"start": {"program"}, "publish": {"topic", "type", "fields"}, "call":
 
 _OPTIONAL = {"start": {"arguments"}, "publish": {"count", "every"}, "call": {"fields"}, "build": set()}
 _HEAD, _KEYS = {"grading", "order", "title"}, {"values", "files", "before", "run", "check", "within", "needs"}
-_NAME = re.compile(r"[a-z0-9][a-z0-9_-]*\Z")
 _VALUE = re.compile(r"@([a-z][a-z0-9_]*)@")
 
 
@@ -98,88 +97,48 @@ def gradings(folder: Path | None = None) -> list[Grading]:
 
 def read_grading(path: Path) -> Grading:
     """Read one file. Raises LessonMistakes, or OSError where there is none."""
-    if path.stat().st_size > LARGEST:
-        raise LessonMistakes(path, [Mistake(1, f"the file is larger than {LARGEST} bytes")])
-    try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise LessonMistakes(path, [Mistake(1, f"the file is not UTF-8 ({error.reason})")]) from None
-    return _Reader(path, text.replace("\r\n", "\n").split("\n")).grading()
+    return _Reader(Source(path)).grading()
 
 
 class _Reader:
-    def __init__(self, path: Path, lines: list[str]) -> None:
-        self._path = path
-        self._lines = lines
-        self._mistakes: list[Mistake] = []
-
-    def _wrong(self, line: int, text: str) -> None:
-        self._mistakes.append(Mistake(line, text))
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._wrong = source.wrong
 
     def grading(self) -> Grading:
-        head, begin = self._head()
-        for key in head.keys() - _HEAD:
-            self._wrong(1, f"unknown key '{key}'; there are {', '.join(sorted(_HEAD))}")
-        if not isinstance(head.get("grading"), str) or not _NAME.match(head["grading"]):
+        head, begin = self._source.front_matter("grading")
+        self._source.judge_keys(head, _HEAD, 1)
+        if not isinstance(head.get("grading"), str) or not NAME.match(head["grading"]):
             self._wrong(1, "'grading' has to be the name of a lesson")
         if not isinstance(head.get("order", 0), int):
             self._wrong(1, "'order' has to be a whole number")
-        title = head.get("title")
-        if not isinstance(title, dict) or any(not isinstance(title.get(each), str) for each in LANGUAGES):
-            self._wrong(1, "'title' needs a text for 'zh' and for 'en'")
+        title = self._source.title(head)
         scenarios = self._scenarios(begin)
-        if not scenarios:
-            self._wrong(len(self._lines), "there is no scenario: one begins with '# name'")
-        names = [each.name for each in scenarios]
-        for at, each in enumerate(scenarios):
-            if each.name in names[:at]:
-                self._wrong(each.line, f"there are two scenarios '{each.name}'")
-            for needed in each.needs:
-                if needed not in names[:at]:
-                    self._wrong(each.line, f"needs: no earlier scenario is called '{needed}'")
-        if self._mistakes:
-            raise LessonMistakes(self._path, self._mistakes)
-        return Grading(head["grading"], self._path, head.get("order", 0), head["title"], tuple(scenarios))
-
-    def _head(self) -> tuple[dict[str, Any], int]:
-        lines = self._lines
-        end = next((at for at, line in enumerate(lines[1:], 1) if line.strip() == "---"), None)
-        if lines[0].strip() != "---" or end is None:
-            self._wrong(1, "the file has to begin with '---', then 'grading: NAME' …, then '---'")
-            return {}, 0
-        return self._yaml("\n".join(lines[1:end]), 2), end + 1
-
-    def _yaml(self, text: str, line: int) -> dict[str, Any]:
-        try:
-            found = yaml.safe_load(text)
-        except (yaml.YAMLError, ValueError, RecursionError) as error:
-            mark = getattr(error, "problem_mark", None)
-            problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-            self._wrong(line + (mark.line if mark is not None else 0), f"not YAML: {problem}")
-            return {}
-        if not isinstance(found, dict):
-            self._wrong(line, "expected 'key: value' lines")
-            return {}
-        return {str(key): value for key, value in found.items()}
+        self._source.judge_parts(scenarios, "scenario")
+        self._source.judge()
+        return Grading(head["grading"], self._source.path, head.get("order", 0), title, tuple(scenarios))
 
     def _scenarios(self, begin: int) -> list[Scenario]:
         """Cut the file into scenarios: a name, one yaml block, a title in each language."""
         found: list[Scenario] = []
         name, line, data, data_line, titles = "", 0, None, 0, {}  # type: ignore[var-annotated]
-        at = begin
-        while at <= len(self._lines):
-            text = self._lines[at] if at < len(self._lines) else "# "
+        at, lines = begin, self._source.lines
+        while at <= len(lines):
+            text = lines[at] if at < len(lines) else "# "
             if text.startswith("# "):
                 if name:
                     found.append(self._scenario(name, line, data, data_line, titles))
                 name, line, data, titles = text[2:].strip(), at + 1, None, {}
             elif text.strip() in ("~~~yaml", "```yaml"):
                 fence = text.strip()[:3]
-                end = next((row for row in range(at + 1, len(self._lines)) if self._lines[row].strip() == fence), None)
+                end = next(
+                    (row for row in range(at + 1, len(lines)) if lines[row].strip() == fence),
+                    None,
+                )
                 if end is None:
                     self._wrong(at + 1, "this block is not closed")
                     break
-                data, data_line = self._yaml("\n".join(self._lines[at + 1 : end]), at + 2), at + 2
+                data, data_line = self._source.yaml("\n".join(lines[at + 1 : end]), at + 2), at + 2
                 at = end
             elif text.startswith("## "):
                 language, _, title = text[3:].strip().partition(" ")
@@ -190,15 +149,14 @@ class _Reader:
         return found
 
     def _scenario(self, name: str, line: int, data: dict[str, Any] | None, at: int, titles: dict[str, str]) -> Scenario:
-        if not _NAME.match(name):
+        if not NAME.match(name):
             self._wrong(line, f"'{name}': the name of a scenario is of letters a-z, digits, '_' and '-'")
         for language in LANGUAGES:
             if language not in titles:
                 self._wrong(line, f"'## {language} TITLE' is missing")
-        data = data or {}
+        data = {} if data is None else data
         at = at or line
-        for key in data.keys() - _KEYS:
-            self._wrong(at, f"unknown key '{key}'; there are {', '.join(sorted(_KEYS))}")
+        self._source.judge_keys(data, _KEYS, at)
         values = self._values(data.get("values") or {}, at)
         files = self._files(data.get("files") or {}, at)
         known = {**{key: _draw(kind, random.Random(0)) for key, kind in values.items()}, **dict.fromkeys(files, "~/f")}
@@ -206,12 +164,12 @@ class _Reader:
         for key in ("before", "run"):
             for action in lists[key]:
                 if mistake := scenario_action_mistake(self._tried(action, known)):
-                    self._wrong(at, f"{key}: {mistake}")
+                    self._source.flaw(line_of(action) or at, key, mistake)
         for given in lists["check"]:
             made = condition_of(self._tried(given, known))
             if not isinstance(made, Condition):
-                self._wrong(at, f"check: {made}")
-        if not lists["check"]:
+                self._source.flaw(line_of(given) or at, "check", made)
+        if not lists["check"] and not getattr(data, "broken", False):
             self._wrong(line, f"the scenario '{name}' checks nothing")
         within = data.get("within", WITHIN)
         if isinstance(within, bool) or not isinstance(within, (int, float)) or not 0 < within <= MOST_WITHIN:
@@ -230,10 +188,7 @@ class _Reader:
             return given  # told already
 
     def _list(self, data: dict[str, Any], key: str, line: int, known: dict[str, Any]) -> list[Any]:
-        found = data.get(key) or []
-        if not isinstance(found, list):
-            self._wrong(line, f"'{key}' has to be a list: lines that begin with '- '")
-            return []
+        found = self._source.list(data, key, line)
         try:
             filled(found, known)
         except KeyError as unknown:

@@ -95,15 +95,13 @@ class GraderStage(Stage):
             raise NotPlayed(wanted, Say("grade.build_none"))
         terminal = self._live.desk.open_terminal()
         terminal.run_line(f"cd ~/ros2_ws && colcon build --packages-select {name}")
-        waited = 0.0
-        while not (runs := terminal.runs.all) or runs[-1].status is None:
-            if waited > BUILD_SECONDS:
-                raise NotPlayed(wanted, Say("grade.build_late", seconds=f"{BUILD_SECONDS:g}"))
-            await self._session.sleep(LOOK)
-            waited += LOOK
+        runs = terminal.runs
+        if not await self._session.until(lambda: runs.all and runs.all[-1].status is not None, BUILD_SECONDS, LOOK):
+            raise NotPlayed(wanted, Say("grade.build_late", seconds=f"{BUILD_SECONDS:g}"))
+        last = runs.all[-1]
         installed = self._live.home / "ros2_ws" / "install" / name / "share" / name / "package.xml"
-        if runs[-1].status or not installed.is_file():
-            raise NotPlayed(wanted, Say("grade.build_failed", text=tail(plain_output(runs[-1]))))
+        if last.status or not installed.is_file():
+            raise NotPlayed(wanted, Say("grade.build_failed", text=tail(plain_output(last))))
 
     async def _do_publish(self, given: Mapping[str, Any]) -> None:
         """Send messages once somebody listens."""
@@ -114,12 +112,8 @@ class GraderStage(Stage):
         if (topic, kind) not in self._publishers:
             self._publishers[topic, kind] = node.create_publisher(get_message(kind), topic, 10)
         publisher = self._publishers[topic, kind]
-        waited = 0.0
-        while not publisher.get_subscription_count():
-            if waited > LISTENER_SECONDS:
-                raise NotPlayed(Say("grade.listener", topic=topic, type=kind), Say("grade.listener_saw"))
-            await self._session.sleep(LOOK)
-            waited += LOOK
+        if not await self._session.until(publisher.get_subscription_count, LISTENER_SECONDS, LOOK):
+            raise NotPlayed(Say("grade.listener", topic=topic, type=kind), Say("grade.listener_saw"))
         for number in range(int(given.get("count", 1))):
             if number:
                 await self._session.sleep(float(given.get("every", 0.2)))
@@ -137,12 +131,8 @@ class GraderStage(Stage):
         client = node.create_client(kind, name)
         problem = NotPlayed(Say("grade.service", name=name), Say("grade.service_saw"))
         try:
-            waited = 0.0
-            while not client.service_is_ready():
-                if waited > LISTENER_SECONDS:
-                    raise problem
-                await self._session.sleep(LOOK)
-                waited += LOOK
+            if not await self._session.until(client.service_is_ready, LISTENER_SECONDS, LOOK):
+                raise problem
             request = kind.Request()
             set_message_fields(request, dict(given.get("fields", {})))
             if not await self._session.spin_until(client.call_async(request), LISTENER_SECONDS):

@@ -29,8 +29,18 @@ def is_own(source: str) -> bool:
     return _OWN.search(source) is not None
 
 
+def _refused(session: Session) -> bool:
+    """Say that there are no cards in an exam, if this is one."""
+    if session.overview is None or session.overview.searching != "exam":
+        return False
+    session.print_error(_say(session, "card.exam"))
+    return True
+
+
 async def why(session: Session) -> int:
     """`why` explains the last line with a card that this terminal printed, `why 2` the one before; `A 2>&1 | why` what A said."""
+    if _refused(session):
+        return 1
     words = session.argv[1:]
     number = int(words[0]) if len(words) == 1 and words[0].isdecimal() and len(words[0]) < 4 else 1
     if words and not (len(words) == 1 and words[0].isdecimal()):
@@ -49,6 +59,8 @@ async def why(session: Session) -> int:
 
 async def explain(session: Session) -> int:
     """`explain 'TEXT'` explains a message, `explain WORD` shows a card or the cards of a topic, `explain` the topics."""
+    if _refused(session):
+        return 1
     text = " ".join(session.argv[1:]).strip()
     if not text and not session.stdin.isatty() and session.name == "explain" and _terminal_of(session) is None:
         text = await _read(session)
@@ -109,21 +121,37 @@ async def _show(session: Session, match: Match, output: str, command: str) -> in
     from day6_tui.core.advice.explain import as_text, explain, scene_of
     from day6_tui.core.advice.rules import Surroundings
     from day6_tui.core.shell.commands import command_names
+    from day6_tui.core.shell.language.hints import letters_awaited
 
     language = language_of(session.env)
     columns = session.stdout.columns
     graph = _facts(session, match.card)
+    letters = letters_awaited(shell_of(session).desk) if session.host is not None else ""
 
     def text() -> str:
         around = Surroundings(session.env, session.cwd, launch=command.startswith("ros2 launch"))
-        scene = scene_of(match, around, output=output, command=command, graph=graph, commands=command_names())
+        scene = scene_of(
+            match, around, output=output, command=command, graph=graph, commands=command_names(), letters=letters
+        )
         return as_text(explain(match, scene, language), language, columns)
 
     lines = (await in_thread(text)).split("\n")
     if session.stdout.isatty():
         lines = [f"\x1b[1m{line}\x1b[0m" if line and not line.startswith(" ") else line for line in lines]
+        lines = with_colour("\n".join(lines))
     session.print("\n".join(lines))
     return 0
+
+
+def with_colour(text: str) -> list[str]:
+    """Return the lines of a card with what stands between ` in a colour; one may go on in the next line."""
+    parts = text.split("`")
+    for number in range(1, len(parts) - 1, 2):
+        parts[number] = "\n".join(
+            line[: len(line) - len(line.lstrip())] + f"\x1b[36m{line.lstrip()}\x1b[39m"
+            for line in parts[number].split("\n")
+        )
+    return "".join(parts[: len(parts) - 1 + len(parts) % 2]).split("\n") if len(parts) % 2 else text.split("\n")
 
 
 def _facts(session: Session, card: Card) -> GraphFacts | None:
@@ -185,7 +213,8 @@ def _print_card(session: Session, card: Card, language: str) -> None:
     """A card without a message: what it means, what to check, what differs on a real robot."""
     from day6_tui.core.advice.explain import as_text, explanation_of_card
 
-    session.print(as_text(explanation_of_card(card, language), language, session.stdout.columns))
+    text = as_text(explanation_of_card(card, language), language, session.stdout.columns)
+    session.print("\n".join(with_colour(text)) if session.stdout.isatty() else text)
 
 
 def _say(session: Session, key: str) -> str:

@@ -27,7 +27,7 @@ from day6_tui.core.shell.language.expansion import ExpansionProblem, UnboundProb
 from day6_tui.core.shell.language.hints import Printed, hint_below_command
 from day6_tui.core.shell.language.jobs import Job, JobTable
 from day6_tui.core.shell.language.redirection import Streams, redirect
-from day6_tui.core.shell.language.shell_state import MAX_DEPTH, ShellState
+from day6_tui.core.shell.language.shell_state import MAX_DEPTH, NOT_FOUND, ShellState
 from day6_tui.core.shell.language.words import SyntaxProblem, Word
 
 if TYPE_CHECKING:
@@ -233,7 +233,11 @@ class Shell(ShellState):
         command = node.commands[0]
         if len(node.commands) > 1:
             front = replace(streams, stdin=streams.stdin.fork())
-            await self._foreground(Job(self._start_stages(node, front), node.source, front.stdin), streams)
+            programs, printed = self._start_stages(node, front), Printed(front.stdin)
+            await self._foreground(Job(programs, node.source, front.stdin), streams)
+            missing = next((program for program in programs if program.status == NOT_FOUND), None)
+            if missing is not None and self.interactive and streams.stderr.isatty():
+                streams.stderr.write(await hint_below_command(self, missing.session.argv, printed, NOT_FOUND))
         elif isinstance(command, syntax.SimpleCommand):
             await self._simple(command, node.source, streams)
         else:
@@ -307,7 +311,7 @@ class Shell(ShellState):
         printed = Printed(tty)
         await self._foreground(Job([program], source, tty), streams)
         if self.status and self.interactive and prepared.streams.stderr.isatty():
-            prepared.streams.stderr.write(await hint_below_command(self, prepared.argv, printed))
+            prepared.streams.stderr.write(await hint_below_command(self, prepared.argv, printed, self.status))
         if (end := self.wanted.pop(program.session, None)) is not None:
             raise end
 

@@ -2,6 +2,6 @@
 
 `facts` are what is known, gathered by `model` from the graph (`graph_facts`, `listening`, `publications`), from the terminals
 (`outputs`) and windows of the desktop, from files (`files`) and from other programs (`asking`, `insides`). The rules turn facts
-into findings: `rules` those about the graph, `output_rules`, `file_rules`, `program_rules` and `robot_rules` the others.
-`inspector` is the program.
+into findings: `rules` those about the graph, `output_rules` and `frame_rules`, `file_rules`, `program_rules` and `robot_rules`
+the others. `inspector` is the program.
 """

@@ -74,6 +74,8 @@ class Facts:
     """Names of the movable joints of the robot description; None while there is none."""
     robot: RobotFacts | None = None
     """The rest of it."""
+    frames: frozenset[str] = frozenset()
+    """Frames that transforms were heard of; none before somebody complained of a frame."""
     link: LinkState = field(default_factory=LinkState)
     speed: float = 1.0
     """World seconds per real second that the user chose."""

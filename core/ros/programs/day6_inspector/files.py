@@ -102,14 +102,38 @@ class Files(NamedTuple):
         return None
 
 
+class Typed(NamedTuple):
+    """A command line that runs, as it was typed."""
+
+    source: str
+    folders: tuple[Path, ...]
+    """Where it may have been started: the terminal goes on to other folders, and a line may begin with `cd`."""
+    home: Path
+    """What `~` means in it."""
+
+    def path(self, name: str) -> Path | None:
+        """Return the file that it means by a name; None where it is not known in which folder that is."""
+        path = in_home(name, self.home)
+        if path.is_absolute():
+            return path
+        found = [folder / path for folder in self.folders]
+        there = next((each for each in found if each.exists()), None)
+        return there if there is not None or "cd " in self.source or not found else found[0]
+
+
+def in_home(name: str, home: Path) -> Path:
+    """Return the path of a name as it was typed, whose `~` is the home folder of the terminal."""
+    return home / name[2:] if name.startswith("~/") else Path(name)
+
+
 class Where(NamedTuple):
     """Where to look: plain data, made on the scheduler's thread."""
 
     home: Path
     terminals: tuple[tuple[int, Path, Mapping[str, str]], ...] = ()
     """Number, folder and variables of each."""
-    lines: tuple[tuple[str, Path], ...] = ()
-    """Running command lines, each with the folder in which it was typed."""
+    lines: tuple[Typed, ...] = ()
+    """Running command lines."""
     scripts: tuple[Path, ...] = ()
     """Python files that were run last."""
 
@@ -301,10 +325,10 @@ def _gone(where: Where) -> Iterator[tuple[int, str, str]]:
 
 
 def _parameter_files(where: Where) -> Iterator[ParameterFile]:
-    for line, cwd in where.lines:
-        for name in re.findall(r"--params-file[ =](\S+)", line):
-            path = cwd / Path(name.strip("'\"")).expanduser()
-            yield _parameter_file(path, line)
+    for line in where.lines:
+        for name in re.findall(r"--params-file[ =](\S+)", line.source):
+            if (path := line.path(name.strip("'\""))) is not None:
+                yield _parameter_file(path, line.source)
 
 
 def _parameter_file(path: Path, line: str) -> ParameterFile:

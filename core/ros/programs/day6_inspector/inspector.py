@@ -58,6 +58,9 @@ async def _tell(session: Session, model: Inspector) -> int:
         await session.sleep(SETTLE_SECONDS / 3)
         await _look_once(model)
         model.refresh()
+    if model.quiet:
+        session.print(TEXTS[f"inspector.quiet.{model.quiet}"])
+        return 0
     for finding in model.findings:
         session.print(f"{finding.level}: {one_line(finding.text)}")
         if finding.next:

@@ -13,13 +13,14 @@ from day6_tui.core.graph.endpoints import EndpointKind
 from day6_tui.core.graph.names import full_name
 from day6_tui.core.link.state import LinkState
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
-from day6_tui.core.ros.programs.day6_inspector.files import Files, Where
+from day6_tui.core.ros.programs.day6_inspector.files import Files, Typed, Where
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding
+from day6_tui.core.ros.programs.day6_inspector.frame_rules import complains_of_frames
 from day6_tui.core.ros.programs.day6_inspector.graph_facts import deaf_pairs, endpoint, participants, shown
 from day6_tui.core.ros.programs.day6_inspector.insides import Process
 from day6_tui.core.ros.programs.day6_inspector.listening import JOINT_STATES, Listening
 from day6_tui.core.ros.programs.day6_inspector.pace import Pace
-from day6_tui.core.ros.programs.day6_inspector.program_rules import script_of
+from day6_tui.core.ros.programs.day6_inspector.program_rules import home_of, script_of, typed_as
 from day6_tui.core.ros.programs.day6_inspector.publications import Publications
 from day6_tui.core.ros.programs.day6_inspector.rules import findings
 from day6_tui.core.ros.programs.day6_inspector.windows import rviz_views, world_remarks
@@ -72,6 +73,8 @@ class Inspector:
         self.findings: tuple[Finding, ...] = ()
         self.unseen: tuple[str, ...] = ()
         """What could not be looked at: 'terminals', 'files', 'programs', 'domains'."""
+        self.quiet = ""
+        """'drill' or 'exam' while nothing is said because the pupil is to find a fault himself."""
         self.version = 0
 
     def close(self) -> None:
@@ -91,10 +94,13 @@ class Inspector:
         """Judge again what is known; other processes' answers to the last question are taken first."""
         if self._insides is not None:
             self._insides.hear()
-        found = tuple(findings(self.facts()))
-        unseen = self._unseen()
-        if (found, unseen) != (self.findings, self.unseen):
-            self.findings, self.unseen = found, unseen
+        quiet = self._overview.searching if self._overview is not None else ""
+        facts = self.facts()
+        self._listening.wants_frames = complains_of_frames(facts)
+        found = () if quiet else tuple(findings(facts))
+        unseen = () if quiet else self._unseen()
+        if (quiet, found, unseen) != (self.quiet, self.findings, self.unseen):
+            self.quiet, self.findings, self.unseen = quiet, found, unseen
             self.version += 1
 
     def _unseen(self) -> tuple[str, ...]:
@@ -112,12 +118,13 @@ class Inspector:
         if self._overview is None:
             return None
         terminals = self._overview.terminals()
-        lines = [(source, each.cwd) for each in terminals for source in each.running]
-        lines += [(line.source, line.cwd) for each in terminals for line in each.lines if line.status is None]
+        typed = [(each, source) for each in terminals for source in each.running]
+        typed += [(each, line.source) for each in terminals for line in each.lines if line.status is None]
+        lines = [typed_as(each, source) for each, source in typed]
         if self._insides is not None:
-            lines += [(" ".join(each.arguments), self._overview.home) for each in self._insides.processes]
-        last = [each.lines[-1] for each in terminals if each.lines]
-        scripts = [script_of(line.source, line.cwd) for line in last if line.status == 0]
+            lines += [Typed(" ".join(each.arguments), (), self._overview.home) for each in self._insides.processes]
+        last = [(each.lines[-1], home_of(each)) for each in terminals if each.lines]
+        scripts = [script_of(line.source, line.cwd, home) for line, home in last if line.status == 0]
         return Where(
             self._overview.home,
             tuple((each.number, each.cwd, dict(each.variables)) for each in terminals),
@@ -167,6 +174,7 @@ class Inspector:
             timeless_joints=heard.timeless and published,
             joints=heard.joints,
             robot=heard.robot,
+            frames=heard.frames,
             link=self._link(),
             speed=self._clock.speed,
             pace=self._pace,

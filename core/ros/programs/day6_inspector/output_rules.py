@@ -12,6 +12,7 @@ from pathlib import Path
 
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding, finding
+from day6_tui.core.ros.programs.day6_inspector.frame_rules import NO_FRAME, of_extrapolation, of_frame
 from day6_tui.core.ros.programs.day6_inspector.outputs import Output, outputs, shortened, sourced
 
 _FRAME = re.compile(r'^\s*File "([^"]+)", line (\d+)', re.MULTILINE)
@@ -252,6 +253,13 @@ def _absolute(name: str) -> str:
     return name if name.startswith("/") else f"/{name}"
 
 
+def _two_types(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
+    topic = match[1]
+    if len({each.type for ends in (facts.publishers, facts.subscriptions) for each in ends.get(topic, ())}) < 2:
+        return None  # it was so
+    return finding("error", "two_types_said", line=output.source, topic=topic, then="ros2 topic list -t")
+
+
 def _bad_yaml(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
     words = [
         word
@@ -261,10 +269,6 @@ def _bad_yaml(output: Output, match: re.Match[str], facts: Facts) -> Finding | N
     then = f"ros2 interface show {words[0]}" if words else ""
     reason = match[1].strip() if match.lastindex else match[0].strip()
     return finding("error", "bad_yaml", line=output.source, reason=reason, then=then)
-
-
-def _frame(output: Output, match: re.Match[str], facts: Facts) -> Finding | None:
-    return finding("warning", "no_frame", line=output.source, frame=match[1], then="ros2 run tf2_tools view_frames")
 
 
 _OPT = "source /opt/ros/jazzy/setup.bash"
@@ -304,7 +308,7 @@ _TABLE: tuple[tuple[str, str, Judge], ...] = (
     (
         "more than one type",
         r"topic '([^']+)', as it contains more than one type",
-        _says("two_types_said", "ros2 topic list -t", "error", "topic"),
+        _two_types,
     ),
     ("Zenoh router", r"Unable to connect to a Zenoh router", _says("no_router", "ros2 run rmw_zenoh_cpp rmw_zenohd")),
     # Python, the student's own program
@@ -354,12 +358,12 @@ _TABLE: tuple[tuple[str, str, Judge], ...] = (
         _says("shut_twice", "", "info"),
     ),
     # TF
-    ("does not exist", r'"(\w[^"]*)" passed to \w+ argument \w+ does not exist', _frame),
-    ("frame does not exist", r'Invalid frame ID "([^"]+)" passed to canTransform', _frame),
+    (NO_FRAME, r'"(\w[^"]*)" passed to \w+ argument \w+ does not exist', of_frame),
+    ("frame does not exist", r'Invalid frame ID "([^"]+)" passed to canTransform', of_frame),
     (
         "extrapolation into the",
         r"Lookup would require extrapolation into the (future|past)",
-        _says("extrapolation", "ros2 topic delay /tf", "warning", "direction"),
+        of_extrapolation,
     ),
     # waiting
     (

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import NamedTuple
 
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.session.overview import Line, TerminalView
+from day6_tui.core.session.plain import without_sequences
 
 LAST_LINES = 3
 """Lines of a terminal that are still of interest."""
@@ -20,8 +20,6 @@ LONGEST = 12_000
 """Characters of an output that are searched: its end."""
 
 LONGEST_SOURCE = 60
-
-_SEQUENCES = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)|[@-Z\\-_])|\r")
 
 
 class Output(NamedTuple):
@@ -48,22 +46,38 @@ def shortened(source: str) -> str:
 
 
 def outputs(facts: Facts) -> Iterator[Output]:
-    """Yield the lines that are still of interest, the newest of each terminal first."""
+    """Yield the lines that are still of interest, the newest of each terminal first.
+
+    The same line again takes the place of the older one, and one that went well that of its failed attempts.
+    """
     for terminal in facts.terminals or ():
         seen: set[str] = set()
         for line in list(terminal.lines)[: -LAST_LINES - 1 : -1]:
             ended = line.ended_ns
             source = " ".join(line.source.split())
-            if source in seen or (ended is not None and facts.now_ns - ended > OLD_NS):
+            attempt = _command(source)
+            if source in seen or attempt in seen or (ended is not None and facts.now_ns - ended > OLD_NS):
                 continue
             seen.add(source)
+            if attempt and line.status == 0:
+                seen.add(attempt)
             yield Output(terminal, line, plain(line.output[-LONGEST:]))
+
+
+def _command(source: str) -> str:
+    """Return what a command is for, without what it is given ('ros2 param set …'): '' for one that starts a program."""
+    words = source.split()
+    return (
+        f"{' '.join(words[:3])} …"
+        if len(words) > 3 and words[0] == "ros2" and words[1] not in ("run", "launch")
+        else ""
+    )
 
 
 @lru_cache(maxsize=32)
 def plain(text: str) -> str:
     """Return what a terminal was given without its control sequences."""
-    return _SEQUENCES.sub("", text)
+    return without_sequences(text).replace("\r", "")
 
 
 def sourced(terminal: TerminalView, install: Path) -> bool:

@@ -13,8 +13,10 @@ from pathlib import Path
 
 from day6_tui.core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
+from day6_tui.core.ros.programs.day6_inspector.files import Typed, in_home
 from day6_tui.core.ros.programs.day6_inspector.finding import Finding, finding
 from day6_tui.core.ros.programs.day6_inspector.insides import Busy, Place, Process, Standing
+from day6_tui.core.session.overview import TerminalView
 
 LONG = 0.7
 """Seconds after which a callback counts as one that does not come back."""
@@ -114,21 +116,34 @@ def of_ended(facts: Facts) -> Iterator[Finding]:
         line = terminal.lines[-1] if terminal.lines else None
         if line is None or line.status != 0 or line.ended_ns is None or line.ended_ns - line.began_ns > SOON_NS:
             continue
-        path = script_of(line.source, line.cwd)
+        path = script_of(line.source, line.cwd, home_of(terminal))
         text = facts.files.scripts.get(path, "") if path is not None and facts.files is not None else ""
         if path is None or not _MAKES_NODE.search(text) or not _HAS_CALLBACKS.search(text) or _SPINS.search(text):
             continue
         yield finding("error", "ended_unspun", program=path.name, then=f"nano {shlex.quote(str(path))}")
 
 
-def script_of(source: str, cwd: Path) -> Path | None:
+def home_of(terminal: TerminalView) -> Path:
+    """Return what `~` means in a terminal: a drill has a home of its own."""
+    return Path(terminal.variables.get("HOME", "/"))
+
+
+def typed_as(terminal: TerminalView, source: str) -> Typed:
+    """Return a running command of a terminal with the line to which it belongs, and where that was typed."""
+    line = next((each for each in reversed(terminal.lines) if source.strip(" &") in each.source), None)
+    if line is None:
+        return Typed(source, (terminal.cwd,), home_of(terminal))
+    return Typed(line.source, (line.cwd, terminal.cwd), home_of(terminal))
+
+
+def script_of(source: str, cwd: Path, home: Path) -> Path | None:
     """Return the Python file that a command line runs, None if there is none."""
     with suppress(ValueError):
         words = shlex.split(source)
         if len(words) >= 2 and re.fullmatch(r"python3?(\.\d+)?", words[0]) and words[1].endswith(".py"):
-            return cwd / Path(words[1]).expanduser()
+            return cwd / in_home(words[1], home)
         if words and words[0].endswith(".py"):
-            return cwd / Path(words[0]).expanduser()
+            return cwd / in_home(words[0], home)
     return None
 
 

@@ -372,6 +372,6 @@ def _open_log_file(arguments: RosArguments) -> None:
 
 
 def _leave(graph: Graph) -> None:
-    link = sys.modules.get("day6_tui.core.link")
-    if link is not None:  # else nobody has joined
-        link.leave(graph)
+    leave = getattr(sys.modules.get("day6_tui.core.link"), "leave", None)
+    if leave is not None:  # else nobody has joined, or another thread is just importing it
+        leave(graph)

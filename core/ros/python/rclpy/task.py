@@ -252,8 +252,10 @@ class Task(Future[T]):
 
 def _under_asyncio() -> bool:
     """Return whether an event loop of asyncio runs on this thread, without importing asyncio."""
-    events = sys.modules.get("asyncio.events")
-    return events is not None and events._get_running_loop() is not None
+    running = getattr(
+        sys.modules.get("asyncio.events"), "_get_running_loop", None
+    )  # another thread may just be importing it
+    return running is not None and running() is not None
 
 
 def _no_function() -> None:

@@ -142,9 +142,10 @@ def _is_numpy(value: Any) -> bool:
 
 
 def _is_ndarray(value: Any) -> bool:
-    # numpy is not imported for this: a value can only be an ndarray if something else has imported it.
-    numpy = sys.modules.get("numpy")
-    return numpy is not None and isinstance(value, numpy.ndarray)
+    # numpy is not imported for this: a value can only be an ndarray if something else has imported it, and to the end: another
+    # thread may just be importing it.
+    ndarray = getattr(sys.modules.get("numpy"), "ndarray", None)
+    return ndarray is not None and isinstance(value, ndarray)
 
 
 def _string_note(value: str) -> str:

@@ -1,0 +1,74 @@
+"""What `lessons play` tells an author, and what no lesson may do to the machine it is played on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from day6_tui.core.lessons.live import Live, OutsideHome
+from day6_tui.core.lessons.reading import read_lesson
+from day6_tui.core.lessons.rehearsal import Played, rehearse
+
+HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n---\n"
+TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
+
+
+def play(tmp_path: Path, only: str | None = None, **steps: str) -> list[Played]:
+    text = HEAD
+    for name, block in steps.items():
+        text += f"\n# {name}\n\n~~~yaml\n{block}~~~\n{TEXT.format(language='zh')}{TEXT.format(language='en')}"
+    path = tmp_path / "lesson.md"
+    path.write_text(text, encoding="utf-8")
+    return rehearse(read_lesson(path), tmp_path / "home", only=only)
+
+
+def test_a_step_without_a_solution_is_told_at_once(tmp_path: Path) -> None:
+    (played,) = play(tmp_path, one="check:\n  - file: ~/one\n")
+    assert played.faults == ["has no 'solve' (the actions that solve it), so it cannot be played"]
+    assert played.seconds < 1.0
+
+
+def test_a_wrong_answer_is_told_with_its_line_and_with_what_holds(tmp_path: Path) -> None:
+    text = "check:\n  - file: ~/one\nsolve:\n  - type: touch one\nwrong:\n  - do:\n      - type: touch one\n    says: There is\n"
+    (played,) = play(tmp_path, one=text)
+    lines = (tmp_path / "lesson.md").read_text(encoding="utf-8").split("\n")
+    line = lines.index("  - do:") + 1
+    assert played.faults == [f"takes the wrong answer 1 (line {line}) for right: 'the file ~/one is there' holds"]
+
+
+def test_what_was_seen_is_not_taken_for_what_is_wanted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("day6_tui.core.lessons.rehearsal.SOLVED_WITHIN", 0.2)
+    (played,) = play(tmp_path, one="check:\n  - window: turtlesim\nsolve:\n  - type: ls\n")
+    (fault,) = played.faults
+    assert "not yet 'the window turtlesim is open' (seen: Open windows: (none).)" in fault.replace("“", "")
+
+
+def test_one_step_is_played_after_those_it_needs(tmp_path: Path) -> None:
+    steps = {
+        "one": "check:\n  - file: ~/one\nsolve:\n  - type: touch one\n",
+        "two": "check:\n  - file: ~/two\nsolve:\n  - type: touch two\n",
+        "three": "needs: [one]\ncheck:\n  - file: ~/three\nsolve:\n  - type: cp one three\n",
+    }
+    played = play(tmp_path, "three", **steps)
+    assert [(each.step, each.faults) for each in played] == [("three", [])]
+    assert not (tmp_path / "home" / "two").exists()
+
+
+def test_a_link_does_not_lead_a_lesson_out_of_the_home_folder(tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    steps = f"check:\n  - file: ~/out/x\nsolve:\n  - type: ln -s {outside} out\n  - wait: {{folder: ~/out}}\n"
+    (played,) = play(tmp_path, one=f"{steps}  - write: {{file: ~/out/x, text: a}}\n")
+    assert played.faults == ["could not be played, solve: ~/out/x is not in the home folder"]
+    assert list(outside.iterdir()) == []
+
+
+@pytest.mark.parametrize("path", ["/etc/passwd", "../../x.txt", "~/../x", "~/a/../../x"])
+def test_no_check_and_no_action_looks_outside_of_the_home_folder(tmp_path: Path, path: str) -> None:
+    home: Any = SimpleNamespace(home=tmp_path / "home")
+    with pytest.raises(OutsideHome, match="is not in the home folder"):
+        Live.path(home, path)
+    assert Live.path(home, "~/a/../b") == tmp_path / "home" / "a" / ".." / "b"
