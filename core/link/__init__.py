@@ -7,6 +7,7 @@ Importing this costs nothing; the first `join` imports Zenoh. Callers check DAY6
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
@@ -92,12 +93,15 @@ def _joined(
         return link
 
 
-def leave(graph: Graph) -> None:
-    """Close the link of `graph`, if it has one: its nodes disappear elsewhere, remote ones disappear here."""
+def leave(graph: Graph, *, ending: bool = False) -> None:
+    """Close the link of `graph`, if it has one: its nodes disappear elsewhere, remote ones disappear here.
+
+    `ending`: this process is about to end, or at least is done with ROS, as a program after `rclpy.shutdown()`.
+    """
     with _lock:
         link = _links.pop(graph, None)
     if link is not None:
-        link.close()
+        link.close(ending=ending)
 
 
 def state_of(graph: Graph) -> LinkState:
@@ -152,7 +156,14 @@ def _leave_all() -> None:
     with suppress(ValueError):  # the interpreter is being ended by another thread
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     for graph in list(_links):
-        leave(graph)
+        leave(graph, ending=True)
+    _of_meeting_points("remove_kept_sockets")
+
+
+def _of_meeting_points(function: str) -> None:
+    module = sys.modules.get("day6_tui.core.link.meeting")
+    if module is not None:  # else nobody has joined
+        getattr(module, function)()
 
 
 def after_fork() -> None:
@@ -162,6 +173,7 @@ def after_fork() -> None:
     _forked = _forked or bool(_links)
     for link in _links.values():
         link.abandon()
+    _of_meeting_points("release_copies")
     # Never freed: Zenoh's objects expect threads that stayed in the parent.
     _abandoned.extend(_links.values())
     _links.clear()

@@ -152,8 +152,11 @@ class Link:
             )
             self._gate.start(_GATE_PATIENCE)
 
-    def close(self) -> None:
-        """Leave: undeclare everything, remove remote nodes from the graph. A second call does nothing."""
+    def close(self, *, ending: bool = False) -> None:
+        """Leave: undeclare everything, remove remote nodes from the graph. A second call does nothing.
+
+        `ending`: this process is done; a meeting point it holds is kept until then (see `MeetingPoint.keep`).
+        """
         with self._changed:
             if self._closed:
                 return
@@ -168,6 +171,9 @@ class Link:
             self._remove_listener()
             self.graph.transport = None
             self.graph.identify = lambda _: self.graph.new_gid()
+        if ending and self._meeting is not None:
+            self._meeting.keep()
+            self._meeting = None
         self._close_sessions()
         if self._place is not None and self._place.tcp:
             self._place.own_socket(self.zid).unlink(missing_ok=True)

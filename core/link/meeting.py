@@ -5,6 +5,7 @@ When the holder dies, the messages among the others continue, and one of them be
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from day6_tui.core.link.config import meeting_config
@@ -14,6 +15,9 @@ from day6_tui.core.link.paths import Place
 
 if TYPE_CHECKING:
     import zenoh
+
+_kept: list[MeetingPoint] = []
+"""Those this process runs until it ends."""
 
 
 class MeetingPoint:
@@ -64,6 +68,20 @@ class MeetingPoint:
         self._place.choose_another_port()
         return zenoh.open(meeting_config(self._place))
 
+    def keep(self) -> None:
+        """Run it until this process ends, then leave its end to the system; does nothing if another process holds it.
+
+        A router that is closed while a process connects writes `thread 'rx-0' panicked` to the terminal: Zenoh 1.10 clears its
+        tables before the last connection is gone (zenoh/src/net/runtime/mod.rs, `close_inner`). So it is never closed, and
+        its session never freed, which would close it.
+        """
+        if self._session is None:
+            return
+        import ctypes
+
+        ctypes.pythonapi.Py_IncRef(ctypes.py_object(self._session))
+        _kept.append(self)
+
     def close(self) -> None:
         """Stop running it; another process takes over."""
         session, self._session = self._session, None
@@ -71,6 +89,25 @@ class MeetingPoint:
             session.close()
         self._lock.release()
 
+    def remove_socket(self) -> None:
+        """Remove the socket, so that nobody finds it any more."""
+        if not self._place.tcp:
+            for name in ("meet", "meet.lock"):
+                with suppress(OSError):
+                    (self._place.folder / name).unlink()
+
     def release_copy(self) -> None:
         """In a forked child: close the child's copy of the lock; the parent still holds it."""
         self._lock.release()
+
+
+def remove_kept_sockets() -> None:
+    """At the end of this process: let nobody look for a meeting point that is about to go."""
+    for each in _kept:
+        each.remove_socket()
+
+
+def release_copies() -> None:
+    """In a forked child: close the copies of the locks of kept meeting points."""
+    for each in _kept:
+        each.release_copy()

@@ -142,7 +142,7 @@ def run_local(main: Main, argv: list[str], *, one_shot: bool = False, show: Show
             from day6_tui.core.link import leave
 
             for graph in joined:
-                leave(graph)
+                leave(graph, ending=True)
     return program.status or 0
 
 

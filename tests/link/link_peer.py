@@ -166,10 +166,10 @@ class Peer:
         link: Any = self.graph.transport
         return list(link.problems) if link is not None else []
 
-    def leave(self) -> None:
+    def leave(self, *, ending: bool = False) -> None:
         from day6_tui.core.link import leave
 
-        leave(self.graph)
+        leave(self.graph, ending=ending)
 
     def pid(self) -> int:
         return os.getpid()

@@ -47,6 +47,9 @@ class FakeMeeting:
     def close(self) -> None:
         self.calls.append("close")
 
+    def keep(self) -> None:
+        self.calls.append("keep")
+
     def release_copy(self) -> None:
         self.calls.append("release copy")
 
@@ -532,6 +535,13 @@ def test_leaving_gives_everything_back_once(make: Make) -> None:
     assert it.link._session is None and it.link._presence_token is None and it.link._token_subscribers == []
 
 
+def test_a_process_that_is_ending_keeps_its_meeting_point(make: Make) -> None:
+    it = make()
+    meeting = it.meeting
+    it.link.close(ending=True)
+    assert it.session.log[-1:] == ["close own"] and meeting.calls == ["keep"]
+
+
 def test_a_session_that_does_not_close_in_order_is_told_and_the_meeting_point_is_closed(make: Make) -> None:
     it = make()
     meeting = it.meeting
@@ -662,15 +672,17 @@ def test_the_child_of_a_process_that_had_not_joined_is_as_free_as_its_parent(lin
 
 
 def test_every_link_is_closed_when_the_interpreter_ends(links: dict[Graph, Any]) -> None:
-    closed: list[str] = []
-    links.update({Graph(): SimpleNamespace(close=lambda name=name: closed.append(name)) for name in "ab"})
+    closed: list[tuple[str, bool]] = []
+    links.update(
+        {Graph(): SimpleNamespace(close=lambda ending, name=name: closed.append((name, ending))) for name in "ab"}
+    )
     before = signal.getsignal(signal.SIGINT)
     try:
         package._leave_all()
         assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
     finally:
         signal.signal(signal.SIGINT, before)
-    assert closed == ["a", "b"] and links == {}
+    assert closed == [("a", True), ("b", True)] and links == {}
 
 
 @pytest.mark.parametrize(
@@ -723,6 +735,26 @@ def test_one_process_holds_the_meeting_point_and_another_takes_over(
     assert other.try_to_hold() and len(sessions) == 2
     other.release_copy()
     assert FileLock(place.meeting_lock).try_acquire(), "the copy of the lock was given back"
+
+
+def test_a_kept_meeting_point_is_held_until_the_process_ends_but_not_by_its_forked_children(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = FakeSession()
+    monkeypatch.setattr(zenoh, "open", lambda config: session)
+    monkeypatch.setattr(meeting_module, "meeting_config", lambda place: None)
+    monkeypatch.setattr(meeting_module, "_kept", [])
+    place = Place(tmp_path, tcp=False)
+    MeetingPoint(place, 4).keep()
+    one = MeetingPoint(place, 4)
+    assert one.try_to_hold()
+    one.keep()
+    assert not MeetingPoint(place, 4).try_to_hold() and "close " not in session.log
+    (tmp_path / "meet").touch()
+    meeting_module.remove_kept_sockets()
+    assert not (tmp_path / "meet").exists(), "nobody looks for it in vain"
+    meeting_module.release_copies()
+    assert FileLock(place.meeting_lock).try_acquire()
 
 
 @pytest.mark.parametrize(("tcp", "failures", "held"), [(False, 1, False), (True, 1, True), (True, 2, False)])

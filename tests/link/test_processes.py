@@ -96,6 +96,24 @@ def test_a_process_that_ends_leaves_nothing_behind(world: World) -> None:
     assert world.stderr.read_text(encoding="utf-8") == ""
 
 
+def test_a_program_that_is_done_with_ros_still_lets_the_others_find_each_other(world: World) -> None:
+    keeper = world.process()
+    keeper.node("keeper")
+    assert keeper.keeps_meeting_point()
+    one = world.process()
+    one.node("one")
+    assert until(lambda: one.nodes() == ["/keeper", "/one"])
+    keeper.leave(ending=True)
+    other = world.process()
+    other.node("other")
+    assert until(lambda: one.nodes() == other.nodes() == ["/one", "/other"])
+    assert not one.keeps_meeting_point() and not other.keeps_meeting_point()
+    assert keeper.end() == 0
+    assert until(lambda: one.keeps_meeting_point() or other.keeps_meeting_point())
+    assert until(lambda: one.nodes() == other.nodes() == ["/one", "/other"])
+    assert world.stderr.read_text(encoding="utf-8") == ""
+
+
 @needs_kill
 def test_the_next_process_clears_away_the_sockets_of_killed_ones(world: World) -> None:
     victims = [world.process() for _ in range(3)]

@@ -281,7 +281,7 @@ class Link:
             self._joined.add(graph.domain_id)
             self.told.append(("join", graph.domain_id))
 
-    def _leave(self, graph: Graph) -> None:
+    def _leave(self, graph: Graph, *, ending: bool) -> None:
         if graph.domain_id in self._joined:
             self._joined.remove(graph.domain_id)
             self.told.append(("leave", graph.domain_id))

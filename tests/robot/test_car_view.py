@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+import threading
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from std_msgs.msg import Float64MultiArray, String
+from waiting import PATIENCE
 
+from day6_tui.core.ros.programs.day6_bot import car_view
 from day6_tui.core.ros.programs.day6_bot.model import CarModel
 from day6_tui.urdf import parse_robot, shipped_model
 from day6_tui.urdf.topplan import find_wheels, spin_of
@@ -207,6 +210,20 @@ def test_without_a_screen_the_car_is_printed_once(machine: Machine) -> None:
     rows = running.output.splitlines()
     assert any("==>" in row for row in rows) and any("+1.00 rad/s" in row for row in rows)
     assert all(len(row) <= 80 for row in rows)
+
+
+def test_without_a_screen_a_description_that_takes_long_to_read_is_waited_for(
+    machine: Machine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    may_go_on = threading.Event()
+    monkeypatch.setattr(car_view, "load_robot", lambda text: may_go_on.wait(PATIENCE) and parse_robot(text))
+    machine.publish_robot()
+    running = machine.start("day6_bot", "car_view")
+    machine.advance(5.0)
+    assert running.program.status is None
+    may_go_on.set()
+    machine.until(lambda: machine.advance(0.05) or running.program.status is not None)
+    assert running.program.status == 0
 
 
 def test_without_a_screen_and_without_a_robot_it_says_why_and_fails(machine: Machine) -> None:

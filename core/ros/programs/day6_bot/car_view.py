@@ -25,7 +25,7 @@ REFRESH_SECONDS = 0.5
 """How often to look at who publishes /joint_states; the picture itself follows every message."""
 
 SETTLE_SECONDS = 2.0
-"""Without a screen: how long to wait for a complete robot before it is printed as it is."""
+"""Without a screen: how long to wait for a complete robot before it is printed as it is, unless its description is being read."""
 
 SPEED_SECONDS = 0.5
 """And how long at least, so that speeds have been measured."""
@@ -79,7 +79,8 @@ async def _print(session: Session, model: CarModel) -> int:
         model.refresh()
         moment = model.snapshot()
         whole = moment.robot is not None and len(moment.transforms) == len(moment.robot.links)
-        if (whole and moment.rate is not None and step * 0.1 >= SPEED_SECONDS) or step * 0.1 >= SETTLE_SECONDS:
+        patient = step * 0.1 < SETTLE_SECONDS or model.waiting_description is not None
+        if (whole and moment.rate is not None and step * 0.1 >= SPEED_SECONDS) or not patient:
             break
     moment = model.snapshot()
     if moment.robot is not None:

@@ -374,4 +374,4 @@ def _open_log_file(arguments: RosArguments) -> None:
 def _leave(graph: Graph) -> None:
     leave = getattr(sys.modules.get("day6_tui.core.link"), "leave", None)
     if leave is not None:  # else nobody has joined, or another thread is just importing it
-        leave(graph)
+        leave(graph, ending=True)
