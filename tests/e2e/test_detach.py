@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -501,6 +502,40 @@ def test_what_is_typed_ahead_reaches_the_desktop_and_ctrl_c_does_not_end_it(plac
         screen.press("Ctrl-Q")
         assert screen.wait_end() == 0
     expect_nothing_left(place)
+
+
+TERMINATED = """
+import os, signal, socket, sys
+from day6_tui.tui.detached import view, wire
+
+ours, theirs = socket.socketpair()
+keeper, write = wire.Line(theirs), os.write
+keeper.send(wire.OUTPUT, b"\\x1b[?1049h" + b"." * 500 + b"\\x1b_Ga=t,f=24,i=7,s=1,v=1;AAAA\\x1b\\\\")
+
+def write_and_be_terminated(descriptor, data):
+    count = write(descriptor, data)
+    if b"_Ga=t" in data:
+        os.write = write
+        os.kill(os.getpid(), signal.SIGTERM)
+    return count
+
+os.write = write_and_be_terminated
+sys.exit(view.show(wire.Line(ours), lambda key, **words: key, "day6-tui attach"))
+"""
+
+
+def test_a_picture_leaves_the_terminal_though_the_signal_comes_just_as_it_was_sent() -> None:
+    ours, theirs = os.openpty()
+    client = subprocess.Popen([sys.executable, "-c", TERMINATED], stdin=theirs, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    written = b""
+    until(lambda: client.poll() is not None)
+    with contextlib.suppress(OSError):  # nobody has it open any more
+        while data := os.read(ours, 65536):
+            written += data
+    os.close(ours)
+    assert client.returncode == 128 + signal.SIGTERM
+    assert b"\x1b_Ga=d,d=I,i=7,q=2\x1b\\" in written and written.index(b"a=d") > written.find(b"a=t")
 
 
 @pytest.mark.parametrize("how", ["leave", "terminate"])

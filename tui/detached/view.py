@@ -13,7 +13,7 @@ import select
 import signal
 import struct
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import FrameType
 from typing import TYPE_CHECKING
 
@@ -185,6 +185,11 @@ class _View:
 
     def _write(self) -> None:
         piece = bytes(self._unwritten[:PIECE])
+        # A signal may end this right after the terminal took the piece: what is begun in it counts as written before.
+        seen = self._seen + piece
+        self._is_taken = self._is_taken or any(each[1] == b"h" for each in _SECOND_SCREEN.finditer(seen))
+        self._in_string = self._in_string or any(each[1] is not None for each in _STRING.finditer(seen))
+        self._pictures |= {number for number, there in _pictures_in(seen) if there}
         try:
             piece = piece[: os.write(2, piece)]
         except BlockingIOError:
@@ -197,12 +202,8 @@ class _View:
             self._is_taken = screen[1] == b"h"
         for end in _STRING.finditer(seen):
             self._in_string = end[1] is not None
-        for head in _KITTY_HEAD.finditer(seen):
-            keys = dict(each.partition(b"=")[::2] for each in head[1].split(b","))
-            if keys.get(b"a") == b"t":
-                self._pictures.add(keys.get(b"i", b""))
-            elif keys.get(b"a") == b"d" and keys.get(b"d") == b"I":
-                self._pictures.discard(keys.get(b"i", b""))
+        for number, there in _pictures_in(seen):
+            (self._pictures.add if there else self._pictures.discard)(number)
         self._seen = seen[-LONGEST_HEAD:]
 
     def restore(self) -> None:
@@ -227,6 +228,16 @@ class _View:
             signal.signal(number, handler)
         os.close(self._wakes)
         os.close(self._wake)
+
+
+def _pictures_in(seen: bytes) -> Iterator[tuple[bytes, bool]]:
+    """The numbers of pictures that are sent or removed there, in order, and whether it is there then (Kitty's protocol)."""
+    for head in _KITTY_HEAD.finditer(seen):
+        keys = dict(each.partition(b"=")[::2] for each in head[1].split(b","))
+        if keys.get(b"a") == b"t":
+            yield keys.get(b"i", b""), True
+        elif keys.get(b"a") == b"d" and keys.get(b"d") == b"I":
+            yield keys.get(b"i", b""), False
 
 
 def _write_in_time(text: str) -> None:
