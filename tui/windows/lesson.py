@@ -49,6 +49,9 @@ class LessonPane(WindowPane["Course"]):
         self._rows: list[Row] = []
         self._entries: list[Entry] = []
         self._built_for: object = None
+        """What the rows were made of."""
+        self._touched_for: object = None
+        """What everything was last drawn for."""
         self._shown: object = self
         """The lesson and step whose page was built last: at first none."""
         self._told: object = self
@@ -81,9 +84,14 @@ class LessonPane(WindowPane["Course"]):
         if self._place(state) != self._told:
             self._told = self._place(state)
             self.post_message(LessonAsked(self, "opened", lesson=state.lesson))
-        if self._key() != self._built_for:
+        if self._key() != self._touched_for:
             self.touch()
         return False
+
+    def touch(self) -> None:
+        # The course may go on before this is drawn, and between the rows and the edge: then `pull` has all drawn once more.
+        self._touched_for = self._key()
+        super().touch()
 
     @staticmethod
     def _place(state: State) -> object:
