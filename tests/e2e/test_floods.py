@@ -35,8 +35,8 @@ def test_what_is_typed_right_after_ctrl_c_at_a_flood_reaches_the_shell(place: Pl
     with flooded(place, kind) as screen:
         screen.press("Ctrl-C")
         screen.line("clear; echo I am h''ere")
-        # Not the whole line: bytes of no text may stand over the frame, where two tables of widths differ.
-        screen.wait(lambda seen: "┃I am here " in seen, limit=GENEROUS)
+        # Not the whole line: bytes of no text may stand behind it, where two tables of widths differ.
+        screen.wait(lambda seen: "┃I am here" in seen, limit=GENEROUS)
 
 
 def test_ctrl_c_and_a_command_typed_before_the_program_has_begun_are_not_lost(place: Place) -> None:

@@ -261,8 +261,10 @@ def different_types(lab: Lab) -> None:
 def published_too_soon(lab: Lab) -> None:
     lab.file(
         "once.py",
-        HEAD + "rclpy.init()\nnode = Node('once')\npublisher = node.create_publisher(String, 'chatter', 10)\n"
-        "publisher.publish(String(data='hello'))\n",
+        # On a busy computer a program that ends at once is gone before anybody has heard of it, as with the real one.
+        HEAD
+        + "import time\nrclpy.init()\nnode = Node('once')\npublisher = node.create_publisher(String, 'chatter', 10)\n"
+        "publisher.publish(String(data='hello'))\ntime.sleep(0.5)\n",
     )
     lab.run("python3 once.py", 1)
     lab.file("listener.py", LISTENER)
