@@ -56,4 +56,7 @@ def test_a_reference_program_does_the_same(case: Case, tmp_path: Path) -> None:
 @recorded_here
 @pytest.mark.parametrize("case", todays(_PROGRAMS), ids=lambda case: case.name)
 def test_a_program_does_what_it_did_with_real_rclpy(case: Case, tmp_path: Path) -> None:
-    assert difference(case.expected, play(case, tmp_path)) == []
+    found = difference(case.expected, play(case, tmp_path))
+    if found and "sleep(" in case.code:  # whose callbacks come first depends on the load, as with the real one
+        found = difference(case.expected, play(case, tmp_path))
+    assert found == []

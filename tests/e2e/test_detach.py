@@ -110,7 +110,7 @@ def test_what_is_left_by_the_palette_comes_back_in_another_size(place: Place) ->
         screen.resize(100, 30)
         screen.wait("F2 Terminal F3")
         screen.line("python3 -c 'import os; print(*os.get_terminal_size())'")
-        screen.wait_lines("48 26")
+        screen.wait_lines("48 26", PROMPT)
         screen.press("Ctrl-Q")
         assert screen.wait_end() == 0
     expect_nothing_left(place)

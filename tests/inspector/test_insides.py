@@ -11,6 +11,7 @@ import pytest
 from drills import HEAD, LISTENER
 from lab import Lab
 
+from day6_tui.core.graph.endpoints import EndpointKind
 from day6_tui.core.ros.programs.day6_inspector.facts import Facts
 from day6_tui.core.ros.programs.day6_inspector.finding import finding
 from day6_tui.core.ros.programs.day6_inspector.insides import LONGEST_TEXT, read_process
@@ -109,7 +110,7 @@ def test_what_was_put_right_is_not_said_any_more(lab: Lab) -> None:
 def test_the_inspector_is_nowhere_while_it_looks_on(lab: Lab) -> None:
     lab.file("listener.py", LISTENER)
     lab.start("python3 listener.py")
-    lab.wait_node("/listener")
+    lab.wait(lambda: any(each.topic == "/chatter" for each in lab.desk.graph.endpoints(EndpointKind.SUBSCRIPTION)))
     assert "_day6_observer" not in lab.run("ros2 node list -a", 1)
     assert "/joint_states" not in lab.run("ros2 topic list", 1)
     assert "Publisher count: 0" in lab.run("ros2 topic info /chatter", 1)
