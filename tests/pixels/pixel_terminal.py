@@ -17,7 +17,8 @@ TEXT = (1, 2, 3)
 
 _SEQUENCE = re.compile(
     r"\x1b_G(?P<kitty>[^\x1b]*)\x1b\\|\x1bP(?P<dcs>[^\x1b]*)\x1b\\|\x1b\](?P<osc>[^\x07\x1b]*)(?:\x07|\x1b\\)"
-    r"|\x1b\[(?P<csi>[0-?]*[ -/]*[@-~])|\x1b(?P<esc>[78=>])"
+    r"|\x1b\[(?P<csi>[0-?]*[ -/]*[@-~])|\x1b(?P<esc>[78=>\\])"
+    r"|\x1b(?=\x1b)|\x1b\[[0-?]*[ -/]*(?=\x1b)|\x1b(?:_G|P|\])[^\x1b\x07]*(?=\x1b[^\\])"  # cut off: the next one counts
 )
 ANSWERS = {
     "kitty": {">0q": "\x1bP>|kitty(0.26.5)\x1b\\", "16t": "\x1b[6;20;10t", "14t": "\x1b[4;480;800t", "c": "\x1b[?62;c"},

@@ -42,7 +42,6 @@ RESTORE_SECONDS = 1.0
 LONGEST_HEAD = 128
 """Bytes at the end of what was written that may be the beginning of a sequence that matters."""
 _KITTY_HEAD = re.compile(rb"\x1b_G([^;\x1b]+)[;\x1b]")
-_STRING = re.compile(rb"\x1b([_P\]])|\x1b\\|\x07")
 _SECOND_SCREEN = re.compile(rb"\x1b\[\?1049([hl])")
 
 
@@ -107,8 +106,6 @@ class _View:
         """The end of what was written: a sequence may come in two parts."""
         self._is_taken = False
         """Whether the desktop is on the terminal's second screen."""
-        self._in_string = False
-        """Whether a sequence that carries a text, such as a picture, has not ended."""
         self._pictures: set[bytes] = set()
         """The numbers of its pictures in Kitty's protocol; other pictures go with the second screen."""
 
@@ -188,7 +185,6 @@ class _View:
         # A signal may end this right after the terminal took the piece: what is begun in it counts as written before.
         seen = self._seen + piece
         self._is_taken = self._is_taken or any(each[1] == b"h" for each in _SECOND_SCREEN.finditer(seen))
-        self._in_string = self._in_string or any(each[1] is not None for each in _STRING.finditer(seen))
         self._pictures |= {number for number, there in _pictures_in(seen) if there}
         try:
             piece = piece[: os.write(2, piece)]
@@ -200,8 +196,6 @@ class _View:
         seen = self._seen + piece
         for screen in _SECOND_SCREEN.finditer(seen):
             self._is_taken = screen[1] == b"h"
-        for end in _STRING.finditer(seen):
-            self._in_string = end[1] is not None
         for number, there in _pictures_in(seen):
             (self._pictures.add if there else self._pictures.discard)(number)
         self._seen = seen[-LONGEST_HEAD:]
@@ -221,7 +215,8 @@ class _View:
             if self._is_taken:
                 termios.tcflush(0, termios.TCOFLUSH)
                 erased = "".join(f"\x1b_Ga=d,d=I,i={int(each)},q=2\x1b\\" for each in self._pictures if each.isdigit())
-                _write_in_time(("\x1b\\" if self._in_string else "") + erased + GIVE_BACK)
+                # What was flushed may have been the end of a sequence that carries a text, such as a picture.
+                _write_in_time("\x1b\\" + erased + GIVE_BACK)
             termios.tcflush(0, termios.TCIFLUSH)
             termios.tcsetattr(0, termios.TCSANOW, self._before)
         for number, handler in handlers.items():
