@@ -94,9 +94,9 @@ def test_each_costs_its_own_limit_only(tmp_path: Path) -> None:
     assert (done["good"].passed, done["good"].ended) == (2, "")
     assert all(graded.shielded for graded in done.values())
     assert "more and more" in _said(done["fork"])
-    assert "more and more" in _said(done["many"])
     assert "It still runs" in _said(done["loop"])
-    assert re.search("MemoryError|It still runs", _said(done["heap"]))  # a slow machine does not get that far
+    assert re.search("more and more|It still runs", _said(done["many"]))  # a slow machine does not get that far
+    assert re.search("MemoryError|It still runs", _said(done["heap"]))
     assert re.search("It took more|It still runs", _said(done["heaps"]))
     assert "too large" in _said(done["disk"]) or "status" in _said(done["disk"])
     assert "ended from inside" in _said(done["kill"])
@@ -112,7 +112,7 @@ def test_nothing_escapes_without_namespaces_either(tmp_path: Path) -> None:
     )  # fmt: skip
     assert done["good"].passed == 2
     assert not any(graded.shielded for graded in done.values())
-    assert "more and more" in _said(done["many"])
+    assert re.search("more and more|It still runs", _said(done["many"]))
     assert "It still runs" in _said(done["loop"])
     listed = subprocess.run(["ps", "-axo", "args"], capture_output=True, text=True, check=True).stdout
     assert f"sleep {seconds}" not in listed.splitlines()

@@ -129,11 +129,11 @@ async def test_a_palette_opened_while_the_desk_is_still_starting_stays(desk: Fak
 
 
 async def test_the_palette_opened_while_a_scene_plays_stays_and_keeps_the_keyboard(desk: FakeDesk) -> None:
+    desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle()))  # what the scene waits for, seconds only
     async with opened(desk, 120, 40, lang="en", scene="turtle") as (app, pilot):
         await pilot.press("f7")
         await step(app, pilot)
         assert isinstance(app.desktop.overlay, Menu)
-        desk.display.open("turtlesim", "TurtleSim", FakeSimulation(turtle()))
         for _ in range(1000):
             await step(app, pilot)
             desk.terminals[-1].busy = len(desk.terminals) == 3 and desk.terminals[-1].sent.endswith("\r")
