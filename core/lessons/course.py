@@ -75,6 +75,8 @@ class Course:
         """The steps of this lesson whose solution was played because a later one needs it."""
         self._shown = False
         """Whether the solution of this step was played for the pupil."""
+        self._injected = False
+        """Whether the fault of this drill is there: what is right without it is no solution."""
         self.version = 0
         """Grows with every change of what is shown."""
         self.state = State()
@@ -215,7 +217,7 @@ class Course:
         self._file = FollowedFile(lesson.path)
         self._prepared, self._performed = set(), set()
         self.state = State(lesson)
-        self._shown = False
+        self._shown = self._injected = False
         self._desk.searching = self.searching
         if not lesson.is_drill:
             self.progress.last, self.progress.last_title = name, dict(lesson.title)
@@ -256,6 +258,7 @@ class Course:
         await stage.perform([{"terminal": "new"}, *lesson.steps[0].before])
         live.begin_step()
         live.lesson_began_ns = live.step_began_ns
+        self._injected = True
 
     def close(self) -> None:
         """Back to the list of lessons; an exam ends."""
@@ -345,10 +348,18 @@ class Course:
         if self.state.lesson is not None and self.state.index:
             self._go_to(self.state.index - 1)
 
-    def again(self) -> None:
-        """The same step once more: what was done counts no longer. Not in an exam, whose time runs on."""
-        if self.state.lesson is not None and not self._in_exam:
-            self._go_to(self.state.index)
+    def again(self) -> Awaitable[None] | None:
+        """The same step once more: what was done counts no longer. Not in an exam, whose time runs on.
+
+        A drill whose fault could not be made is begun once more.
+        """
+        lesson = self.state.lesson
+        if lesson is None or self._in_exam:
+            return None
+        if lesson.is_drill and not self._injected:
+            return None if self.state.working else self.open(lesson.name)
+        self._go_to(self.state.index)
+        return None
 
     def hint(self) -> None:
         """Show one more hint; it is counted."""
@@ -455,7 +466,7 @@ class Course:
         state, live = self.state, self._live
         if state.lesson is None or state.step is None or live is None:
             return
-        if state.solved or (state.lesson.is_drill and state.working):
+        if state.solved or (state.lesson.is_drill and (state.working or not self._injected)):
             return
         if state.leftovers:
             running = live.nodes()

@@ -296,9 +296,17 @@ def test_a_drill_waits_until_nothing_else_runs(room: Classroom) -> None:
     room.program.kill()
     room.course = room.begin()
     room.desk.graph.create_node("mine")
+    (room.home / "a.txt").write_text("right")
     room.open("slip")
     room.wait(lambda: room.course.state.problem == "something-runs")
     assert not (room.home / "drills").exists()
+    room.go(1.0)
+    assert not room.solved(), "without the fault there was nothing to mend"
+    assert not room.course.progress.step("slip", "slip").solved
+    room.desk.graph.nodes[0].destroy()
+    room.ask(room.course.again)
+    room.wait(lambda: (room.home / "drills" / "slip" / "a.txt").is_file() and room.course.state.verdicts)
+    assert not room.solved()
 
 
 def test_the_shipped_lessons_and_drills_are_offered(tmp_path: Path) -> None:
@@ -408,9 +416,8 @@ def test_an_exam_is_five_drills_with_time_and_hints_counted(room: Classroom) -> 
     room.ask(room.course.start_exam)
     for number in range(5):
         room.wait(lambda number=number: room.course.exam and len(room.course.exam.results) == number)
-        room.wait(lambda: room.course.state.lesson is not None and not room.course.state.working)
+        room.wait(lambda: room.course.state.verdicts and not room.course.state.working)
         place = room.desk.login_home
-        room.wait(lambda place=place: (place / "a.txt").is_file() and room.course.state.verdicts)
         if number == 1:
             room.ask(room.course.hint)
             room.wait(lambda: room.course.state.hints == 1)
