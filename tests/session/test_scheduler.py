@@ -310,6 +310,7 @@ def test_what_was_started_too_late_ends_without_a_word_of_python() -> None:
     async def never() -> None:
         raise AssertionError("it had no turn")
 
+    gc.collect()  # what other tests left
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         scheduler.start()
