@@ -43,8 +43,8 @@ def _judge_drill(source: Source, head: MarkedMap, lesson: Lesson) -> None:
         told = f"'fault' is a number of the list of faults, 1 to {FAULTS}: leave it out in a drill of your own"
         source.remark(line_of(head, "fault"), told)
     if lesson.topic not in TOPICS:
-        told = f"topic '{lesson.topic}'{meant(lesson.topic, TOPICS)}" if lesson.topic else "'topic' is missing"
-        source.remark(line_of(head, "topic") or 1, told if lesson.topic else f"{told}{meant('', TOPICS)}", warning=True)
+        told = f"topic '{lesson.topic}'" if lesson.topic else "'topic' is missing"
+        source.remark(line_of(head, "topic") or 1, told + meant(lesson.topic, TOPICS), warning=True)
     for step in lesson.steps:
         if not step.broken and not step.before:
             source.remark(step.line, "a drill needs 'before': actions that make the fault")

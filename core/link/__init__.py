@@ -7,7 +7,6 @@ Importing this costs nothing; the first `join` imports Zenoh. Callers check DAY6
 from __future__ import annotations
 
 import os
-import sys
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
@@ -152,28 +151,26 @@ def _prepare() -> None:
 def _leave_all() -> None:
     import signal
 
+    from day6_tui.core.link.meeting import remove_kept_sockets
+
     # A real ROS process no longer runs Python's handlers here: a second Ctrl-C prints nothing.
     with suppress(ValueError):  # the interpreter is being ended by another thread
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     for graph in list(_links):
         leave(graph, ending=True)
-    _of_meeting_points("remove_kept_sockets")
-
-
-def _of_meeting_points(function: str) -> None:
-    module = sys.modules.get("day6_tui.core.link.meeting")
-    if module is not None:  # else nobody has joined
-        getattr(module, function)()
+    remove_kept_sockets()
 
 
 def after_fork() -> None:
     """In the child of a fork: forget the links, which are the parent's."""
+    from day6_tui.core.link.meeting import release_copies
+
     global _lock, _forked
     _lock = threading.Lock()
     _forked = _forked or bool(_links)
     for link in _links.values():
         link.abandon()
-    _of_meeting_points("release_copies")
+    release_copies()
     # Never freed: Zenoh's objects expect threads that stayed in the parent.
     _abandoned.extend(_links.values())
     _links.clear()

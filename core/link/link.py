@@ -295,7 +295,7 @@ class Link:
         import zenoh
 
         assert self._place is not None
-        if not self._place.tcp and not (self._place.folder / "meet").exists():
+        if not self._place.tcp and not self._place.meeting_socket.exists():
             return
         try:
             session = zenoh.open(command_config(self._place, self.zid))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from day6_tui.core.link.config import meeting_config
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.core.link.keys import presence_token
-from day6_tui.core.link.paths import Place
+from day6_tui.core.link.paths import Place, remove_socket
 
 if TYPE_CHECKING:
     import zenoh
@@ -92,9 +92,8 @@ class MeetingPoint:
     def remove_socket(self) -> None:
         """Remove the socket, so that nobody finds it any more."""
         if not self._place.tcp:
-            for name in ("meet", "meet.lock"):
-                with suppress(OSError):
-                    (self._place.folder / name).unlink()
+            with suppress(OSError):  # the folder may be gone
+                remove_socket(self._place.meeting_socket)
 
     def release_copy(self) -> None:
         """In a forked child: close the child's copy of the lock; the parent still holds it."""

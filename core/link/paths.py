@@ -47,9 +47,14 @@ class Place(NamedTuple):
     """Why better places could not be used."""
 
     @property
+    def meeting_socket(self) -> Path:
+        """The socket of the meeting point, where there are Unix sockets."""
+        return self.folder / "meet"
+
+    @property
     def meeting_endpoint(self) -> str:
         """The meeting point's endpoint."""
-        return f"tcp/127.0.0.1:{self.meeting_port}" if self.tcp else f"unixsock-stream/{self.folder / 'meet'}"
+        return f"tcp/127.0.0.1:{self.meeting_port}" if self.tcp else f"unixsock-stream/{self.meeting_socket}"
 
     @property
     def meeting_port(self) -> int:
@@ -183,8 +188,13 @@ def remove_dead_sockets(place: Place) -> None:
     """Remove the sockets and lock files that killed processes left behind."""
     for neighbour in _sockets(place):
         if not process_exists(neighbour.pid) and (place.tcp or _refuses(neighbour.path)):
-            for path in (neighbour.path, neighbour.path.with_name(neighbour.path.name + ".lock")):
-                path.unlink(missing_ok=True)
+            remove_socket(neighbour.path)
+
+
+def remove_socket(path: Path) -> None:
+    """Remove a socket of ours, and the lock file that Zenoh puts beside it. Raises OSError."""
+    for each in (path, path.with_name(path.name + ".lock")):
+        each.unlink(missing_ok=True)
 
 
 def remove_if_deaf(neighbour: Neighbour) -> bool:
