@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from day6_tui.core.speeds import in_words
 from day6_tui.tui.actions import Actions, bar_actions
 from day6_tui.tui.bars import KeyHint, key_pieces
 from day6_tui.tui.cells import cell_len, clip
@@ -11,7 +12,6 @@ from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import Notices
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.scene_play import ScenePlay
-from day6_tui.tui.speeds import in_words
 
 SCENE_KEYS = 46
 """Cells for the keys that steer a scene."""

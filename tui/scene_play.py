@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from day6_tui.core.speeds import changed
 from day6_tui.tui.actions import Handlers
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.scenes import SCENES, Player, Scene
-from day6_tui.tui.speeds import changed
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import TerminalView
 from day6_tui.tui.terminals import Terminals

@@ -8,13 +8,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from day6_tui.core.lessons.stage import StageError
+from day6_tui.core.speeds import changed
 
 if TYPE_CHECKING:
     from day6_tui.core.lessons.course import Course
     from day6_tui.core.lessons.document import Page
-
-SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
-NORMAL = SPEEDS.index(1.0)
 
 SLICE = 0.1
 """Seconds between two looks whether somebody pressed a key."""
@@ -32,14 +30,10 @@ class Demonstration:
         self._course = course
         self._language = language
         self._pace = pace
-        self._speed = NORMAL
+        self.speed = 1.0
         self._skip = False
         self.held = False
         self.stopped = False
-
-    @property
-    def speed(self) -> float:
-        return SPEEDS[self._speed]
 
     def hold(self) -> None:
         """Hold, or go on."""
@@ -53,7 +47,7 @@ class Demonstration:
 
     def change_speed(self, step: int) -> None:
         """Faster (1) or slower (-1)."""
-        self._speed = max(0, min(len(SPEEDS) - 1, self._speed + step))
+        self.speed = changed(self.speed, step)
         self._course.touch()
 
     def stop(self) -> None:

@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, NoReturn
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.shell.rows import Run, Style
+from day6_tui.core.speeds import changed, in_words
 from day6_tui.core.width import char_width
 from day6_tui.tui.cast.film import Film
 from day6_tui.tui.cells import clip, fit
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.speeds import changed, in_words
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command` says so
 
