@@ -92,10 +92,10 @@ def test_late_joiners_get_what_a_latched_publisher_keeps_and_volatile_ones_do_no
     publisher = near.publisher(near.node("describer"), "/robot_description", latched=True, depth=2)
     near.publish_numbers(publisher, 0, 5)
     node = far.node("viewer")
-    volatile = far.subscription(node, "/robot_description")
     first = far.subscription(node, "/robot_description", latched=True)
     # A message that is still on its way when somebody joins may come before what is kept.
     assert all_messages(far, first, 2)[-2:] == ["3", "4"]
+    volatile = far.subscription(node, "/robot_description")  # now that nothing is
     second = far.subscription(node, "/robot_description", latched=True)
     only_last = far.subscription(node, "/robot_description", latched=True, depth=1)
     assert all_messages(far, second, 2) == ["3", "4"]
