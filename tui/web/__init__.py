@@ -1,0 +1,1 @@
+"""The browser door: `day6-tui serve` gives every pupil a desktop in a browser tab."""
