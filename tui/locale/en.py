@@ -889,4 +889,24 @@ commands:
     "help.action.scene.faster": "up to four times; + does the same while a scene is typed",
     "help.action.scene.slower": "down to a quarter; - does the same while a scene is typed",
     "help.action.layout.speaker": "for a hall; F8 shows the picture alone, and goes back to the terminal",
+    # -- keeping pupils apart (core/isolation): what a mode is, and why one is not to be had --
+    "isolation.is.users": "each pupil is a Unix user of their own: no pupil can read, change or end what is another's; "
+    "names of processes and of files in /tmp can be seen, and ports on this machine are everybody's",
+    "isolation.is.bubblewrap": "each pupil is in a sandbox of their own (bubblewrap): nothing of other pupils can be seen, "
+    "read or ended; programs have no network unless you allow it",
+    "isolation.is.landlock": "each pupil can open only their own files and end only their own programs (Landlock), "
+    "but can connect to the sockets of another pupil's desktop and type into it: this does not keep pupils apart",
+    "isolation.is.none": "all pupils are the same user: each can read, change and end everything of every other pupil, "
+    "and everything else that belongs to this user",
+    "isolation.no.linux": "exists on Linux only",
+    "isolation.no.root": "needs a server that is started as root",
+    "isolation.no.as_root": "is for a server that is not root",
+    "isolation.no.bwrap": "needs bubblewrap (Debian, Ubuntu: apt install bubblewrap)",
+    "isolation.no.landlock": "this Linux has no Landlock (5.13 or later, and switched on)",
+    "isolation.no.fails": "was tried and does not start: {reason}",
+    "isolation.no.open": "was tried and does not keep pupils apart here; this went through: {names}",
+    "isolation.no.closed": "other users cannot go into {folder}: put day6-tui, its Python and the homes where all may go "
+    "(for example python3 -m venv /opt/day6-tui)",
+    "isolation.no.owner": "{folder} has files of another user; if they are the pupil's: chown -R {uid}:{uid} {folder}",
+    "isolation.no.inside": "{folder} lies in a folder that every pupil may read: choose another place for it",
 }

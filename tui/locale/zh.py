@@ -1044,4 +1044,23 @@ TEXTS = {
     "help.action.scene.faster": "最快四倍；输入场景时按 + 也一样",
     "help.action.scene.slower": "最慢四分之一；输入场景时按 - 也一样",
     "help.action.layout.speaker": "在大教室里用；F8 只看画面，再按一次回到终端",
+    # -- 把学生隔开（core/isolation）：每种方式是什么，为什么用不了 --
+    "isolation.is.users": "每个学生是一个单独的 Unix 用户：谁也不能读、改或结束别人的东西；"
+    "能看到别人的进程名和 /tmp 里的文件名，本机端口是大家共用的",
+    "isolation.is.bubblewrap": "每个学生在自己的沙箱里（bubblewrap）：看不到、读不到也结束不了别人的任何东西；"
+    "除非你允许，程序不能上网",
+    "isolation.is.landlock": "每个学生只能打开自己的文件、只能结束自己的程序（Landlock），"
+    "但能连上别人桌面的套接字，往里面打字：这样并没有把学生隔开",
+    "isolation.is.none": "所有学生是同一个用户：谁都能读、改、结束别人的一切，以及这个用户名下的其他一切",
+    "isolation.no.linux": "只有 Linux 上有",
+    "isolation.no.root": "服务器要以 root 启动",
+    "isolation.no.as_root": "只用于不是 root 的服务器",
+    "isolation.no.bwrap": "需要 bubblewrap（Debian、Ubuntu：apt install bubblewrap）",
+    "isolation.no.landlock": "这个 Linux 没有 Landlock（要 5.13 以上，并且已启用）",
+    "isolation.no.fails": "试过了，启动不了：{reason}",
+    "isolation.no.open": "试过了，在这台机器上隔不开；以下这些没有挡住：{names}",
+    "isolation.no.closed": "其他用户进不了 {folder}：请把 day6-tui、它的 Python 和学生目录放到大家都能进的地方"
+    "（例如 python3 -m venv /opt/day6-tui）",
+    "isolation.no.owner": "{folder} 里有别的用户的文件；如果就是这个学生的：chown -R {uid}:{uid} {folder}",
+    "isolation.no.inside": "{folder} 在每个学生都能读的目录里：请给它换个地方",
 }

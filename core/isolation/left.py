@@ -1,0 +1,126 @@
+"""Finds the processes of a cell and ends them, those too that left their group, their session and their parent."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+END_SECONDS = 5.0
+"""How long ending may take: a process in an uninterruptible wait cannot be ended by anybody."""
+_PAUSE = 0.01
+
+
+class Process(NamedTuple):
+    """A line of the process table."""
+
+    pid: int
+    parent: int
+    is_dead: bool
+    """It has ended, and its parent has not asked."""
+
+
+def processes() -> Iterator[Process]:
+    """Yield the processes that /proc shows."""
+    for name in os.listdir("/proc"):
+        if name.isdigit():
+            with contextlib.suppress(OSError, ValueError), open(f"/proc/{name}/stat", "rb") as file:
+                state, parent = file.read().rpartition(b")")[2].split()[:2]  # the name before it may hold anything
+                yield Process(int(name), int(parent), state in (b"Z", b"X"))
+
+
+def descendants(root: int) -> list[int]:
+    """Return the living processes below `root`."""
+    children: dict[int, list[int]] = {}
+    dead = set()
+    for each in processes():
+        children.setdefault(each.parent, []).append(each.pid)
+        if each.is_dead:
+            dead.add(each.pid)
+    found: list[int] = []
+    waiting = [root]
+    while waiting:
+        below = children.get(waiting.pop(), [])
+        found += below
+        waiting += below
+    return [pid for pid in found if pid not in dead]
+
+
+def of_user(uid: int) -> list[int]:
+    """Return the living processes of a Unix user."""
+    found = []
+    for each in processes():
+        with contextlib.suppress(OSError):
+            if not each.is_dead and os.stat(f"/proc/{each.pid}").st_uid == uid:
+                found.append(each.pid)
+    return found
+
+
+def marked(mark: str) -> list[int]:
+    """Return our own processes that have `mark` as a word of their command line."""
+    if sys.platform != "linux":
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    wanted = os.fsencode(mark)
+    found = []
+    for each in processes():
+        with contextlib.suppress(OSError):
+            if os.stat(f"/proc/{each.pid}").st_uid == os.geteuid() and not each.is_dead:
+                with open(f"/proc/{each.pid}/cmdline", "rb") as file:
+                    if wanted in file.read().split(b"\0"):
+                        found.append(each.pid)
+    return found
+
+
+def end_descendants(root: int) -> bool:
+    """Kill everything below `root`; return whether nothing is left."""
+    return _end(lambda: descendants(root))
+
+
+def end_user(uid: int) -> bool:
+    """Kill every process of a Unix user at once, as that user; return whether nothing is left."""
+
+    def strike(_pids: list[int]) -> None:
+        # -1 is everybody this user may kill, in one step: nothing can fork away from it. The shell kills itself, too.
+        subprocess.run(["/bin/sh", "-c", "kill -9 -1"], user=uid, group=uid, extra_groups=[], cwd="/", check=False)
+
+    return _end(lambda: of_user(uid), strike)
+
+
+def end_marked(mark: str, *, gently: bool) -> bool:
+    """End the processes that hold a cell, first with SIGTERM if `gently`; return whether nothing is left."""
+    if gently:
+        for pid in marked(mark):
+            _kill(pid, signal.SIGTERM)
+        until = time.monotonic() + END_SECONDS
+        while marked(mark) and time.monotonic() < until:
+            time.sleep(_PAUSE)
+    return _end(lambda: [pid for each in marked(mark) for pid in (each, *descendants(each))])
+
+
+def _end(find: Callable[[], list[int]], strike: Callable[[list[int]], None] | None = None) -> bool:
+    """Kill what `find` returns until it returns nothing."""
+    if sys.platform != "linux":
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    until = time.monotonic() + END_SECONDS
+    while pids := find():
+        if strike is not None:
+            strike(pids)
+        else:
+            for number in (signal.SIGSTOP, signal.SIGKILL):  # stopped first: a fork bomb grows no further
+                for pid in pids:
+                    _kill(pid, number)
+        if time.monotonic() >= until:
+            return not find()
+        time.sleep(_PAUSE)
+    return True
+
+
+def _kill(pid: int, number: signal.Signals) -> None:
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.kill(pid, number)

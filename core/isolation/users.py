@@ -1,0 +1,140 @@
+"""A Unix user for each pupil; the server must be root."""
+
+from __future__ import annotations
+
+import os
+import stat
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from day6_tui.core.isolation import enter, groups, left
+from day6_tui.core.isolation.cell import Cell, IsolationError
+from day6_tui.core.isolation.groups import Tree
+from day6_tui.core.isolation.mode import Mode, key
+
+assert not TYPE_CHECKING or sys.platform == "linux"
+
+FIRST_UID = 70000
+"""The users have numbers and no entry in /etc/passwd: 65536–99999 is given to nobody by systemd, adduser or /etc/subuid."""
+MOST_USERS = 9000
+FOR_TRIALS = range(FIRST_UID + MOST_USERS, FIRST_UID + MOST_USERS + 1000)
+"""Users whose processes nobody misses when a trial ends them."""
+
+
+class Users(Mode):
+    """Each pupil is a user of his own, as on any Unix machine with several people."""
+
+    name = "users"
+    _counts = frozenset({"processes"})  # RLIMIT_NPROC counts those of a user
+
+    def __init__(self, trees: Iterable[Tree] = (), first_uid: int = FIRST_UID) -> None:
+        super().__init__(trees)
+        self._uids = range(first_uid, first_uid + MOST_USERS)
+        self._given: dict[Path, int] = {}
+
+    def uid_of(self, name: str, homes: Path) -> int:
+        """Return the owner of the pupil's home, or the first number that no home beside it has."""
+        home = homes / name
+        if home not in self._given:
+            owner = _owner(home)
+            if owner in self._uids:
+                self._given[home] = owner
+            else:
+                taken = {*self._given.values(), *map(_owner, homes.iterdir() if homes.is_dir() else ())}
+                self._given[home] = next(uid for uid in self._uids if uid not in taken)
+        return self._given[home]
+
+    def prepare(self, cell: Cell) -> None:
+        """Make the folders, the pupil's alone, and the control groups. Raises IsolationError, OSError."""
+        assert cell.uid is not None
+        for folder in (cell.home, cell.runtime, self.temporary(cell)):
+            _give(folder, cell.uid)
+        if (closed := closed_above(cell.home) or closed_above(cell.runtime)) is not None:
+            raise IsolationError("isolation.no.closed", folder=str(closed))
+        self._make_groups(cell)
+
+    def rlimits(self, cell: Cell) -> dict[str, int]:
+        """Return the limits of each process, and of the number of the user's."""
+        return {**super().rlimits(cell), "NPROC": cell.limits.processes}
+
+    def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
+        """Return the command line of the launcher, which gives up the server's rights."""
+        plan = enter.Plan(
+            folder=str(cell.home),
+            environment=self.environment(cell),
+            uid=cell.uid,
+            groups=[str(tree.group(key(cell)) / "cgroup.procs") for tree in self.trees],
+            limits=self.rlimits(cell),
+            scoped=True,
+            descriptors=list(descriptors),
+        )
+        return enter.command(cell, plan, argv)
+
+    def processes(self, cell: Cell) -> list[int]:
+        """Return the ids of the user's processes."""
+        assert cell.uid is not None
+        return left.of_user(cell.uid)
+
+    def end(self, cell: Cell) -> bool:
+        """Kill every process of the user; return whether nothing is left."""
+        assert cell.uid is not None and (cell.uid in self._uids or cell.uid in FOR_TRIALS)
+        gone = left.end_user(cell.uid)
+        return groups.end(self.trees, key(cell)) and gone
+
+
+def closed_above(path: Path) -> Path | None:
+    """Return the first folder above `path` through which other users cannot go."""
+    for folder in reversed(path.parents):
+        try:
+            if not folder.stat().st_mode & stat.S_IXOTH:
+                return folder
+        except OSError:
+            return folder
+    return None
+
+
+def cannot_run_python(uid: int) -> Path | None:
+    """Return the folder that keeps a user from our Python and this package; None if it starts."""
+    program = "import day6_tui.core.isolation.enter"
+    try:
+        subprocess.run(
+            [sys.executable, "-I", "-c", program],
+            user=uid,
+            group=uid,
+            extra_groups=[],
+            cwd="/",
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=30,
+            check=True,
+        )
+        return None
+    except (OSError, subprocess.SubprocessError):
+        pass
+    places = (sys.executable, os.path.realpath(sys.executable), __file__)
+    return next((closed for place in places if (closed := closed_above(Path(place))) is not None), Path(sys.prefix))
+
+
+def _owner(path: Path) -> int:
+    try:
+        return path.lstat().st_uid
+    except OSError:
+        return -1
+
+
+def _give(folder: Path, uid: int) -> None:
+    """Make a folder, the user's alone. One that exists must be his, or empty: nobody's files are given away."""
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    number = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    try:
+        found = os.fstat(number)
+        if found.st_uid != uid:
+            if os.listdir(number):
+                raise IsolationError("isolation.no.owner", folder=str(folder), uid=str(uid))
+            os.fchown(number, uid, uid)
+        os.fchmod(number, 0o700)
+    finally:
+        os.close(number)
