@@ -13,7 +13,8 @@ def folders() -> list[str]:
     """Return the folders that programs in a cell must be able to read; those in others are left out."""
     package = Path(__file__).resolve().parents[2]
     python = {sys.prefix, sys.base_prefix, os.path.dirname(os.path.dirname(os.path.realpath(sys.executable)))}
-    wanted = {*SYSTEM, *python, str(package), *(path for path in sys.path if path and os.path.isdir(path))}
+    packages = (path for path in sys.path if os.path.basename(path) in ("site-packages", "dist-packages"))
+    wanted = {*SYSTEM, *python, str(package), *packages}
     found = sorted(os.path.abspath(path) for path in wanted if os.path.exists(path))
     return [path for path in found if not any(path.startswith(other + "/") for other in found)]
 

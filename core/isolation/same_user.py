@@ -9,15 +9,8 @@ from day6_tui.core.isolation import enter, groups, installed, left
 from day6_tui.core.isolation.cell import Cell, IsolationError
 from day6_tui.core.isolation.mode import Mode, key, programs_of
 
-_NO_OTHERS = (
-    "/proc/cpuinfo",
-    "/proc/meminfo",
-    "/proc/stat",
-    "/proc/uptime",
-    "/proc/loadavg",
-    "/proc/version",
-    "/proc/sys",
-)
+_KERNEL = ("/proc", "/sys")
+"""What is another's process there stays closed: Landlock asks whether one may trace it."""
 _DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom", "/dev/tty", "/dev/ptmx", "/dev/pts")
 
 
@@ -66,7 +59,7 @@ class Landlock(Nothing):
 
     def command(self, cell: Cell, argv: list[str], descriptors: Iterable[int] = ()) -> list[str]:
         """Return the command line of the supervisor. Raises IsolationError if a rule would open what must stay closed."""
-        readable = [*installed.folders(), *_NO_OTHERS]
+        readable = [*installed.folders(), *_KERNEL]
         for path in (cell.home, cell.runtime, *cell.hidden):
             if any(installed.is_below(path, folder) for folder in readable):
                 raise IsolationError("isolation.no.inside", folder=str(path))

@@ -60,10 +60,9 @@ def _cell(mode: Mode, top: Path, name: str) -> Cell:
     for folder in (top / "homes", top / "run"):
         folder.mkdir(exist_ok=True)
         folder.chmod(0o711)
-    uid = None
-    if mode.uid_of(name, top / "homes") is not None:
-        uid = users.FOR_TRIALS[(2 * os.getpid() + ("a", "b").index(name)) % len(users.FOR_TRIALS)]
-    return Cell(name, top / "homes" / name, top / "run" / name, uid, _LIMITS)
+    home = top / "homes" / name
+    uid = mode.claim(home, users.FOR_TRIALS) if isinstance(mode, users.Users) else None
+    return Cell(name, home, top / "run" / name, uid, _LIMITS)
 
 
 def _between(mode: Mode, first: Cell, second: Cell, token: Path) -> list[str]:

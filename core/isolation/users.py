@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import stat
 import subprocess
 import sys
+import zlib
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +16,7 @@ from day6_tui.core.isolation import enter, groups, left
 from day6_tui.core.isolation.cell import Cell, IsolationError
 from day6_tui.core.isolation.groups import Tree
 from day6_tui.core.isolation.mode import Mode, key
+from day6_tui.core.whole_file import replace_file
 
 assert not TYPE_CHECKING or sys.platform == "linux"
 
@@ -22,6 +25,9 @@ FIRST_UID = 70000
 MOST_USERS = 9000
 FOR_TRIALS = range(FIRST_UID + MOST_USERS, FIRST_UID + MOST_USERS + 1000)
 """Users whose processes nobody misses when a trial ends them."""
+
+CLAIMS = Path("/run/day6-tui/uids")
+"""A file for each number in use, with the home it is for; gone with a restart, after which the owners of the homes still tell."""
 
 
 class Users(Mode):
@@ -33,19 +39,24 @@ class Users(Mode):
     def __init__(self, trees: Iterable[Tree] = (), first_uid: int = FIRST_UID) -> None:
         super().__init__(trees)
         self._uids = range(first_uid, first_uid + MOST_USERS)
-        self._given: dict[Path, int] = {}
 
     def uid_of(self, name: str, homes: Path) -> int:
-        """Return the owner of the pupil's home, or the first number that no home beside it has."""
-        home = homes / name
-        if home not in self._given:
-            owner = _owner(home)
-            if owner in self._uids:
-                self._given[home] = owner
-            else:
-                taken = {*self._given.values(), *map(_owner, homes.iterdir() if homes.is_dir() else ())}
-                self._given[home] = next(uid for uid in self._uids if uid not in taken)
-        return self._given[home]
+        """Return the owner of the pupil's home, or a number that no other home of this machine has. Raises IsolationError."""
+        return self.claim(homes / name, self._uids)
+
+    def claim(self, home: Path, uids: range) -> int:
+        """Keep a number for this home. What holds it is a file in CLAIMS, as two servers may run on one machine."""
+        CLAIMS.mkdir(parents=True, exist_ok=True)
+        owner = _owner(home)
+        if owner in uids:
+            if not _claim(owner, home):
+                raise IsolationError("isolation.no.taken", folder=str(home), uid=str(owner))
+            return owner
+        first = zlib.crc32(os.fsencode(home)) % len(uids)
+        for uid in itertools.chain(uids[first:], uids[:first]):
+            if _claim(uid, home):
+                return uid
+        raise IsolationError("isolation.no.uids", first=str(uids[0]), last=str(uids[-1]))
 
     def prepare(self, cell: Cell) -> None:
         """Make the folders, the pupil's alone, and the control groups. Raises IsolationError, OSError."""
@@ -116,6 +127,23 @@ def cannot_run_python(uid: int) -> Path | None:
         pass
     places = (sys.executable, os.path.realpath(sys.executable), __file__)
     return next((closed for place in places if (closed := closed_above(Path(place))) is not None), Path(sys.prefix))
+
+
+def _claim(uid: int, home: Path) -> bool:
+    """Return whether this number is this home's now: it was, nobody's, or that of a home that is no more."""
+    file = CLAIMS / str(uid)
+    text = os.fsencode(home)
+    try:
+        with open(file, "xb") as made:
+            made.write(text)
+        return True
+    except FileExistsError:
+        pass
+    holder = file.read_bytes()
+    if holder != text and os.path.lexists(holder or "/"):
+        return False
+    replace_file(file, text, mode=0o600, sync=False)
+    return True
 
 
 def _owner(path: Path) -> int:

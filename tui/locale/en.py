@@ -909,4 +909,6 @@ commands:
     "(for example python3 -m venv /opt/day6-tui)",
     "isolation.no.owner": "{folder} has files of another user; if they are the pupil's: chown -R {uid}:{uid} {folder}",
     "isolation.no.inside": "{folder} lies in a folder that every pupil may read: choose another place for it",
+    "isolation.no.taken": "{folder} belongs to user {uid}, whose number another server on this machine uses",
+    "isolation.no.uids": "all user numbers from {first} to {last} are in use",
 }

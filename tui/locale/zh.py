@@ -1063,4 +1063,6 @@ TEXTS = {
     "（例如 python3 -m venv /opt/day6-tui）",
     "isolation.no.owner": "{folder} 里有别的用户的文件；如果就是这个学生的：chown -R {uid}:{uid} {folder}",
     "isolation.no.inside": "{folder} 在每个学生都能读的目录里：请给它换个地方",
+    "isolation.no.taken": "{folder} 属于用户 {uid}，但这个用户号正被这台机器上的另一个服务器使用",
+    "isolation.no.uids": "从 {first} 到 {last} 的用户号都用完了",
 }
