@@ -1,1 +1,0 @@
-"""The browser door: `day6-tui serve` gives every pupil a desktop in a browser tab."""
