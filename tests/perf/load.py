@@ -1,0 +1,197 @@
+"""Measures what one desktop costs while somebody looks at it: CPU, wake-ups and bytes of each scene.
+
+    python tests/perf/load.py [--beside PYTHON] [--scene NAME …] [--rounds N] [--seconds S] [--threads] [--desktops N]
+
+`--beside` is the interpreter of another installation, for instance of the commit before. The scene then runs in both at the same
+time, so that a noisy machine disturbs both alike, and the ratio is printed. CPU is the process's own time, user and system, as
+the kernel's scheduler counts it. Linux only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import os
+import select
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from bench import DENSE, TURTLE, TWIST
+from screen import Screen
+
+COLUMNS, ROWS = 120, 40
+REPEAT = 1 / 30
+"""Seconds between two keys of a key that is held down."""
+
+HELD = ["\x1b[A"] * 20 + ["\x1b[D"] * 6
+"""Forward, a bit to the left, and again."""
+
+
+@dataclass
+class Scene:
+    """How a scene is reached, and what is typed all the time while it is measured."""
+
+    options: tuple[str, ...]
+    prepare: Callable[[Screen], None]
+    held: tuple[str, ...] = ()
+    size: tuple[int, int] = (COLUMNS, ROWS)
+
+
+def _wait(seconds: float) -> Callable[[Screen], None]:
+    return lambda screen: (screen.read(seconds), None)[1]
+
+
+def _type(*steps: tuple[str, float]) -> Callable[[Screen], None]:
+    """Type each text and give it so many seconds."""
+
+    def prepare(screen: Screen) -> None:
+        screen.read(1.5)
+        for text, seconds in steps:
+            screen.send(text)
+            screen.read(seconds)
+
+    return prepare
+
+
+PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null\n"
+
+SCENES = {
+    "welcome": Scene((), _wait(4), size=(80, 24)),
+    "standing": Scene(("--scene", "empty"), _type((TURTLE, 4))),
+    "driving": Scene(("--scene", "empty"), _type((TURTLE, 3), (PUBLISH, 4))),
+    "dense": Scene(("--scene", "empty"), _type((TURTLE, 3), (DENSE + "\n", 8), (PUBLISH, 4))),
+    "four": Scene(("--scene", "turtle"), _wait(11)),
+    "held": Scene(("--scene", "turtle"), _wait(11), held=tuple(HELD)),
+    "rviz": Scene(
+        ("--scene", "car"),
+        _type(("", 13), ("\x1bOQ", 1), ("rviz2 > /dev/null 2>&1 &\n", 5)),
+    ),
+}
+"""welcome; turtle standing; driven by ten commands a second; the same over many lines; teleop and echo beside it, standing and
+with an arrow held down; the car with turning wheels, and RViz beside it."""
+
+
+class Measured:
+    """One desktop and its figures between two moments."""
+
+    def __init__(self, python: str, scene: Scene) -> None:
+        self.home = Path(tempfile.mkdtemp(prefix="day6-load-"))
+        command = [python, "-m", "day6_tui.tui.main", "--home", str(self.home), "--lang", "en", *scene.options]
+        env = {"DAY6_RUNTIME_DIR": tempfile.mkdtemp(prefix="day6-load-"), "LANG": "C.UTF-8"}
+        self.screen = Screen(command, *scene.size, **env)
+
+    def begin(self) -> None:
+        self._cpu, self._switches, self._bytes = self.threads(), self._context_switches(), len(self.screen.output)
+        self._began = time.perf_counter()
+
+    def end(self) -> None:
+        self.seconds = time.perf_counter() - self._began
+        after = self.threads()
+        self.by_thread = {
+            name: 100 * (cpu - self._cpu.get(name, 0.0)) / self.seconds for name, cpu in sorted(after.items())
+        }
+        self.cpu = sum(self.by_thread.values())
+        self.switches = (self._context_switches() - self._switches) / self.seconds
+        self.bytes = (len(self.screen.output) - self._bytes) / self.seconds
+
+    def threads(self) -> dict[str, float]:
+        """CPU seconds of each thread, by its name and number."""
+        found = {}
+        folder = Path(f"/proc/{self.screen.pid}/task")
+        for task in folder.iterdir():
+            name = (task / "comm").read_text().strip()
+            found[f"{name} {task.name}"] = int((task / "schedstat").read_text().split()[0]) / 1e9
+        return found
+
+    def _context_switches(self) -> int:
+        return sum(
+            int(line.split()[1])
+            for task in Path(f"/proc/{self.screen.pid}/task").iterdir()
+            for line in (task / "status").read_text().splitlines()
+            if line.startswith("voluntary_ctxt")
+        )
+
+
+def watch(desktops: list[Measured], seconds: float, held: tuple[str, ...]) -> None:
+    """Read what all of them write for so long, typing what is held down."""
+    deadline = time.perf_counter() + seconds
+    keys, next_key = itertools.cycle(held), time.perf_counter()
+    by_number = {each.screen._fd: each.screen for each in desktops}
+    while (now := time.perf_counter()) < deadline:
+        if held and now >= next_key:
+            key = next(keys)
+            for each in desktops:
+                each.screen.send(key)
+            next_key += REPEAT
+        until = min(deadline, next_key) if held else deadline
+        for number in select.select(list(by_number), [], [], max(0.0, until - time.perf_counter()))[0]:
+            by_number[number].output += os.read(number, 65536)
+
+
+def measure(scene: Scene, pythons: list[str], seconds: float) -> list[Measured]:
+    """Bring the scene up in each and measure all of them at the same time."""
+    desktops: list[Measured] = []
+    try:
+        for python in pythons:
+            desktop = Measured(python, scene)
+            desktops.append(desktop)
+            desktop.screen.first_frame()
+            scene.prepare(desktop.screen)
+        watch(desktops, 2.0, scene.held)
+        for desktop in desktops:
+            desktop.begin()
+        watch(desktops, seconds, scene.held)
+        for desktop in desktops:
+            desktop.end()
+    finally:
+        for desktop in desktops:
+            desktop.screen.__exit__()
+    return desktops
+
+
+def main() -> int:
+    """Measure the scenes and print a table."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--beside", metavar="PYTHON", help="the interpreter of another installation")
+    parser.add_argument("--scene", action="append", choices=SCENES, help="one of the scenes (default: all)")
+    parser.add_argument("--rounds", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--threads", action="store_true", help="list each thread")
+    parser.add_argument("--desktops", type=int, default=1, metavar="N", help="so many at once, and their mean")
+    options = parser.parse_args()
+    others = [options.beside] if options.beside else []
+    print("| scene | CPU % | wake-ups/s | bytes/s | beside: CPU % | wake-ups/s | bytes/s | ratio |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    for name in options.scene or SCENES:
+        rows: list[list[float]] = []
+        for _ in range(options.rounds):
+            done = measure(SCENES[name], [*others, *[sys.executable] * options.desktops], options.seconds)
+            before, ours = done[: len(others)], done[len(others) :]
+            row = [statistics.mean(figure(each) for each in ours) for figure in FIGURES]
+            row += [figure(each) for each in before for figure in FIGURES]
+            rows.append(row)
+            if options.threads:
+                for each in done:
+                    print("  ", {thread: f"{cpu:.2f}" for thread, cpu in each.by_thread.items() if cpu > 0.02})
+        figures = [statistics.median(column) for column in zip(*rows, strict=True)]
+        cells = [f"{figures[0]:.2f}", *(f"{figure:.0f}" for figure in figures[1:3])]
+        if others:
+            ratio = statistics.median(row[0] / row[3] for row in rows)
+            cells += [f"{figures[3]:.2f}", *(f"{figure:.0f}" for figure in figures[4:6]), f"{ratio:.2f}"]
+        print(f"| {name} | {' | '.join(cells)} |", flush=True)
+    return 0
+
+
+FIGURES: tuple[Callable[[Measured], float], ...] = (
+    lambda each: each.cpu,
+    lambda each: each.switches,
+    lambda each: each.bytes,
+)
+
+if __name__ == "__main__":
+    sys.exit(main())
