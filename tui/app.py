@@ -396,7 +396,9 @@ class Day6App(TerminalApp):
         titles = not self.frames.rate or now - self._titled >= TITLE_SECONDS
         if titles:
             self._titled = now
-        again = not titles
+        else:
+            self.frames.wake_after(self._titled + TITLE_SECONDS - now)
+        again = False
         for pane in self.desktop.shown():
             try:
                 pane.measure()

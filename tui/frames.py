@@ -42,6 +42,10 @@ class Frames:
         self._woken = False
         self._running = False
         self._due = 0.0
+        self._later: float | None = None
+        """When a frame is drawn even if nothing has changed until then."""
+        self._sleeps = False
+        """Whether the next frame planned is that one."""
         self._calm = 0
         self._loop: asyncio.AbstractEventLoop | None = None
         self._handle: asyncio.TimerHandle | None = None
@@ -93,28 +97,47 @@ class Frames:
                 # The loop closed between the check and the call: the desktop is being closed.
                 self._running = False
 
+    def wake_after(self, seconds: float) -> None:
+        """Draw a frame in so long even if nothing changes until then: `draw` says what it has put off. In the event loop."""
+        due = time.monotonic() + seconds
+        self._later = due if self._later is None else min(due, self._later)
+
     def step(self) -> None:
         """Draw one frame now."""
         self._woken = False
+        self._later = None
         self.drawn += 1
         if self._draw():
             self._woken = True
 
     def _begin(self) -> None:
+        if self._sleeps and self._handle is not None:
+            self._handle.cancel()
+            self._handle = None
         if self._handle is None and self._loop is not None:
             self._running = True
             self._plan(max(time.monotonic(), self._due))
 
     def _plan(self, due: float) -> None:
         assert self._loop is not None
+        self._sleeps = False
         self._due = due
         delay = max(0.0, due - time.monotonic())
         self._handle = self._loop.call_later(delay, self._tick, context=self._context)
+
+    def _sleep(self, due: float) -> None:
+        """Wait until `due`, or until something changes before."""
+        usual = self._due
+        self._plan(due)
+        self._due, self._sleeps = usual, True
 
     def _tick(self) -> None:
         self._handle = None
         if self._loop is None:
             return
+        if self._sleeps:
+            self._sleeps, self._woken, self._running = False, True, True
+            self._due = self._later or self._due
         now = time.monotonic()
         if self._congested():
             self._adapt(self._period)
@@ -138,6 +161,8 @@ class Frames:
             # A thread woke us between the check of the flag and the line above.
             self._running = True
             self._plan(now + self._period)
+        elif self._later is not None:
+            self._sleep(self._later)
 
     def _plan_slice(self, delay: float) -> None:
         if self._work is not None and self._loop is not None:

@@ -10,6 +10,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from enum import Enum
 from itertools import count
+from time import monotonic_ns
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from day6_tui.core.graph.events import AliveWatch, DeadlineWatch, LeaseWatch, Watch
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
     from day6_tui.core.graph.node import Node
 
 Copier = Callable[[Any], Any]
+
+COUNTED_NS = 1_000_000_000
+"""Who reads how many messages were delivered reads it again within this time, as long as it is interested."""
 
 
 class EndpointKind(str, Enum):
@@ -136,8 +140,9 @@ class Publisher(Endpoint):
         self.copy = copy
         self.matched: tuple[Subscription, ...] = ()
         self.remote_matched: tuple[Subscription, ...] = ()
-        self.delivered = 0
-        """Messages that passed through this process; shown as pulses in rqt_graph."""
+        self._delivered = 0
+        self._counted_ns: int | None = None
+        """When `delivered` was read last (ns, monotonic)."""
         self._numbers = count(1)
         latched = self.qos.durability == Durability.TRANSIENT_LOCAL
         self.cache: deque[tuple[Any, int, int]] | None = deque(maxlen=self.qos.capacity) if latched else None
@@ -155,8 +160,35 @@ class Publisher(Endpoint):
         """Number of matched subscriptions, here and elsewhere."""
         return _seen(self.matched) + _seen(self.remote_matched)
 
+    @property
+    def delivered(self) -> int:
+        """Messages that passed through this process; shown as pulses in rqt_graph."""
+        self._counted_ns = monotonic_ns()
+        return self._delivered
+
+    @property
+    def is_attended(self) -> bool:
+        """Whether the moment of a message matters to anybody: a subscription, a late joiner, a watch, somebody who counts."""
+        if self.matched or self.remote_matched or self.cache is not None or self.watches:
+            return True
+        return self._counted_ns is not None and monotonic_ns() - self._counted_ns < COUNTED_NS
+
+    def publish_unheard(self, messages: int) -> None:
+        """Publish so many messages that went to nobody: they are numbered and counted, and that is all."""
+        for _ in range(messages):
+            next(self._numbers)
+        self._delivered += messages
+
+    def count_delivery(self) -> None:
+        """Count a message of a remote publisher (called by the link)."""
+        self._delivered += 1
+
     def publish(self, message: Any) -> None:
         """Deliver a copy of `message` to every matched subscription; if transient local, keep one for late joiners."""
+        if not (self.matched or self.remote_matched or self.watches) and self.cache is None:
+            next(self._numbers)
+            self._delivered += 1
+            return
         graph = self.node.graph
         source_timestamp = graph.now_ns()
         number = next(self._numbers)
@@ -168,7 +200,7 @@ class Publisher(Endpoint):
 
     def deliver(self, message: Any, source_timestamp: int, number: int) -> None:
         """Deliver copies to the subscriptions of this process (called by the link for a remote publisher)."""
-        self.delivered += 1
+        self._delivered += 1
         copy = self.copy
         if self.cache is not None:
             self.cache.append((copy(message), source_timestamp, number))

@@ -184,7 +184,7 @@ class Topics:
                 if message_type is None:
                     message_type = message_class(subscription.type_name)
                 message = deserialize(sample.payload.to_bytes(), message_type)
-                publisher.delivered += 1
+                publisher.count_delivery()
                 subscription.receive((message, source_timestamp, number, publisher))
             except Exception as error:
                 self._refusals.add("messages")

@@ -98,6 +98,8 @@ class Session:
         self._executor: SingleThreadedExecutor | None = None
         self._ros_wake = Signal()
         self._closed = False
+        self._stirs: Callable[[], None] | None = None
+        """Ends what wakes a program that rests when the graph changes."""
 
     @property
     def graph(self) -> Graph | None:
@@ -169,7 +171,20 @@ class Session:
 
     def spin_some(self) -> None:
         """Run everything that is ready now, once: at most one message per subscription, as `rclcpp::spin_some`."""
+        self._ros_wake.clear()
         self.executor._run_ready()
+
+    async def rest(self, ticks: Ticks, periods: int) -> int:
+        """Let at most `periods` of `ticks` pass at once, for a program that has nothing to do in them; return how many passed.
+
+        Fewer do as soon as something comes for the program's nodes, or the graph changes: somebody may listen now. `ticks` then
+        goes on with the next one, at its time. Call it after `spin_some`.
+        """
+        if self._stirs is None and (graph := self.graph) is not None:
+            self._stirs = graph.add_listener(lambda event: self._ros_wake.set())
+            self.defer(self._stirs)
+            return 0  # what has changed so far is known only to those who look again
+        return await ticks.rest(periods, self._ros_wake, self.executor._next_deadline())
 
     async def _spin_while(self, condition: Callable[[], bool], until_ns: int | None) -> None:
         executor = self.executor
@@ -333,6 +348,7 @@ class Ticks:
     def __init__(self, clock: WorldClock, period_ns: int) -> None:
         if period_ns <= 0:
             raise ValueError("a period must be positive")
+        self._clock = clock
         self._next = clock.steady_ns()
         self._period = period_ns
         self._count = 0
@@ -345,6 +361,15 @@ class Ticks:
         self._count += 1
         await sleep_until(self._next)
         return self._count
+
+    async def rest(self, periods: int, wake: Signal, until_ns: int | None = None) -> int:
+        """Wait until the tick after `periods` more ones, or `wake` is set, or `until_ns`; return how many were passed over."""
+        end = self._next + (periods + 1) * self._period
+        await wait_for(wake, end if until_ns is None else min(end, until_ns))
+        passed = max(0, min(periods, (self._clock.steady_ns() - self._next) // self._period))
+        self._next += passed * self._period
+        self._count += passed
+        return passed
 
 
 Main = Callable[[Session], Coroutine[Any, Any, "int | None"]]

@@ -284,3 +284,27 @@ def test_endpoints_of_other_processes_are_counted_but_not_joined_to_each_other(g
 def test_one_graph_per_domain() -> None:
     assert graph_for_domain(41) is graph_for_domain(41)
     assert graph_for_domain(41) is not graph_for_domain(42)
+
+
+def test_what_nobody_hears_is_numbered_and_counted(node: Node) -> None:
+    pub = publisher(node)
+    pub.publish(["unheard"])
+    pub.publish_unheard(3)
+    sub = subscription(node)
+    pub.publish(["heard"])
+    sample = sub.take()
+    assert sample is not None and (sample[0], sample[2]) == (["heard"], 5)
+    assert pub.delivered == 5
+
+
+def test_a_publisher_knows_whether_its_moment_matters_to_anybody(node: Node) -> None:
+    assert not publisher(node).is_attended
+    assert publisher(node, qos=QoS(durability=Durability.TRANSIENT_LOCAL)).is_attended
+    assert publisher(node, qos=QoS(deadline=1_000_000_000)).is_attended
+    heard = publisher(node, "/heard")
+    listener = subscription(node, "/heard")
+    assert heard.is_attended
+    listener.destroy()
+    assert not heard.is_attended
+    counted = publisher(node, "/counted")
+    assert counted.delivered == 0 and counted.is_attended

@@ -152,7 +152,7 @@ def test_a_message_of_another_process_counts_once_however_many_listen_here() -> 
     ears = [graph.create_node(f"ear{n}").create_subscription("/b", STRING, "", QoS()) for n in range(3)]
     for step in range(41):
         for _ in range(2 * len(publisher.matched)):  # as core/link counts
-            publisher.delivered += 1
+            publisher.count_delivery()
         if step == 20:
             ears[0].destroy()
         model.look(1 + step * 0.1)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
+import pytest
+
 from day6_tui.tui.frames import Frames
 
 
@@ -71,6 +73,41 @@ def test_what_moves_by_itself_gets_frames_without_being_woken(monkeypatch) -> No
     frames.wake()
     loop.run(1.0)
     assert 28 <= frames.drawn <= 31
+
+
+def test_what_was_put_off_gets_one_frame_in_its_time(monkeypatch) -> None:
+    at: list[float] = []
+
+    def draw() -> bool:
+        at.append(loop.now)
+        if len(at) == 1:
+            frames.wake_after(0.2)
+        return False
+
+    frames, loop = _frames(monkeypatch, draw)
+    frames.wake()
+    loop.run(5.0)
+    assert len(at) == 2 and at[1] - at[0] == pytest.approx(0.2, abs=0.02)
+
+
+def test_a_change_is_not_held_up_by_what_was_put_off(monkeypatch) -> None:
+    at: list[float] = []
+
+    def draw() -> bool:
+        at.append(loop.now)
+        frames.wake_after(2.0)
+        return False
+
+    frames, loop = _frames(monkeypatch, draw)
+    frames.wake()
+    loop.run(1.0)
+    frames.wake()
+    loop.run(0.05)
+    assert len(at) == 2 and at[1] - at[0] == pytest.approx(1.0, abs=0.04)
+    loop.run(1.9)
+    assert len(at) == 2, "it is put off anew by every frame"
+    loop.run(0.2)
+    assert len(at) == 3
 
 
 def test_where_nobody_looks_there_are_few_frames_until_somebody_comes(monkeypatch) -> None:

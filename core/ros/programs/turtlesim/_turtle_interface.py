@@ -96,6 +96,16 @@ class TurtleInterface:
         color.r, color.g, color.b = step.colour
         self._colors.publish(color)
 
+    @property
+    def is_attended(self) -> bool:
+        """Whether it matters to anybody when exactly the pose and the colour are published."""
+        return self._poses._is_attended() or self._colors._is_attended()
+
+    def publish_unheard(self, times: int) -> None:
+        """Publish the same pose and colour so many times, which nobody hears."""
+        self._poses._publish_unheard(times)
+        self._colors._publish_unheard(times)
+
     # -- topics and services -------------------------------------------------------------------------------------------
 
     def _command(self, twist: Twist) -> None:

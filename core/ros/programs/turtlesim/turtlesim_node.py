@@ -29,6 +29,9 @@ EVENTS_QOS = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=100, reliability=
 TICKS_BETWEEN_LOOKS = 16
 """How often the graph is asked who drives the turtles."""
 
+REST = 31
+"""Ticks in which nothing can happen that are passed over at once, about half a second."""
+
 
 class TurtleFrame:
     """The node and its world; `tick()` is one period."""
@@ -67,6 +70,16 @@ class TurtleFrame:
             interface.before_step()
         for turtle, step in self.simulation.tick(self._now_ns()):
             interfaces[turtle.name].publish(step)
+
+    @property
+    def may_rest(self) -> bool:
+        """Whether nothing moves and nobody hears that, so that a tick more or less at a time makes no difference."""
+        return self.simulation.rests and not any(each.is_attended for each in self._interfaces.values())
+
+    def pass_over(self, ticks: int) -> None:
+        """Live through so many ticks in which nothing happens."""
+        for interface in self._interfaces.values():
+            interface.publish_unheard(ticks)
 
     def look_around(self) -> None:
         """Let the window know who drives the turtles."""
@@ -128,12 +141,20 @@ async def main(session: Session) -> int:
     session.executor.add_node(frame.node)
     display = session.display
     window = None if display is None else display.open("turtlesim", "TurtleSim", frame.simulation)
+    looked = -TICKS_BETWEEN_LOOKS
+    ticks = session.every(model.TICK)
     try:
-        async for tick in session.every(model.TICK):
+        async for tick in ticks:
             session.spin_some()
             frame.tick()
-            if window is not None and tick % TICKS_BETWEEN_LOOKS == 0:
+            if window is not None and tick - looked >= TICKS_BETWEEN_LOOKS:
+                looked = tick
                 frame.look_around()
+            if frame.may_rest:
+                passed = await session.rest(ticks, REST)
+                frame.pass_over(passed)
+                if passed < REST:  # the graph may have changed
+                    looked = -TICKS_BETWEEN_LOOKS
     except InvalidTopicNameException as error:
         # A turtle spawned by a name that no topic can have.
         abort(session, "rclcpp::exceptions::InvalidTopicNameError", str(error))

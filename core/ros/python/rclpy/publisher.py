@@ -67,6 +67,15 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         endpoint = self._handle._endpoint
         return bool(endpoint.matched or endpoint.remote_matched)
 
+    def _is_attended(self) -> bool:
+        """Return whether it matters to anybody when exactly a message is published."""
+        attended: bool = self._handle._endpoint.is_attended
+        return attended
+
+    def _publish_unheard(self, messages: int) -> None:
+        """Publish so many messages while it matters to nobody: they are only counted."""
+        self._handle._endpoint.publish_unheard(messages)
+
     def get_subscription_count(self) -> int:
         """Return how many subscriptions match."""
         self._handle.check_publisher("failed to get subscription count")

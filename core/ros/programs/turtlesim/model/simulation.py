@@ -71,6 +71,8 @@ class Simulation:
         self.scene = Scene((), DEFAULT_BACKGROUND)
         self.topics: dict[str, TurtleTopics] = {}
         """By the turtles' names; replaced by a new one when it changes."""
+        self.rests = False
+        """Whether ticks change nothing until somebody does something to a turtle."""
         self._choose = choose
         self._counter = 0
         self._started = False
@@ -122,8 +124,10 @@ class Simulation:
             self._started = True
             return []
         steps = [(turtle, turtle.step(now, self.trail)) for turtle in self.turtles.values()]
-        if any(step.changed for _, step in steps):
+        changed = any(step.changed for _, step in steps)
+        if changed:
             self._refresh()
+        self.rests = not changed and all(turtle.stands for turtle in self.turtles.values())
         return steps
 
     def _refresh(self) -> None:

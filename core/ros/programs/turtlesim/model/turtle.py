@@ -152,6 +152,12 @@ class Turtle:
         """At the next tick turn by `angular`, then go `linear` metres that way; the pen draws the way."""
         self._teleports.append((float32(linear), float32(angular)))
 
+    @property
+    def stands(self) -> bool:
+        """Whether nothing moves it: no velocity, no rotation, no teleport that waits for the next tick."""
+        driven = self.velocity_x or self.velocity_y or self.velocity_angular
+        return not (driven or self._teleports or self.rotation is not None)
+
     def step(self, now: int, trail: Trail) -> Step:
         """Live through one tick that ends at `now` (nanoseconds), drawing on `trail`."""
         changed = bool(self._teleports)
