@@ -3,6 +3,9 @@
 Textual's thread dies at the first failed write, and its queue is no longer emptied; once the queue is full the application
 waits for ever, even while exiting. So closing a terminal window at the wrong moment would leave a desktop behind, with all
 its programs. The same would happen if the thread lives but nothing reads what it writes (a hanging connection).
+
+While the terminal takes what it is sent, the thread is not needed at all: waking it costs more than writing. Then a frame is
+written where it was made, whole, without blocking; what the terminal does not take at once goes to the thread.
 """
 
 from __future__ import annotations
@@ -11,10 +14,13 @@ import contextlib
 import logging
 import os
 import select
+import sys
 import threading
 from queue import Empty, Full, Queue
 from typing import IO
+from weakref import WeakKeyDictionary
 
+from textual._ansi_sequences import SYNC_END, SYNC_START
 from textual.drivers._writer_thread import WriterThread
 
 _log = logging.getLogger(__name__)
@@ -38,12 +44,23 @@ class Leaky:
         self.gone = False
         """Whether the terminal no longer accepts output."""
 
-    def write(self, text: str) -> int:
+    @property
+    def number(self) -> int | None:
+        """The descriptor of a terminal that takes bytes."""
+        return self._fd
+
+    @property
+    def encoding(self) -> str:
+        """The encoding of what is written."""
+        return self._encoding
+
+    def write(self, text: str | bytes) -> int:
         try:
+            data = text if isinstance(text, bytes) else text.encode(self._encoding, "replace")
             if self._fd is None:
-                self._file.write(text.encode(self._encoding, "replace").decode(self._encoding))
+                self._file.write(data.decode(self._encoding))
             elif not self.gone:
-                self._held += text.encode(self._encoding, "replace")
+                self._held += data
                 if len(self._held) > HELD:
                     self.flush()
         except (OSError, ValueError):  # hung up, or the file was closed
@@ -86,6 +103,82 @@ def _write_all(fd: int, data: bytes) -> None:
             select.select([], [fd], [], 1.0)
 
 
+class Shortcut:
+    """Writes to the terminal on the spot while nothing waits to be written and the terminal takes it."""
+
+    def __init__(self, file: Leaky) -> None:
+        self._file = file
+        self._fd = None if file.number is None else _second_descriptor(file.number)
+        self._lock = threading.Lock()
+        self._waiting = 0
+        """Texts that the thread has not written yet."""
+        self._frame: list[str] | None = None
+        """The pieces of a frame that is not complete."""
+
+    def take(self, text: str) -> str | bytes | None:
+        """Write a text, or keep it until its frame is complete; return what the thread has to write."""
+        if self._frame is not None:
+            self._frame.append(text)
+            if text != SYNC_END:
+                return None
+            text, self._frame = "".join(self._frame), None
+        elif text == SYNC_START:
+            self._frame = [text]
+            return None
+        return self._written(text)
+
+    def kept(self) -> str:
+        """What was kept of a frame that will not be completed."""
+        pieces, self._frame = self._frame or [], None
+        return "".join(pieces)
+
+    def _written(self, text: str) -> str | bytes | None:
+        with self._lock:
+            if self._waiting or self._fd is None or self._file.gone:
+                self._waiting += 1
+                return text
+            data = text.encode(self._file.encoding, "replace")
+            try:
+                written = os.write(self._fd, data)
+            except BlockingIOError:
+                written = 0
+            except OSError:
+                self._file.gone = True
+                return None
+            self._file.taken += written
+            if written == len(data):
+                return None
+            self._waiting += 1
+            return data[written:]
+
+    def done(self, texts: int) -> None:
+        """The thread has written so many of them."""
+        with self._lock:
+            self._waiting -= texts
+
+    def close(self) -> None:
+        """Let the thread write everything from now on."""
+        with self._lock:
+            fd, self._fd = self._fd, None
+        if fd is not None:
+            os.close(fd)
+
+
+def _second_descriptor(number: int) -> int | None:
+    """The same terminal opened once more, not blocking: the first one's mode is shared with other programs."""
+    if sys.platform == "win32":
+        return None
+    try:
+        fd = os.open(os.ttyname(number), os.O_WRONLY | os.O_NOCTTY | os.O_NONBLOCK)
+    except OSError:  # no terminal, or one of another file system
+        return None
+    if os.fstat(fd).st_rdev != os.fstat(number).st_rdev:
+        os.close(fd)
+        return None
+    return fd
+
+
+_shortcuts: WeakKeyDictionary[WriterThread, Shortcut] = WeakKeyDictionary()
 _leaving = threading.Event()
 _last_words: list[str] = []
 """What was written since then: it gives the terminal back, and is never thrown away."""
@@ -96,8 +189,9 @@ LAST_SECONDS = 1.0
 
 
 def install() -> None:
-    """Use this for every writer thread started from now on."""
+    """Use this for every writer thread made from now on."""
     if WriterThread.run is not _run:
+        WriterThread.__init__ = _init  # type: ignore[method-assign]
         WriterThread.run = _run  # type: ignore[method-assign]
         WriterThread.write = _write  # type: ignore[method-assign]
         WriterThread.stop = _stop  # type: ignore[method-assign]
@@ -108,31 +202,48 @@ def let_go() -> None:
     _leaving.set()
 
 
-_original_run = WriterThread.run
+_original_init = WriterThread.__init__
+
+
+def _init(self: WriterThread, file: IO[str]) -> None:
+    leaky = Leaky(file)
+    _original_init(self, leaky)  # type: ignore[arg-type]
+    _shortcuts[self] = Shortcut(leaky)
 
 
 def _run(self: WriterThread) -> None:
-    file = Leaky(self._file)
-    self._file = file  # type: ignore[assignment]
-    while True:
+    file, shortcut = self._file, _shortcuts[self]
+    assert isinstance(file, Leaky)
+    written = 0
+    while (text := self._queue.get()) is not None:
         try:
-            _original_run(self)
-            return
+            file.write(text)
+            written += 1
+            if self._queue.empty():
+                file.flush()
+                shortcut.done(written)
+                written = 0
         except Exception:
             _log.exception("writing to the terminal failed")
             file.gone = True
+    file.flush()
 
 
 def _write(self: WriterThread, text: str) -> None:
-    _put(self, text)
+    shortcut = _shortcuts[self]
+    if _leaving.is_set():
+        shortcut.close()
+        _put(self, shortcut.kept() + text)
+    elif (rest := shortcut.take(text)) is not None:
+        _put(self, rest)
 
 
-def _put(self: WriterThread, text: str | None) -> None:
-    if text is not None and _leaving.is_set():
+def _put(self: WriterThread, text: str | bytes | None) -> None:
+    if isinstance(text, str) and _leaving.is_set():
         _last_words.append(text)
     while True:
         try:
-            self._queue.put(text, timeout=FULL_SECONDS)
+            self._queue.put(text, timeout=FULL_SECONDS)  # type: ignore[arg-type]
             return
         except Full:
             if _leaving.is_set():
@@ -149,6 +260,10 @@ def _forget(queue: Queue[str | None]) -> None:
 
 
 def _stop(self: WriterThread) -> None:
+    shortcut = _shortcuts[self]
+    shortcut.close()
+    if kept := shortcut.kept():
+        _put(self, kept)
     _put(self, None)
     if not _leaving.is_set():
         self.join()

@@ -5,8 +5,10 @@ from __future__ import annotations
 import errno
 import io
 import os
+import select
 import threading
 import time
+import tty
 
 import pytest
 from textual.drivers._writer_thread import MAX_QUEUED_WRITES, WriterThread
@@ -97,3 +99,46 @@ def test_a_slow_terminal_gets_everything_that_gives_it_back(monkeypatch: pytest.
     os.close(ours)
     for number in range(2 * MAX_QUEUED_WRITES):
         assert f"<mode {number} off>".encode() in got
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+def test_a_whole_frame_is_written_at_once_where_it_is_made() -> None:
+    output.install()
+    ours, theirs = os.openpty()
+    tty.setraw(theirs)
+    with open(theirs, "w", encoding="utf-8", closefd=False) as file:
+        writer = WriterThread(file)  # not even started: the thread is not needed
+        for text in ("\x1b[?2026h", "\x1b[3;4Hturtle", "\x1b[1;1H"):
+            writer.write(text)
+        assert not select.select([ours], [], [], 0)[0]
+        writer.write("\x1b[?2026l")
+        assert os.read(ours, 1000) == b"\x1b[?2026h\x1b[3;4Hturtle\x1b[1;1H\x1b[?2026l"
+        writer.write("bell")
+        assert os.read(ours, 1000) == b"bell"
+        writer.start()
+        writer.stop()
+    os.close(ours)
+    os.close(theirs)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+def test_what_a_full_terminal_does_not_take_follows_in_order() -> None:
+    output.install()
+    ours, theirs = os.openpty()
+    tty.setraw(theirs)
+    got = bytearray()
+    with open(theirs, "w", encoding="utf-8", closefd=False) as file:
+        writer = WriterThread(file)
+        writer.start()
+        frames = [f"<{number}:{'海' * 4000}>" for number in range(20)]
+        for frame in frames:
+            writer.write(frame)
+        while len(got) < len("".join(frames).encode()):
+            got += os.read(ours, 65536)
+        writer.write("after")
+        assert select.select([ours], [], [], 5)[0]
+        got += os.read(ours, 100)
+        writer.stop()
+    os.close(ours)
+    os.close(theirs)
+    assert got.decode() == "".join(frames) + "after"
