@@ -67,9 +67,14 @@ def textual_version() -> str:
     return next((folder.name.split("-")[1].removesuffix(".dist") for folder in folders if folder.is_dir()), "")
 
 
+def is_checked() -> bool:
+    """Whether this version of Textual is one whose private parts are known."""
+    return textual_version().startswith(CHECKED_VERSION)
+
+
 def install() -> bool:
     """Replace the method if this version of Textual was checked; return whether it did."""
-    if not textual_version().startswith(CHECKED_VERSION):
+    if not is_checked():
         return False
     from textual._compositor import ChopsUpdate
 

@@ -21,6 +21,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from day6_tui.tui.cells import cell_len, clip, harmless
+from day6_tui.tui.frame_screen import FrameScreen
 from day6_tui.tui.look import Look
 from day6_tui.tui.survival import survive
 
@@ -225,7 +226,7 @@ class Pane(Widget, can_focus=True):
                 self._strips.pop(line + offset, None)
                 regions.append(Region(first + offset, line + offset, min(end, width) - first, 1))
         if regions:
-            self.refresh(*regions)
+            self._mark(regions)
 
     def touch_frame(self) -> None:
         """Title and status may look different now."""
@@ -247,6 +248,12 @@ class Pane(Widget, can_focus=True):
             spans = [(0, width)] if old is None else differences(old, new)
             regions += [Region(first, y, end - first, 1) for first, end in spans]
         if regions:
+            self._mark(regions)
+
+    def _mark(self, regions: list[Region]) -> None:
+        """Have these parts drawn: at the end of the frame in which they changed, else when Textual comes to it."""
+        screen = self.screen if self._is_mounted else None
+        if not (isinstance(screen, FrameScreen) and screen.mark(self, regions)):
             self.refresh(*regions)
 
     # -- drawing -------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from textual.driver import Driver
@@ -10,6 +10,7 @@ from textual.filter import LineFilter
 from textual.geometry import Size
 from textual.screen import Screen
 
+from day6_tui.tui.frame_screen import FrameScreen
 from day6_tui.tui.keyboard import sturdy
 from day6_tui.tui.pixels.app import PictureApp
 from day6_tui.tui.poor_terminals import filters_for
@@ -18,7 +19,7 @@ WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""
 
 
-class DeskScreen(Screen[None]):
+class DeskScreen(FrameScreen):
     """Textual's screen, whose own background is never seen."""
 
     BLANK = True
@@ -51,6 +52,17 @@ class TerminalApp(PictureApp):
 
     def get_default_screen(self) -> Screen[Any]:
         return DeskScreen(id="_default")
+
+    def draw_in_frame(self, pull: Callable[[], bool]) -> bool:
+        """Let panes pull what is new and draw it at once; returns what `pull` does."""
+        screen = self.screen
+        if not isinstance(screen, FrameScreen):
+            return pull()
+        screen.begin_frame()
+        try:
+            return pull()
+        finally:
+            screen.end_frame()
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         return [*super().get_line_filters(), *filters_for(self.look)]
