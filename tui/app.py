@@ -83,6 +83,9 @@ DEFAULT_FPS = 30.0
 TITLE_SECONDS = 0.2
 """Between two looks whether titles have changed: that costs as much as a moving turtle."""
 
+BAR_SECONDS = 0.1
+"""Between two looks whether the bars have changed."""
+
 WHILE_ASKED = ("help", "language", "theme", "glyphs", "detach", "copy")
 """What keys may do while a question waits for its answer."""
 
@@ -148,6 +151,8 @@ class Day6App(TerminalApp):
             self.draw_frame, fps, work=self.read_flood, congested=self.is_congested, failed=self.frame_failed
         )
         look.wake = self.frames.wake
+        self._barred = 0.0
+        """When the bars were looked at last."""
         self._titled = 0.0
         """When the titles of the panes were looked at last."""
         self.machine = machine = Machine(desk, wake=self.frames.wake)
@@ -382,13 +387,22 @@ class Day6App(TerminalApp):
         self.recording.advance()
         if self.detachment.away:
             return self.notices.expire(now) or again
-        if machine.desk is not None:
-            again = self._pull(now) or again
+        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
+        self.send_pictures()
+        return again
+
+    def _pull_all(self, now: float) -> bool:
+        again = False
+        if self.machine.desk is not None:
+            again = self._pull(now)
             self.desktop.yield_to_full_terminals()
         again = self.notices.expire(now) or again
-        self.top.pull(now)
-        self.bottom.pull(now)
-        self.send_pictures()
+        if not self.frames.rate or now - self._barred >= BAR_SECONDS:
+            self._barred = now
+            self.top.pull(now)
+            self.bottom.pull(now)
+        else:
+            self.frames.wake_after(self._barred + BAR_SECONDS - now)
         return again
 
     def _pull(self, now: float) -> bool:

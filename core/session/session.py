@@ -174,8 +174,8 @@ class Session:
         self._ros_wake.clear()
         self.executor._run_ready()
 
-    async def rest(self, ticks: Ticks, periods: int) -> int:
-        """Let at most `periods` of `ticks` pass at once, for a program that has nothing to do in them; return how many passed.
+    async def rest(self, ticks: Ticks, periods: int) -> range:
+        """Let at most `periods` of `ticks` pass at once, for a program whom nobody waits for; return their times (steady ns).
 
         Fewer do as soon as something comes for the program's nodes, or the graph changes: somebody may listen now. `ticks` then
         goes on with the next one, at its time. Call it after `spin_some`.
@@ -183,7 +183,7 @@ class Session:
         if self._stirs is None and (graph := self.graph) is not None:
             self._stirs = graph.add_listener(lambda event: self._ros_wake.set())
             self.defer(self._stirs)
-            return 0  # what has changed so far is known only to those who look again
+            return range(0)  # what has changed so far is known only to those who look again
         return await ticks.rest(periods, self._ros_wake, self.executor._next_deadline())
 
     async def _spin_while(self, condition: Callable[[], bool], until_ns: int | None) -> None:
@@ -362,14 +362,15 @@ class Ticks:
         await sleep_until(self._next)
         return self._count
 
-    async def rest(self, periods: int, wake: Signal, until_ns: int | None = None) -> int:
-        """Wait until the tick after `periods` more ones, or `wake` is set, or `until_ns`; return how many were passed over."""
+    async def rest(self, periods: int, wake: Signal, until_ns: int | None = None) -> range:
+        """Wait until the tick after `periods` more ones, or `wake` is set, or `until_ns`; return the times of those passed."""
         end = self._next + (periods + 1) * self._period
         await wait_for(wake, end if until_ns is None else min(end, until_ns))
         passed = max(0, min(periods, (self._clock.steady_ns() - self._next) // self._period))
+        first = self._next + self._period
         self._next += passed * self._period
         self._count += passed
-        return passed
+        return range(first, self._next + 1, self._period)
 
 
 Main = Callable[[Session], Coroutine[Any, Any, "int | None"]]

@@ -63,8 +63,8 @@ PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST
 SCENES = {
     "welcome": Scene((), _wait(4), size=(80, 24)),
     "standing": Scene(("--scene", "empty"), _type((TURTLE, 4))),
-    "driving": Scene(("--scene", "empty"), _type((TURTLE, 3), (PUBLISH, 4))),
-    "dense": Scene(("--scene", "empty"), _type((TURTLE, 3), (DENSE + "\n", 8), (PUBLISH, 4))),
+    "driving": Scene(("--scene", "empty"), _type((TURTLE, 3), (PUBLISH, 12))),
+    "dense": Scene(("--scene", "empty"), _type((TURTLE, 3), (DENSE + "\n", 8), (PUBLISH, 12))),
     "four": Scene(("--scene", "turtle"), _wait(11)),
     "held": Scene(("--scene", "turtle"), _wait(11), held=tuple(HELD)),
     "rviz": Scene(

@@ -145,6 +145,8 @@ async def test_pausing_lets_the_turtle_stand_in_mid_drive(tmp_path) -> None:
         await until(app, pilot, lambda: "v 2.0" in screen_text(app))
         await pilot.press("f9")
         await until(app, pilot, _shows(app, "paused"))
+        (turtle,) = app.machine.windows()[0].model.scene.turtles
+        await until(app, pilot, _shows(app, f"x {turtle.x:.2f}"))  # numbers follow ten times a second
         here = [line for line in screen_lines(app) if "θ" in line]
         for _ in range(5):
             app.frames.step()

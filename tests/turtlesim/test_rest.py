@@ -21,9 +21,9 @@ def worked(monkeypatch: pytest.MonkeyPatch) -> list[TurtleFrame]:
     ticks: list[TurtleFrame] = []
     tick = TurtleFrame.tick
 
-    def counted(frame: TurtleFrame) -> None:
+    def counted(frame: TurtleFrame, now: int | None = None) -> None:
         ticks.append(frame)
-        tick(frame)
+        tick(frame, now)
 
     monkeypatch.setattr(TurtleFrame, "tick", counted)
     return ticks

@@ -193,8 +193,10 @@ class TurtleSimPane(WindowPane["Simulation"]):
             if drawn:
                 _shrink(image, canvas, range(canvas.width), range(canvas.height))
         else:
+            # A block that has the only ink there is keeps it.
+            settled = len(trail.inks) == 1
             for segment in segments:
-                _shrink(image, canvas, *_blocks(segment, canvas))
+                _shrink(image, canvas, *_blocks(segment, canvas), settled=settled)
         self._generation, self._drawn = generation, drawn
         return canvas
 
@@ -240,14 +242,14 @@ class TurtleSimPane(WindowPane["Simulation"]):
 
     def _touch_texts(self, now: float) -> set[int]:
         """Compare the status line, and what stands beside the world, with what is shown; the lines that were compared."""
-        status = [piece.text for piece in self.status()]
-        if status != self._shown_status:
-            self._shown_status = status
-            self.touch_status()
         self._side_late = now - self._side_at < SIDE_SECONDS
         if self._side_late:
             return set()
         self._side_at = now
+        status = [piece.text for piece in self.status()]
+        if status != self._shown_status:
+            self._shown_status = status
+            self.touch_status()
         before, self._side = self._side, self._side_now()
         place = self._side_place()
         if place is None:
@@ -354,34 +356,45 @@ def _blocks(stroke: Stroke, canvas: Canvas) -> tuple[range, range]:
     return span(stroke.x0, stroke.x1, canvas.width), span(stroke.y0, stroke.y1, canvas.height)
 
 
-def _shrink(image: memoryview, canvas: Canvas, columns: range, rows: range) -> None:
+def _shrink(image: memoryview, canvas: Canvas, columns: range, rows: range, *, settled: bool = False) -> None:
     """Set pixels of the canvas from their blocks of the path image (one number 0xAARRGGBB per pixel, 0 undrawn).
+
+    With `settled` those that have a colour already are left out.
 
     A block has the colour of the ink in the diamond between the middles of its sides: a line that passes through a block
     crosses the diamond, one that only clips a corner does not, so thin lines stay thin and unbroken.
     """
     if not columns or not rows:
         return
-    xs = [x * SIZE // canvas.width for x in range(canvas.width + 1)]
-    ys = [y * SIZE // canvas.height for y in range(canvas.height + 1)]
-    left, right = xs[columns.start], xs[columns.stop]
-    owner = [x for x in columns for _ in range(xs[x], xs[x + 1])]
+    width, background = canvas.width, canvas.background
     for y in rows:
-        top, height = ys[y], ys[y + 1] - ys[y]
-        lines = []
-        inked: set[int] = set()
-        for offset in range(height):
-            line = image[(top + offset) * SIZE + left : (top + offset) * SIZE + right].tolist()
-            if any(line):
-                lines.append((1 - abs(2 * offset + 1 - height) / (height + 1), line))
-                inked.update([x for x, value in zip(owner, line, strict=True) if value])
-        # Blocks without ink need no check: within one generation of the trail, ink is only added.
-        for x in inked:
-            half = (xs[x + 1] - xs[x]) / 2
-            middle = xs[x] - left + half
-            ink: list[int] = []
-            for part, line in lines:
-                reach = max(0.5, half * part)
-                ink += [value for value in line[int(middle - reach + 0.5) : int(middle + reach + 0.5)] if value]
-            if ink:
-                canvas.set_base(x, y, max(set(ink), key=ink.count) & _RGB)
+        wanted = columns
+        if settled:
+            free = [x for x in columns if canvas.base[y * width + x] == background]
+            if not free:
+                continue
+            wanted = range(free[0], free[-1] + 1)
+        _shrink_row(image, canvas, y, wanted)
+
+
+def _shrink_row(image: memoryview, canvas: Canvas, y: int, columns: range) -> None:
+    xs = [x * SIZE // canvas.width for x in range(columns.start, columns.stop + 1)]
+    top, bottom = y * SIZE // canvas.height, (y + 1) * SIZE // canvas.height
+    left, right, height = xs[0], xs[-1], bottom - top
+    lines = []
+    inked: set[int] = set()
+    for offset in range(height):
+        line = image[(top + offset) * SIZE + left : (top + offset) * SIZE + right].tolist()
+        if any(line):
+            lines.append((1 - abs(2 * offset + 1 - height) / (height + 1), line))
+            inked.update(x for x in range(len(columns)) if any(line[xs[x] - left : xs[x + 1] - left]))
+    # Blocks without ink need no check: within one generation of the trail, ink is only added.
+    for x in inked:
+        half = (xs[x + 1] - xs[x]) / 2
+        middle = xs[x] - left + half
+        ink: list[int] = []
+        for part, line in lines:
+            reach = max(0.5, half * part)
+            ink += [value for value in line[int(middle - reach + 0.5) : int(middle + reach + 0.5)] if value]
+        if ink:
+            canvas.set_base(columns.start + x, y, max(set(ink), key=ink.count) & _RGB)

@@ -32,6 +32,9 @@ TICKS_BETWEEN_LOOKS = 16
 REST = 31
 """Ticks in which nothing can happen that are passed over at once, about half a second."""
 
+GLIDE = 1
+"""Ticks of a moving turtle, whom nobody hears, that are made up for at the next one: the eye sees no more than 30 a second."""
+
 
 class TurtleFrame:
     """The node and its world; `tick()` is one period."""
@@ -63,23 +66,32 @@ class TurtleFrame:
         node.get_logger().info(f"Starting turtlesim with node name {name}")
         self._add_turtle("", *model.CENTRE, 0.0)
 
-    def tick(self) -> None:
-        """Move every turtle by one period and publish where it is."""
+    def tick(self, now: int | None = None) -> None:
+        """Move every turtle by one period and publish where it is. `now` is the time of a tick that is made up for."""
         interfaces = self._interfaces
         for interface in interfaces.values():
             interface.before_step()
-        for turtle, step in self.simulation.tick(self._now_ns()):
+        for turtle, step in self.simulation.tick(self._now_ns() if now is None else now):
             interfaces[turtle.name].publish(step)
 
     @property
-    def may_rest(self) -> bool:
-        """Whether nothing moves and nobody hears that, so that a tick more or less at a time makes no difference."""
-        return self.simulation.rests and not any(each.is_attended for each in self._interfaces.values())
+    def patience(self) -> int:
+        """How many ticks may pass before anybody could tell that they were not lived through one by one."""
+        if any(each.is_attended for each in self._interfaces.values()):
+            return 0
+        if self.simulation.rests:
+            return REST
+        # Ticks that are made up for have the world's times.
+        return GLIDE if self.simulation.glides(GLIDE + 1) and not self.node.get_clock()._is_simulated() else 0
 
-    def pass_over(self, ticks: int) -> None:
-        """Live through so many ticks in which nothing happens."""
-        for interface in self._interfaces.values():
-            interface.publish_unheard(ticks)
+    def make_up_for(self, ticks: range) -> None:
+        """Live through ticks that have passed, given by their times; nobody has heard them."""
+        if self.simulation.rests:
+            for interface in self._interfaces.values():
+                interface.publish_unheard(len(ticks))
+        else:
+            for now in ticks:
+                self.tick(now)
 
     def look_around(self) -> None:
         """Let the window know who drives the turtles."""
@@ -150,10 +162,10 @@ async def main(session: Session) -> int:
             if window is not None and tick - looked >= TICKS_BETWEEN_LOOKS:
                 looked = tick
                 frame.look_around()
-            if frame.may_rest:
-                passed = await session.rest(ticks, REST)
-                frame.pass_over(passed)
-                if passed < REST:  # the graph may have changed
+            if patience := frame.patience:
+                passed = await session.rest(ticks, patience)
+                frame.make_up_for(passed)
+                if len(passed) < patience:  # the graph may have changed
                     looked = -TICKS_BETWEEN_LOOKS
     except InvalidTopicNameException as error:
         # A turtle spawned by a name that no topic can have.

@@ -118,6 +118,10 @@ class Simulation:
         self.background = (r, g, b)
         self._refresh()
 
+    def glides(self, ticks: int) -> bool:
+        """Whether so many ticks only move turtles: none hits a wall, or turns to a goal whose client wants news."""
+        return all(turtle.glides(ticks) for turtle in self.turtles.values())
+
     def tick(self, now: int) -> list[tuple[Turtle, Step]]:
         """Let every turtle live through one tick, in the order of their names. The very first tick does nothing."""
         if not self._started:

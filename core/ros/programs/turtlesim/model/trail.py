@@ -51,6 +51,8 @@ class Trail:
     def __init__(self) -> None:
         self.generation = 0
         self.drawn = 0
+        self.inks: set[int] = set()
+        """The colours of all lines since then, as 0xRRGGBB."""
         self._recent: list[tuple[int, Segment] | None] = [None] * RECENT
         self.pixels = _blank()
 
@@ -60,6 +62,7 @@ class Trail:
         self.pixels = _blank()
         self._recent = [None] * RECENT
         self.drawn = 0
+        self.inks = set()
         self.generation += 1
 
     def colour_at(self, x: float, y: float) -> tuple[int, int, int]:
@@ -75,6 +78,7 @@ class Trail:
         """Draw from (x0, y0) to (x1, y1), in pixels; infinite or undefined ends draw nothing."""
         if not (abs(x0) <= _FAR and abs(y0) <= _FAR and abs(x1) <= _FAR and abs(y1) <= _FAR):
             return
+        self.inks.add(rgb)
         (self._fill if width > 1 else self._trace)(x0, y0, x1, y1, rgb | _OPAQUE, width)
         number = self.drawn
         self._recent[number % RECENT] = number, Segment(x0, y0, x1, y1, rgb, width)

@@ -158,6 +158,12 @@ class Turtle:
         driven = self.velocity_x or self.velocity_y or self.velocity_angular
         return not (driven or self._teleports or self.rotation is not None)
 
+    def glides(self, ticks: int) -> bool:
+        """Whether so many ticks can do no more than move it: it stays away from the walls and does not turn to a goal."""
+        way = (abs(self.velocity_x) + abs(self.velocity_y)) * TICK * ticks
+        inside = way < self.x < WIDTH - way and way < self.y < HEIGHT - way
+        return inside and self.rotation is None and not self._teleports
+
     def step(self, now: int, trail: Trail) -> Step:
         """Live through one tick that ends at `now` (nanoseconds), drawing on `trail`."""
         changed = bool(self._teleports)
