@@ -31,6 +31,10 @@ class Bar(Pane, can_focus=False):
     def background(self) -> Style:
         return self.look.colours.bar
 
+    def restyle(self) -> None:
+        self._shown = None
+        super().restyle()
+
     def pull(self, now: float) -> bool:
         pieces = self._source(self.extent.width)
         if pieces != self._shown:

@@ -14,7 +14,10 @@ import time
 from collections.abc import Callable
 
 SLOWEST = 4.0
-"""Frames per second that are drawn on the slowest machine and link."""
+"""Frames per second that are drawn on the slowest link, and where nobody looks."""
+
+BUSIEST = 8.0
+"""Frames per second on a machine that is too busy for more: what moves is still seen to move."""
 
 
 class Frames:
@@ -140,10 +143,10 @@ class Frames:
             self._due = self._later or self._due
         now = time.monotonic()
         if self._congested():
-            self._adapt(self._period)
+            self._adapt(self._period, SLOWEST)
             self._plan(now + self._period)
             return
-        self._adapt(now - self._due)
+        self._adapt(now - self._due, BUSIEST)
         if self._woken:
             try:
                 self.step()
@@ -182,10 +185,10 @@ class Frames:
         if delay is not None:
             self._plan_slice(delay)
 
-    def _adapt(self, late: float) -> None:
-        """Halve the rate when frames come late by most of a period, double it after two calm seconds."""
+    def _adapt(self, late: float, least: float) -> None:
+        """Halve the rate, down to `least`, when frames come late by most of a period; double it after two calm seconds."""
         if late > 0.8 * self._period and late > 0.02:
-            self._period = min(self._period * 2, 1.0 / SLOWEST)
+            self._period = max(self._period, min(self._period * 2, 1.0 / least))
             self._calm = 0
         else:
             self._calm += 1

@@ -121,6 +121,16 @@ def test_where_nobody_looks_there_are_few_frames_until_somebody_comes(monkeypatc
     assert 28 <= frames.drawn - before <= 32
 
 
+def test_on_a_busy_machine_there_are_fewer_frames_but_eight(monkeypatch) -> None:
+    frames, loop = _frames(monkeypatch, lambda: True)
+    usual = loop.call_later
+    # Somebody else has the processor whenever a frame is due.
+    monkeypatch.setattr(loop, "call_later", lambda delay, *rest, **more: usual(delay + 0.2, *rest, **more))
+    frames.wake()
+    loop.run(3.0)
+    assert frames.rate == pytest.approx(8.0)
+
+
 def test_a_terminal_that_does_not_take_its_output_is_left_in_peace(monkeypatch) -> None:
     stuck = True
     frames, loop = _frames(monkeypatch, lambda: True, congested=lambda: stuck)
