@@ -55,7 +55,11 @@ class Screen:
                 os.chdir(cwd)
             set_window_size(0, columns, rows)
             variables = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8", **env}
-            os.execvpe(command[0], command, {name: value for name, value in variables.items() if value is not None})
+            self.become(command, {name: value for name, value in variables.items() if value is not None})
+
+    def become(self, command: list[str], env: dict[str, str]) -> None:
+        """Go on as the command, in the new process; does not return."""
+        os.execvpe(command[0], command, env)
 
     def __enter__(self) -> Screen:
         return self
@@ -148,6 +152,11 @@ class Screen:
             with contextlib.suppress(OSError), open(f"/proc/{self.pid}/task/{task}/schedstat") as file:
                 total += int(file.read().split()[0])
         return total / 1e9
+
+    def pss_mb(self) -> float:
+        """Memory of the process in MB, what it shares with others counted by halves, thirds and so on."""
+        with open(f"/proc/{self.pid}/smaps_rollup") as file:
+            return next(int(line.split()[1]) / 1024 for line in file if line.startswith("Pss:"))
 
     def rss_mb(self) -> float:
         """Resident memory of the process in MB."""

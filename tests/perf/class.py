@@ -1,0 +1,275 @@
+"""Measures a class on this machine: kept desktops, one a pupil, each looked at in a tab of 120x40. One table.
+
+    python tests/perf/class.py [--pupils 1 8 16 30] [--seconds S] [--no-bomb]
+
+Every pupil has a home folder and a domain of his own; a tab speaks to the desktop's keeper as `day6-tui attach` does, without a
+terminal of its own. For each number of pupils: memory (PSS of desktop and keeper), the seconds until all are started and until
+one is seen again after a reload, CPU of a session with the turtle standing and driving (ten commands a second), bytes for a
+tab, and the milliseconds from a key to its echo in one tab, while the turtles of the others stand, while all drive, and beside a
+pupil's fork bomb of 200 processes at most, which ends by itself. Same user for all, without isolation. Linux only.
+
+Below: how many pupils fit, by CPU (a core is 70 % full at most, half of the class drives) and by memory (1 GB for the rest).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import select
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+RUNTIME = tempfile.mkdtemp(prefix="day6-class-")
+os.environ["DAY6_RUNTIME_DIR"] = RUNTIME
+
+from bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
+
+from day6_tui.tui.detached import meeting, view, wire  # noqa: E402
+
+SIZE = [40, 120, 0, 0]
+PUBLISH = f"ros2 topic pub -r 10 /turtle1/cmd_vel geometry_msgs/msg/Twist {TWIST} > /dev/null &\n"
+KEYS = "zqwj"
+"""Letters that nothing on the screen shows by itself."""
+ECHOES = 40
+BOMB_SECONDS, BOMB_PROCESSES = 15, 200
+BOMB = f"""
+import os, time
+end = time.time() + {BOMB_SECONDS}
+made = 1
+while made < {BOMB_PROCESSES} and os.fork():
+    made += 1
+while time.time() < end:
+    pass
+"""
+"""Forks until there are 200, and every one of them keeps a core busy."""
+FULL, DRIVING, REST_GB = 0.7, 0.5, 1.0
+
+
+class Pupil:
+    """One kept desktop and the tab that shows it."""
+
+    def __init__(self, number: int) -> None:
+        self.home = Path(tempfile.mkdtemp(prefix="day6-class-"))
+        (self.home / "bomb.py").write_text(BOMB, encoding="utf-8")
+        env = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", "LANG": "C.UTF-8"}
+        command = [sys.executable, "-m", "day6_tui.tui.main", "--detach", "--home", str(self.home), "--lang", "en"]
+        self.began = time.perf_counter()
+        self.starting = subprocess.Popen(
+            [*command, "--scene", "empty"],
+            env={**env, "ROS_DOMAIN_ID": str(number)},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+        )
+        self.output = bytearray()
+        self.received = 0
+        self.line: wire.Line | None = None
+
+    def started(self) -> float:
+        """Wait for the desktop; the seconds since it was asked for."""
+        if self.starting.wait(120):
+            raise RuntimeError("a desktop did not start")
+        seconds = time.perf_counter() - self.began
+        self.processes = [
+            int(folder.name)
+            for folder in Path("/proc").iterdir()
+            if folder.name.isdecimal() and os.fsencode(self.home) in _command_of(folder)
+        ]
+        return seconds
+
+    def open(self) -> float:
+        """Open a tab, as a reload does; the seconds until the whole screen was sent."""
+        if self.line is not None:
+            self.line.close()
+        began = last = time.perf_counter()
+        connection = meeting.connect(self.home)
+        assert connection is not None, "the keeper does not answer"
+        self.line = wire.Line(connection)
+        self.line.send(wire.HELLO, view.hello(SIZE))
+        self.output.clear()
+        while time.perf_counter() - began < 20:
+            if select.select([self.line], [], [], 0.15)[0]:
+                self.take()
+                last = time.perf_counter()
+            elif len(self.output) > 1500:
+                return last - began
+        raise TimeoutError(bytes(self.output[-300:]))
+
+    def take(self) -> None:
+        """Read what has come."""
+        assert self.line is not None
+        for kind, data in self.line.receive():
+            if kind == wire.OUTPUT:
+                self.output += data
+                self.received += len(data)
+
+    def type(self, text: str) -> None:
+        assert self.line is not None
+        self.line.send(wire.INPUT, text.encode())
+
+    def cpu_seconds(self) -> float:
+        """What desktop and keeper have used."""
+        return sum(
+            int((task / "schedstat").read_text().split()[0]) / 1e9
+            for process in self.processes
+            for task in Path(f"/proc/{process}/task").iterdir()
+        )
+
+    def pss_mb(self) -> float:
+        """The memory of both."""
+        found = 0.0
+        for process in self.processes:
+            lines = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+            found += next(int(line.split()[1]) for line in lines if line.startswith("Pss:")) / 1024
+        return found
+
+    def end(self) -> None:
+        """End the desktop, and wait for it."""
+        if self.line is not None:
+            self.line.close()
+        for process in self.processes:
+            if _is_alive(process):
+                os.kill(process, signal.SIGTERM)
+        deadline = time.monotonic() + 20
+        while any(_is_alive(process) for process in self.processes) and time.monotonic() < deadline:
+            time.sleep(0.05)
+
+
+def _command_of(folder: Path) -> bytes:
+    try:
+        return (folder / "cmdline").read_bytes()
+    except OSError:
+        return b""
+
+
+def _is_alive(process: int) -> bool:
+    return bool(_command_of(Path(f"/proc/{process}")))
+
+
+def look(pupils: list[Pupil], seconds: float) -> None:
+    """Let all tabs read for so long."""
+    lines = {each.line.fileno(): each for each in pupils if each.line is not None}
+    deadline = time.perf_counter() + seconds
+    while (left := deadline - time.perf_counter()) > 0:
+        for number in select.select(list(lines), [], [], left)[0]:
+            lines[number].take()
+
+
+def usage(pupils: list[Pupil], seconds: float) -> tuple[float, float]:
+    """Mean CPU in percent of a core, and bytes a second, of one session."""
+    cpu, received = sum(each.cpu_seconds() for each in pupils), sum(each.received for each in pupils)
+    began = time.perf_counter()
+    look(pupils, seconds)
+    seconds = (time.perf_counter() - began) * len(pupils)
+    used = sum(each.cpu_seconds() for each in pupils) - cpu
+    return 100 * used / seconds, (sum(each.received for each in pupils) - received) / seconds
+
+
+def echoes(pupils: list[Pupil], count: int = ECHOES, most: float = 60.0) -> tuple[float, float]:
+    """Type into the first tab while all read: milliseconds to the echo, median and the worst but one in twenty."""
+    typist, times, began = pupils[0], [], time.perf_counter()
+    for number in range(count):
+        key = KEYS[number % len(KEYS)]
+        look(pupils, 0.1)
+        typist.output.clear()
+        sent = time.perf_counter()
+        typist.type(key)
+        while key.encode() not in typist.output and time.perf_counter() - sent < 10:
+            look(pupils, 0.002)
+        times.append(1000 * (time.perf_counter() - sent))
+        if time.perf_counter() - began > most:
+            break
+    typist.type("\x15")  # Ctrl-U
+    return statistics.median(times), statistics.quantiles(times, n=20)[-1]
+
+
+def a_class(count: int, seconds: float, bomb: bool) -> list[str]:
+    """Measure so many pupils; the cells of the row, and the figures for the extrapolation at the end."""
+    began = time.perf_counter()
+    pupils = [Pupil(number) for number in range(1, count + 1)]
+    try:
+        for pupil in pupils:
+            pupil.started()
+        all_started = time.perf_counter() - began
+        for pupil in pupils:
+            pupil.open()
+        look(pupils, 1)
+        for pupil in pupils:
+            pupil.type(TURTLE)
+        look(pupils, 4 + count / 8)
+        memory = statistics.mean(each.pss_mb() for each in pupils)
+        standing, _ = usage(pupils, seconds)
+        alone = echoes(pupils)
+        reloads = [pupil.open() for pupil in pupils]
+        for pupil in pupils:
+            pupil.type(PUBLISH)
+        look(pupils, 4 + count / 8)
+        driving, sent = usage(pupils, seconds)
+        drives = echoes(pupils)
+        beside = "-"
+        if bomb and count > 1:
+            pupils[-1].type("python3 bomb.py\n")
+            look(pupils, 3)
+            beside = "{:.0f} / {:.0f}".format(*echoes(pupils, most=BOMB_SECONDS - 4))
+            look(pupils, BOMB_SECONDS / 2)
+        RESULTS[count] = standing, driving, memory
+        return [
+            str(count),
+            f"{memory:.1f}",
+            f"{standing:.2f}",
+            f"{driving:.2f}",
+            f"{sent:.0f}",
+            f"{all_started:.1f}",
+            f"{statistics.median(reloads):.2f} / {max(reloads):.2f}",
+            "{:.0f} / {:.0f}".format(*alone),
+            "{:.0f} / {:.0f}".format(*drives),
+            beside,
+        ]
+    finally:
+        for pupil in pupils:
+            pupil.end()
+
+
+RESULTS: dict[int, tuple[float, float, float]] = {}
+HEADS = (
+    "pupils",
+    "PSS MB each",
+    "CPU % standing",
+    "driving",
+    "bytes/s a tab",
+    "all started s",
+    "reload s median / worst",
+    "key ms p50 / p95, others stand",
+    "all drive",
+    "beside a fork bomb",
+)
+
+
+def main() -> int:
+    """Print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--pupils", type=int, nargs="+", default=[1, 8, 16, 30], metavar="N")
+    parser.add_argument("--seconds", type=float, default=8.0)
+    parser.add_argument("--no-bomb", action="store_true")
+    options = parser.parse_args()
+    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
+    print(f"| {' | '.join(HEADS)} |\n|{' --- |' * len(HEADS)}")
+    for count in options.pupils:
+        print(f"| {' | '.join(a_class(count, options.seconds, not options.no_bomb))} |", flush=True)
+    standing, driving, memory = RESULTS[max(RESULTS)]
+    mixed = DRIVING * driving + (1 - DRIVING) * standing
+    print(
+        f"\nBy the figures with {max(RESULTS)} pupils: half of them driving, a session takes {mixed:.1f} % of a core."
+    )
+    for cores, gigabytes in ((2, 4), (4, 8)):
+        by_cpu, by_memory = cores * 100 * FULL / mixed, (gigabytes - REST_GB) * 1024 / memory
+        print(f"{cores} cores, {gigabytes} GB: {by_cpu:.0f} pupils by CPU, {by_memory:.0f} by memory.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
