@@ -131,7 +131,7 @@ class Lessons:
         if event.what == "terminal":
             self.back_to_work()
         elif event.what == "opened" and (lesson := self.pane) is not None and lesson.takes_focus:
-            self._desktop.go_to_pane(lesson)  # something has to be chosen there
+            self._desktop.focus_pane(lesson)  # something has to be chosen there; what is open over it stays
 
     @property
     def where(self) -> str:

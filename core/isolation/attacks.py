@@ -11,7 +11,6 @@ import ctypes
 import json
 import os
 import select
-import signal
 import socket
 import sys
 from collections.abc import Callable
@@ -188,7 +187,7 @@ ATTACKS: dict[str, dict[str, Callable[[Victim], bool]]] = {
         "cwd": _proc("cwd"),
     },
     "processes": {
-        "signal": _signal(signal.SIGCONT),
+        "signal": _signal(18),  # SIGCONT; Windows has no name for it
         "kill_0": _signal(0),
         "kill_server": _signal_server,
         "ptrace": _trace,

@@ -232,7 +232,9 @@ def test_the_keyboard_is_where_the_step_is_done(place: Place, lang: str, size: t
         screen.wait(texts("lesson.step", number=3, all=4), keyboard_at(title))  # there is only something to choose
         screen.press("Left")
         screen.wait(texts("lesson.step", number=2, all=4), seen_whole(texts("lesson.done_before")))
-        screen.press("Right", "a", "Enter")
+        screen.press("Right")
+        screen.wait(texts("lesson.step", number=3, all=4))  # an answer is one to the question that is seen
+        screen.press("a", "Enter")
         screen.wait(seen_whole(texts("lesson.solved", key="Enter")))
         screen.press("Enter")
         screen.wait(texts("lesson.step", number=4, all=4), keyboard_at("1 ~"))  # there is something to be typed

@@ -158,6 +158,10 @@ ALLOWED = {
     "core/ros/executables.py": "commands for PATH, in a new folder that gets its name when it is whole",
     "core/lessons/grading/archive.py": "unpacks into a temporary folder",
     "core/lessons/grading/shield.py": "not files: what the kernel reads in /proc",
+    "core/isolation/attacks.py": "what one cell tries on another; the files are its own, in a folder of the trial's",
+    "core/isolation/enter.py": "writes no file: the umask of the pupil's program, which it becomes",
+    "core/isolation/groups.py": "not files: control groups",
+    "core/isolation/trial.py": "in a temporary folder of its own",
     "core/link/paths.py": "the link knows nothing of the rest; its folder is private",
 }
 
