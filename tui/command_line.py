@@ -40,7 +40,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     options.add_argument("--fps", type=_frame_rate, metavar="N", help=texts("cli.fps"))
     options.add_argument("--reduced-motion", action="store_true", help=texts("cli.reduced_motion"))
     options.add_argument("--home", type=Path, metavar="DIR", help=texts("cli.home"))
-    options.add_argument("--lessons", type=_folder, metavar="DIR", help=texts("cli.lessons"))
+    options.add_argument("--lessons", type=folder, metavar="DIR", help=texts("cli.lessons"))
     options.add_argument("--lesson", metavar="NAME", help=texts("cli.lesson"))
     options.add_argument("--demo", action="store_true", help=argparse.SUPPRESS)
     options.add_argument("--record", type=Path, metavar="FILE.cast", help=texts("cli.record"))
@@ -94,7 +94,7 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         return wrap(text, width)
 
 
-def _folder(text: str) -> Path:
+def folder(text: str) -> Path:
     path = Path(text).expanduser()
     if not path.is_dir():
         raise argparse.ArgumentTypeError(f"'{text}' is no folder")

@@ -243,6 +243,12 @@ def _attach(words: list[str]) -> int:
     return attach(words)
 
 
+def _serve(words: list[str]) -> int:
+    from day6_tui.tui.web.command import main as serve
+
+    return serve(words)
+
+
 def _cast(words: list[str]) -> int:
     from day6_tui.tui.cast.command import main as cast
 
@@ -292,6 +298,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "shell": _shell,
     "env": _env,
     "cast": _cast,
+    "serve": _serve,
     "complete": _complete,
     "why": _why,
 }

@@ -103,7 +103,8 @@ class Keeper:
             self._serve()
             status = self._ended() if self._pid else None
         self._drain()
-        meeting.remove(self._path)
+        with contextlib.suppress(OSError):  # the folder is not ours where a server started us: it removes the socket
+            meeting.remove(self._path)
         self._held.close()  # before anybody is told: the next desktop may start at once
         for line in [self._client, self._next and self._next[0]]:
             if line is not None:

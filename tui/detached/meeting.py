@@ -46,15 +46,15 @@ def _name(home: Path) -> str:
     return f"desktop-{crc32(os.fsencode(home)):08x}"
 
 
-def connect(home: Path) -> socket.socket | None:
-    """Reach the keeper of the desktop with this home; None if there is none.
+def connect(home: Path, folder: Path | None = None) -> socket.socket | None:
+    """Reach the keeper of the desktop with this home, in `folder` or where this user's meet; None if there is none.
 
     Raises LinkError if no folder is safe.
     """
-    for folder in base_folders():
+    for place in base_folders() if folder is None else [folder]:
         connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         try:
-            connection.connect(str(folder / _name(home)))
+            connection.connect(str(place / _name(home)))
         except OSError:
             connection.close()
             continue
@@ -64,12 +64,12 @@ def connect(home: Path) -> socket.socket | None:
     return None
 
 
-def hold(home: Path) -> Held:
-    """Become the one that starts the desktop with this home.
+def hold(home: Path, folder: Path | None = None) -> Held:
+    """Become the one that starts the desktop with this home, which is met in `folder` or where this user's are.
 
     Raises BlockingIOError if another keeper runs, LinkError if no folder is safe, OSError if there is no room for the files.
     """
-    path = base_folders()[0] / _name(home)
+    path = (base_folders()[0] if folder is None else folder) / _name(home)
     lock = FileLock(path.with_name(f"{path.name}.lock"))
     if not lock.try_acquire():
         raise BlockingIOError(f"{path} is in use")
@@ -95,11 +95,12 @@ def remove(path: str) -> None:
 
 
 def is_ours(connection: socket.socket) -> bool:
-    """Whether the other end is a process of this user (the folder keeps others out already)."""
+    """Whether the other end is a process of this user, or root's (the folder keeps others out already)."""
+    allowed = (0, os.geteuid())  # root: the server whose pupils are Unix users of their own
     if sys.platform == "linux":
         found = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
-        return bool(struct.unpack("3i", found)[1] == os.geteuid())
+        return bool(struct.unpack("3i", found)[1] in allowed)
     if sys.platform == "darwin":
         local_peercred = 1  # sys/un.h; struct xucred begins with its version and the user
-        return bool(struct.unpack_from("II", connection.getsockopt(0, local_peercred, 76))[1] == os.geteuid())
+        return bool(struct.unpack_from("II", connection.getsockopt(0, local_peercred, 76))[1] in allowed)
     return True

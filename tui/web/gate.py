@@ -1,0 +1,143 @@
+"""Who may in: the cookie, where a request comes from, under which name the server was called; and what every answer says."""
+
+from __future__ import annotations
+
+import ipaddress
+import os
+import socket
+from collections.abc import Awaitable, Callable
+from urllib.parse import urlsplit
+from zlib import crc32
+
+from aiohttp import web
+
+from day6_tui.tui.web.settings import Settings
+from day6_tui.tui.web.tokens import PUPIL, Ticket, Tokens
+from day6_tui.tui.web.tries import Tries
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+COOKIE_SECONDS = 30 * 24 * 3600
+"""How long a browser remembers who it is."""
+
+_POLICY = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' ws://{host} wss://{host}; "
+    "worker-src 'self' blob:; manifest-src 'self'; form-action 'self'; base-uri 'none'; frame-ancestors {frames}"
+)
+"""No script but ours. The terminal needs styles of its own making and WebAssembly for pictures (xterm.js and its image addon)."""
+
+LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
+
+
+class Gate:
+    """Judges requests. Nothing is told to who has no token."""
+
+    def __init__(self, settings: Settings, tokens: Tokens) -> None:
+        self._settings = settings
+        self._tokens = tokens
+        self.tries = Tries()
+        self._cookie = f"day6-{crc32(os.fsencode(settings.data)):08x}"
+        """Servers on other ports of this machine get the same cookies, so each has a name of its own."""
+        self._names = {*LOOPBACK_NAMES, socket.gethostname().lower(), f"{socket.gethostname().lower()}.local"}
+        self._names |= {name for name in (urlsplit(settings.base_url).hostname, settings.host.lower()) if name}
+
+    def ticket(self, request: web.Request) -> Ticket | None:
+        """Who this is, by the cookie; None for a stranger."""
+        if self._settings.proxied:
+            return Ticket(PUPIL, "me")
+        token = request.cookies.get(self._cookie)
+        if token is None:
+            return None
+        ticket = self._tokens.of(token)
+        if ticket is None:
+            self.tries.add(self.address(request))
+        return ticket
+
+    def let_in(self, response: web.StreamResponse, token: str) -> None:
+        """Have the browser remember the token, out of reach of scripts and of other sites."""
+        path = urlsplit(self._settings.base_url).path or "/"
+        response.set_cookie(
+            self._cookie,
+            token,
+            max_age=COOKIE_SECONDS,
+            httponly=True,
+            samesite="Strict",
+            secure=self._is_secure,
+            path=path,
+        )
+
+    def forget(self, response: web.StreamResponse) -> None:
+        """Have the browser forget it."""
+        response.del_cookie(self._cookie, path=urlsplit(self._settings.base_url).path or "/")
+
+    @property
+    def _is_secure(self) -> bool:
+        return self._settings.certificate is not None or self._settings.base_url.startswith("https:")
+
+    def address(self, request: web.Request) -> str:
+        """Where somebody calls from; behind a proxy all are one."""
+        return request.remote or "?"
+
+    # -- what a page of another site could make a browser do ---------------------------------------------------------
+
+    def is_called_by_name(self, request: web.Request) -> bool:
+        """Whether the browser means this server, and not a name that somebody lets point to it (DNS rebinding)."""
+        if self._settings.proxied or self._settings.unix is not None:
+            return True
+        name = (_host_name(request.headers.get("Host", "")) or "").lower()
+        return name in self._names or _is_address(name)
+
+    def is_from_here(self, request: web.Request) -> bool:
+        """Whether a page of ours sent this; browsers say that with every WebSocket and every form."""
+        origin = urlsplit(request.headers.get("Origin", ""))
+        if origin.scheme not in ("http", "https") or not origin.netloc:
+            return False
+        if origin.netloc.lower() == request.headers.get("Host", "").lower():
+            return True
+        base = urlsplit(self._settings.base_url)
+        if base.netloc:
+            return (origin.scheme, origin.netloc.lower()) == (base.scheme, base.netloc.lower())
+        return self._settings.proxied and origin.netloc.lower() == request.headers.get("X-Forwarded-Host", "").lower()
+
+    # -- what every answer says --------------------------------------------------------------------------------------
+
+    @web.middleware
+    async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
+        """Refuse what does not come from our pages, and forbid what our pages never do."""
+        if not self.is_called_by_name(request):
+            return web.Response(status=421, text="This server has another name.\n")
+        if request.method not in ("GET", "HEAD") and not self.is_from_here(request):
+            return web.Response(status=403, text="This form does not come from this server.\n")
+        return await handler(request)
+
+    async def sign(self, request: web.Request, response: web.StreamResponse) -> None:
+        """Add the headers to an answer before it is sent."""
+        frames = "'self'" if self._settings.proxied else "'none'"
+        host = request.headers.get("Host", "")
+        plain = host if all(letter.isalnum() or letter in "-.:[]" for letter in host) else ""
+        policy = _POLICY.format(host=plain or "localhost", frames=frames)
+        response.headers.setdefault("Content-Security-Policy", policy)
+        response.headers["X-Content-Type-Options"] = "nosniff"
+        response.headers["Referrer-Policy"] = (
+            "same-origin"  # with "no-referrer", forms would say they come from nowhere
+        )
+        response.headers["Cross-Origin-Opener-Policy"] = "same-origin"
+        response.headers["Cross-Origin-Resource-Policy"] = "same-origin"
+        response.headers.setdefault("Cache-Control", "no-store")
+        response.headers["Server"] = "day6-tui"
+
+
+def _host_name(host: str) -> str | None:
+    try:
+        return urlsplit(f"//{host}").hostname
+    except ValueError:
+        return None
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,58 @@
+"""Where the files of a class are: a home for each pupil, what the server remembers, and short folders for sockets."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from zlib import crc32
+
+from day6_tui.core.isolation.cell import Cell, Limits
+from day6_tui.core.isolation.mode import Mode
+from day6_tui.core.link.paths import base_folders
+from day6_tui.tui.web.names import folder_name, same_name
+
+OPEN_TO_PASS = 0o711
+"""Pupils that are Unix users of their own have to go through, and see no names."""
+
+_FOR_ALL_USERS = Path("/run/day6-tui")
+
+
+class Places:
+    """The folders of one class."""
+
+    def __init__(self, data: Path, mode: Mode) -> None:
+        self.data = data
+        self.homes = data / "homes"
+        self.server = data / "server"
+        """What the server remembers: tokens and sessions. No pupil's business."""
+        base = _FOR_ALL_USERS if mode.name == "users" and "DAY6_RUNTIME_DIR" not in os.environ else base_folders()[0]
+        self._run = base.resolve() / f"c{crc32(os.fsencode(data)):08x}"
+        self.runtimes = self._run / "p"
+        """The runtime folders of the pupils."""
+        self.keepers = self._run / "k"
+        """Where the keepers are met; pupils cannot put anything there."""
+
+    def make(self) -> None:
+        """Create the folders. Raises OSError."""
+        for folder in (self.data, self.homes, self._run, self.runtimes):
+            folder.mkdir(mode=OPEN_TO_PASS, parents=True, exist_ok=True)
+            if sys.platform != "win32":
+                folder.chmod(OPEN_TO_PASS)
+        for folder in (self.server, self.keepers):
+            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            if sys.platform != "win32":
+                folder.chmod(0o700)
+
+    def cell(self, name: str, mode: Mode, limits: Limits, *, network: bool = False) -> Cell:
+        """The cell of a pupil. Raises IsolationError."""
+        folder = folder_name(name)
+        return Cell(
+            name=same_name(name),
+            home=self.homes / folder,
+            runtime=self.runtimes / f"{crc32(same_name(name).encode()):08x}",
+            uid=mode.uid_of(folder, self.homes),
+            limits=limits,
+            network=network,
+            hidden=(self.server, self.keepers),
+        )

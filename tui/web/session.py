@@ -1,0 +1,153 @@
+"""A pupil's desktop, as the server has it: the line to its keeper, and the tabs that look at it."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import socket
+import struct
+import time
+from collections.abc import Callable
+
+from day6_tui.core.isolation.cell import Cell
+from day6_tui.tui.detached import wire
+from day6_tui.tui.detached.wire import Line
+from day6_tui.tui.web import starting
+from day6_tui.tui.web.viewer import Viewer
+
+LEAST, MOST = (20, 5), (500, 200)
+"""Columns and rows of a desktop."""
+
+MOST_PIXELS = 16384
+
+ANY_SIZE = (80, 24, 0, 0)
+"""Of a desktop that is only watched."""
+
+
+def clamped(columns: int, rows: int, width: int = 0, height: int = 0) -> tuple[int, int, int, int]:
+    """A size that a desktop can have."""
+    columns, rows = (max(low, min(n, high)) for n, low, high in zip((columns, rows), LEAST, MOST, strict=True))
+    width, height = (max(0, min(n, MOST_PIXELS)) for n in (width, height))
+    return columns, rows, width, height
+
+
+class Session:
+    """One running desktop. `ended` is called once, when the keeper says so or is gone."""
+
+    def __init__(self, name: str, cell: Cell, ended: Callable[[Session], None]) -> None:
+        self.name = name
+        self.cell = cell
+        self.writer: Viewer | None = None
+        """The tab that types."""
+        self.watchers: list[Viewer] = []
+        self.typed_at = time.monotonic()
+        """When somebody typed last."""
+        self._ended = ended
+        self._line: Line | None = None
+        self._is_read = False
+
+    @property
+    def size(self) -> tuple[int, int, int, int]:
+        """Columns, rows, and pixels of the screen."""
+        if self.writer is not None:
+            return self.writer.size
+        return self.watchers[0].size if self.watchers else ANY_SIZE
+
+    @property
+    def is_watched(self) -> bool:
+        """Whether anybody looks."""
+        return self.writer is not None or bool(self.watchers)
+
+    def greet(self, connection: socket.socket) -> None:
+        """Have the desktop draw its whole screen on this line, and no longer on the last one."""
+        self._let_go()
+        columns, rows, width, height = self.size
+        terminal = {name: value for name, value in starting.environment().items() if name != "PATH"}
+        self._line = Line(connection)
+        self._read(True)
+        self._send(wire.HELLO, json.dumps({"size": [rows, columns, width, height], "environ": terminal}).encode())
+
+    def let_go(self) -> None:
+        """Nobody looks any more: the desktop goes on without a terminal."""
+        self._let_go()
+
+    def type(self, keys: bytes) -> None:
+        """Keys of the tab that types."""
+        self.typed_at = time.monotonic()
+        self._send(wire.INPUT, keys)
+
+    def resize(self) -> None:
+        """The tab that types has another size."""
+        columns, rows, width, height = self.size
+        self._send(wire.SIZE, struct.pack("HHHH", rows, columns, width, height))
+
+    def say_bye(self, why: str) -> None:
+        """To all tabs."""
+        for viewer in (self.writer, *self.watchers):
+            if viewer is not None:
+                viewer.bye(why)
+
+    # -- the line ------------------------------------------------------------------------------------------------------
+
+    def _let_go(self) -> None:
+        if self._line is not None:
+            loop = asyncio.get_running_loop()
+            loop.remove_reader(self._line.fileno())
+            loop.remove_writer(self._line.fileno())
+            self._line.close()
+            self._line = None
+        self._is_read = False
+
+    def _read(self, on: bool) -> None:
+        if self._line is None or on == self._is_read:
+            return
+        self._is_read = on
+        loop = asyncio.get_running_loop()
+        if on:
+            loop.add_reader(self._line.fileno(), self._hear)
+        else:
+            loop.remove_reader(self._line.fileno())
+
+    def has_room(self) -> None:
+        """The tab that types takes output again."""
+        self._read(True)
+
+    def _send(self, kind: bytes, data: bytes) -> None:
+        line = self._line
+        if line is not None:
+            line.send(kind, data)
+            if line.unsent:
+                asyncio.get_running_loop().add_writer(line.fileno(), self._flush, line)
+
+    def _flush(self, line: Line) -> None:
+        line.flush()
+        if not line.unsent:
+            asyncio.get_running_loop().remove_writer(line.fileno())
+
+    def _hear(self) -> None:
+        line = self._line
+        assert line is not None
+        for kind, data in line.receive():
+            if kind == wire.OUTPUT:
+                self._show(data)
+            elif kind == wire.END:
+                self._over("ended")
+                return
+            elif kind == wire.LEFT and self._line is line:
+                self._over("taken" if data == wire.TAKEN else "left")
+                return
+        if line.closed and self._line is line:
+            self._over("server")
+
+    def _show(self, data: bytes) -> None:
+        for viewer in (self.writer, *self.watchers):
+            if viewer is not None:
+                viewer.put(data)
+        if self.writer is not None and self.writer.is_full:
+            self._read(False)
+
+    def _over(self, why: str) -> None:
+        self._let_go()
+        self.say_bye("taken" if why == "left" else why)
+        if why in ("ended", "server"):
+            self._ended(self)

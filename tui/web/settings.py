@@ -1,0 +1,40 @@
+"""What `day6-tui serve` was asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The options of the command line, checked."""
+
+    data: Path
+    """Where the homes of the pupils are, and what the server remembers."""
+    host: str = "127.0.0.1"
+    port: int = 8006
+    unix: Path | None = None
+    """Listen on this socket, not on `host` and `port`."""
+    certificate: Path | None = None
+    key: Path | None = None
+    word: str | None = None
+    """The class word: who knows it chooses a name."""
+    class_file: Path | None = None
+    new_links: bool = False
+    isolation: str = "auto"
+    trust_pupils: bool = False
+    most: int = 40
+    """Desktops at a time."""
+    idle: float = 120.0
+    """Minutes without a key after which a desktop is ended; 0: never."""
+    keep: bool = False
+    """Whether the desktops go on when the server is told to end."""
+    lessons: Path | None = None
+    lang: str = "en"
+    base_url: str = ""
+    """The address at which the pupils reach the server, where it is not the one it listens on."""
+    proxied: bool = False
+    """Who reaches the socket is the user: one desktop, no token."""
+    words: tuple[str, ...] = field(default=())
+    """What the desktops are started with besides."""

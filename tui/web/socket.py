@@ -1,0 +1,103 @@
+"""The WebSocket of a tab. What it says is in the class `Talk`; anything else closes it with a plain reason."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from typing import Any
+
+from aiohttp import WSMsgType, web
+
+from day6_tui.core.isolation.cell import IsolationError
+from day6_tui.tui.web.session import Session, clamped
+from day6_tui.tui.web.sessions import Full, Sessions
+from day6_tui.tui.web.viewer import Viewer
+
+LONGEST_FRAME = 64 << 10
+"""Bytes; more is no typing."""
+
+BEAT = 20.0
+"""Seconds between two signs of life that are asked of the browser: a proxy cuts what is silent for a minute."""
+
+
+class Nonsense(Exception):
+    """The browser said what no page of ours says; the message is the reason it is told."""
+
+
+async def talk(
+    request: web.Request, sessions: Sessions, name: str, *, read_only: bool, lang: str
+) -> web.StreamResponse:
+    """Serve one tab until one of both leaves."""
+    ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
+    await ws.prepare(request)
+    viewer = Viewer(ws, _asked_size(request), read_only=read_only)
+    await viewer.say(t="hello", name=name, read_only=read_only, lang=lang)
+    columns, rows, _, _ = viewer.size
+    await viewer.say(t="size", cols=columns, rows=rows)
+    try:
+        session = await sessions.show(name, viewer)
+    except (Full, IsolationError, OSError) as error:
+        viewer.bye("full" if isinstance(error, Full) else "refused")
+        await viewer.run()
+        return ws
+    sending = asyncio.create_task(viewer.run())
+    try:
+        await _listen(ws, viewer, session)
+    except Nonsense as reason:
+        await ws.close(code=1008, message=str(reason).encode())
+    finally:
+        await sessions.leave(session, viewer)
+        if ws.closed:
+            sending.cancel()
+        await asyncio.gather(sending, return_exceptions=True)
+    return ws
+
+
+def _asked_size(request: web.Request) -> tuple[int, int, int, int]:
+    """The size in the address; what is no number counts as not given."""
+    numbers = []
+    for key, default in (("cols", 80), ("rows", 24), ("w", 0), ("h", 0)):
+        text = request.query.get(key, "")
+        numbers.append(int(text) if text.isascii() and text.isdigit() and len(text) < 9 else default)
+    return clamped(*numbers)
+
+
+async def _listen(ws: web.WebSocketResponse, viewer: Viewer, session: Session) -> None:
+    async for message in ws:
+        if message.type == WSMsgType.BINARY:
+            if not viewer.read_only and session.writer is viewer:
+                session.type(message.data)
+        elif message.type == WSMsgType.TEXT:
+            await _obey(_parsed(message.data), viewer, session)
+
+
+def _parsed(text: str) -> dict[str, Any]:
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        raise Nonsense("not JSON") from None
+    if not isinstance(found, dict):
+        raise Nonsense("not an object")
+    return found
+
+
+def _number(found: dict[str, Any], key: str) -> int:
+    value = found.get(key, 0)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 2**53:
+        raise Nonsense(f"{key} is no number")
+    return int(value)
+
+
+async def _obey(found: dict[str, Any], viewer: Viewer, session: Session) -> None:
+    what = found.get("t")
+    if what == "ack":
+        viewer.acknowledge(_number(found, "bytes"))
+    elif what == "ping":
+        await viewer.say(t="pong", n=_number(found, "n"))
+    elif what == "size":
+        viewer.size = clamped(*(_number(found, key) for key in ("cols", "rows", "w", "h")))
+        await viewer.say(t="size", cols=viewer.size[0], rows=viewer.size[1])
+        if session.writer is viewer:
+            session.resize()
+    else:
+        raise Nonsense("unknown message")

@@ -1,0 +1,100 @@
+"""One browser tab that looks at a desktop: what goes to it, and how much of that it has taken."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+from typing import Any
+
+from aiohttp import web
+
+MOST_UNACKNOWLEDGED = 256 << 10
+"""Bytes that may be on their way: more, and the desktop draws fewer frames, as on any slow terminal."""
+
+MOST_WAITING = 4 << 20
+"""Bytes that wait here at most for one that only watches, whom the desktop does not wait for."""
+
+PIECE = 32 << 10
+
+CLOSE_SECONDS = 2.0
+"""What a browser gets to take the last words."""
+
+
+class Viewer:
+    """A socket. `cols`, `rows`, `width` and `height` are those of the tab."""
+
+    def __init__(self, ws: web.WebSocketResponse, size: tuple[int, int, int, int], *, read_only: bool) -> None:
+        self._ws = ws
+        self.size = size
+        self.read_only = read_only
+        self._waiting = bytearray()
+        self._sent = 0
+        self._acknowledged = 0
+        self._wakes = asyncio.Event()
+        self._last: dict[str, Any] | None = None
+        """The last words; set when it is over."""
+        self.on_room: Any = None
+        """Called when there is room again."""
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it has to acknowledge something first."""
+        return self._sent + len(self._waiting) - self._acknowledged >= MOST_UNACKNOWLEDGED
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether far too much waits."""
+        return len(self._waiting) > MOST_WAITING
+
+    def put(self, data: bytes) -> None:
+        """Output of the desktop."""
+        if self._last is None:
+            self._waiting += data
+            self._wakes.set()
+
+    def acknowledge(self, total: int) -> None:
+        """The browser has shown so many bytes."""
+        if self._acknowledged < total <= self._sent:
+            self._acknowledged = total
+            self._wakes.set()
+
+    async def say(self, **words: Any) -> None:
+        """Send a message beside the output."""
+        if not self._ws.closed:
+            with contextlib.suppress(ConnectionError):
+                await self._ws.send_str(json.dumps(words))
+
+    def bye(self, why: str) -> None:
+        """Close, after what waits was sent, as far as there is room."""
+        if self._last is None:
+            self._last = {"t": "bye", "why": why}
+            self._wakes.set()
+
+    async def run(self) -> None:
+        """Send until it is over."""
+        with contextlib.suppress(ConnectionError):
+            while self._last is None:
+                room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
+                piece = bytes(self._waiting[: min(PIECE, room)]) if room > 0 else b""
+                if not piece:
+                    self._wakes.clear()
+                    await self._wakes.wait()
+                    continue
+                await self._send(piece)
+            with contextlib.suppress(TimeoutError, asyncio.TimeoutError):
+                await asyncio.wait_for(self._part(self._last), CLOSE_SECONDS)
+
+    async def _send(self, piece: bytes) -> None:
+        del self._waiting[: len(piece)]
+        self._sent += len(piece)
+        await self._ws.send_bytes(piece)
+        if self.on_room is not None and not self.is_full:
+            self.on_room()
+
+    async def _part(self, last: dict[str, Any]) -> None:
+        room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
+        if self._waiting and room > 0:
+            await self._send(bytes(self._waiting[:room]))
+        await self.say(**last)
+        await self._ws.close(message=str(last["why"]).encode())
