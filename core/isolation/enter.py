@@ -24,7 +24,7 @@ _PR_SET_NO_NEW_PRIVS = 38
 
 KEPT_VARIABLES = (
     *("LANG", "LANGUAGE", "LC_ALL", "LC_CTYPE", "LC_MESSAGES", "TZ", "PATH", "TERM", "COLORTERM", "TERM_PROGRAM"),
-    *("COLUMNS", "LINES", "NO_COLOR", "PYTHONUTF8", "PYTHONDONTWRITEBYTECODE"),
+    *("COLUMNS", "LINES", "NO_COLOR", "PYTHONUTF8", "PYTHONDONTWRITEBYTECODE", "ROS_DOMAIN_ID"),
 )
 """Of the server's environment a pupil sees these, and those that begin with DAY6_, nothing else."""
 

@@ -306,7 +306,9 @@ class Keeper:
             self._arrived.append(Line(connection))
 
     def _hear(self, line: Line, kind: bytes, data: bytes) -> None:
-        if line in self._arrived:
+        if line in self._arrived and kind == wire.STOP:
+            self._hand_on(signal.SIGTERM, None)  # the line stays open until this process ends
+        elif line in self._arrived:
             hello = _hello(data) if kind == wire.HELLO else None
             if hello is None:
                 line.close()

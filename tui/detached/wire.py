@@ -14,6 +14,9 @@ INPUT = b"i"
 SIZE = b"s"
 """Four numbers as TIOCSWINSZ takes them."""
 
+STOP = b"q"
+"""In place of HELLO, from the server of a class: end the desktop as SIGTERM does. The answer is that the connection ends."""
+
 # From the keeper to a client
 OUTPUT = b"o"
 READY = b"r"
@@ -41,6 +44,11 @@ LONGEST = 1 << 20
 _HEAD = struct.Struct(">cI")
 
 
+def message(kind: bytes, data: bytes = b"") -> bytes:
+    """A message as it is sent."""
+    return _HEAD.pack(kind, len(data)) + data
+
+
 class Line:
     """One end of a connection. A peer that is gone or talks nonsense makes it `closed`."""
 
@@ -61,7 +69,7 @@ class Line:
 
     def send(self, kind: bytes, data: bytes = b"") -> None:
         """Send as much as the peer takes now; the rest waits for `flush`."""
-        self._unsent += _HEAD.pack(kind, len(data)) + data
+        self._unsent += message(kind, data)
         self.flush()
 
     def flush(self) -> None:
@@ -95,9 +103,9 @@ class Line:
             end = _HEAD.size + length
             if len(self._unread) < end:
                 return
-            message = bytes(self._unread[_HEAD.size : end])
+            found = bytes(self._unread[_HEAD.size : end])
             del self._unread[:end]
-            yield kind, message
+            yield kind, found
 
     def close(self) -> None:
         self.closed = True

@@ -7,33 +7,44 @@ from pathlib import Path
 
 from aiohttp import web
 
-from day6_tui.core.isolation.cell import Words
+from day6_tui.core.isolation.cell import IsolationError, Words
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.web import pages, socket
+from day6_tui.tui.web import class_page, link_page, pages, socket
 from day6_tui.tui.web.gate import Gate
+from day6_tui.tui.web.links import Links
 from day6_tui.tui.web.names import BadName, clean
-from day6_tui.tui.web.sessions import Sessions
+from day6_tui.tui.web.sessions import Sessions, Tell
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.tokens import PUPIL, TEACHER, WATCHER, Ticket, Tokens
 
 STATIC = Path(__file__).parent / "static"
 
-_LONGEST_FORM = 4096
+_LARGEST_FORM = 4096
 
 
 class Application:
     """Answers the browsers."""
 
-    def __init__(self, settings: Settings, tokens: Tokens, sessions: Sessions, what_it_is: Words) -> None:
+    def __init__(
+        self,
+        settings: Settings,
+        tokens: Tokens,
+        links: Links,
+        sessions: Sessions,
+        what_it_is: Words,
+        tell: Tell,
+    ) -> None:
         self._settings = settings
         self._tokens = tokens
+        self._links = links
         self._sessions = sessions
         self._what_it_is = what_it_is
+        self._tell = tell
         self._gate = Gate(settings, tokens)
 
     def build(self) -> web.Application:
         """The application that aiohttp serves."""
-        app = web.Application(middlewares=[self._gate.guard], client_max_size=_LONGEST_FORM)
+        app = web.Application(middlewares=[self._gate.guard], client_max_size=_LARGEST_FORM)
         app.on_response_prepare.append(self._gate.sign)
         app.add_routes(
             [
@@ -44,8 +55,9 @@ class Application:
                 web.get("/desk", self._desk),
                 web.get("/watch", self._watch),
                 web.get("/ws", self._socket),
-                web.get("/watch/ws", self._socket),
                 web.static("/static", STATIC),
+                *link_page.routes(self._gate, self._links, self._texts),
+                *class_page.routes(self._gate, self._texts),
             ]
         )
         return app
@@ -53,9 +65,11 @@ class Application:
     def _texts(self, request: web.Request) -> Texts:
         return Texts(pages.language_for(request, self._settings.lang))
 
+    # -- the way in ----------------------------------------------------------------------------------------------------
+
     async def _start(self, request: web.Request) -> web.StreamResponse:
-        ticket = self._gate.ticket(request)
-        return self._first_page(request, name=ticket.name if ticket is not None and ticket.kind == PUPIL else None)
+        ticket = self._gate.ticket(request, PUPIL)
+        return self._first_page(request, name=None if ticket is None else ticket.name)
 
     def _first_page(
         self, request: web.Request, *, name: str | None = None, wrong: str = "", status: int = 200
@@ -67,39 +81,38 @@ class Application:
 
     async def _enter(self, request: web.Request) -> web.StreamResponse:
         """The class word and a name."""
-        texts = self._texts(request)
-        address = self._gate.address(request)
+        texts, address = self._texts(request), self._gate.address(request)
         if self._gate.tries.are_too_many(address):
             return self._first_page(request, wrong=texts("serve.wrong.often"), status=429)
         form = await request.post()
-        word, name = str(form.get("word", "")), str(form.get("name", ""))
-        right = self._settings.word
-        if right is None or not hmac.compare_digest(word.strip().encode(), right.encode()):
+        word, right = str(form.get("word", "")).strip(), self._settings.word
+        if right is None or not hmac.compare_digest(word.encode(errors="replace"), right.encode(errors="replace")):
             self._gate.tries.add(address)
             return self._first_page(request, wrong=texts("serve.wrong.word"), status=403)
         try:
-            ticket = Ticket(PUPIL, clean(name))
+            ticket = Ticket(PUPIL, clean(str(form.get("name", ""))))
         except BadName as error:
             return self._first_page(request, wrong=texts(str(error)), status=400)
         if self._tokens.has(ticket):
             return self._first_page(request, wrong=texts("serve.wrong.name", name=ticket.name), status=409)
         token = self._tokens.make(ticket)
-        await self._save()
+        try:
+            await self._links.keep()
+        except OSError as error:
+            self._tokens.revoke(ticket)
+            self._tell("serve.no_record", file=str(error.filename), reason=error.strerror or str(error))
+            return self._first_page(request, wrong=texts("serve.wrong.disk"), status=507)
         response = web.Response(status=303, headers={"Location": "desk"})
-        self._gate.let_in(response, token)
+        self._gate.let_in(response, PUPIL, token)
         return response
-
-    async def _save(self) -> None:
-        self._tokens.save()
 
     async def _leave(self, request: web.Request) -> web.StreamResponse:
         response = web.Response(status=303, headers={"Location": "./"})
-        self._gate.forget(response)
+        self._gate.forget(response, PUPIL)
         return response
 
     async def _link(self, request: web.Request) -> web.StreamResponse:
-        """A link with a token."""
-        texts = self._texts(request)
+        """A link with a token. A right one is never refused: its 128 bits are not found by trying."""
         token = request.match_info["token"]
         ticket = self._tokens.of(token)
         if ticket is None:
@@ -107,30 +120,38 @@ class Application:
             often = self._gate.tries.are_too_many(address)
             self._gate.tries.add(address)
             key, status = ("serve.wrong.often", 429) if often else ("serve.wrong.link", 403)
-            return pages.message(texts, key, status=status, up="../")
+            return pages.message(self._texts(request), key, status=status, up="../")
         to = {PUPIL: "../desk", WATCHER: "../watch", TEACHER: "../class"}[ticket.kind]
-        response = pages.entering(texts, to)
-        self._gate.let_in(response, token)
+        response = pages.entering(self._texts(request), to)
+        self._gate.let_in(response, ticket.kind, token)
         return response
 
+    # -- the desktop ---------------------------------------------------------------------------------------------------
+
     async def _desk(self, request: web.Request) -> web.StreamResponse:
-        return self._page(request, PUPIL, "desk.html")
+        return self._page(request, PUPIL)
 
     async def _watch(self, request: web.Request) -> web.StreamResponse:
-        return self._page(request, WATCHER, "desk.html")
+        return self._page(request, WATCHER)
 
-    def _page(self, request: web.Request, kind: str, name: str) -> web.StreamResponse:
-        ticket = self._gate.ticket(request)
-        if ticket is None or ticket.kind != kind:
+    def _page(self, request: web.Request, kind: str) -> web.StreamResponse:
+        if self._gate.ticket(request, kind) is None:
             return pages.message(self._texts(request), "serve.wrong.stranger", status=403)
-        return web.FileResponse(STATIC / name)
+        return web.FileResponse(STATIC / "desk.html")
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
+        """`?watch=1` is the page of who only watches, whatever other cookies the browser has."""
         if not self._gate.is_from_here(request):
             return web.Response(status=403, text="This page does not come from this server.\n")
-        ticket = self._gate.ticket(request)
-        if ticket is None or ticket.kind == TEACHER:
+        kinds = (WATCHER,) if "watch" in request.query else (PUPIL, WATCHER)
+        ticket = next((found for kind in kinds if (found := self._gate.ticket(request, kind)) is not None), None)
+        if ticket is None:
             return web.Response(status=403, text="No token.\n")
-        read_only = ticket.kind == WATCHER
-        lang = self._settings.lang
-        return await socket.talk(request, self._sessions, ticket.name, read_only=read_only, lang=lang)
+        lang = pages.language_for(request, self._settings.lang)
+        return await socket.talk(request, self._sessions, ticket, lang=lang, refused=self._refused)
+
+    def _refused(self, name: str, error: Exception) -> None:
+        reason = str(error)
+        if isinstance(error, IsolationError):
+            reason = Texts(self._settings.lang)(error.words.key, **error.words.values)
+        self._tell("serve.refused", name=name, reason=reason)

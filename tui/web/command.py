@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import signal
 import sys
-from pathlib import Path
+from collections.abc import Callable
 
 from day6_tui.core.isolation import modes
+from day6_tui.core.isolation.cell import IsolationError, Words
 from day6_tui.core.isolation.modes import Offer
-from day6_tui.core.link.paths import LinkError
 from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.command_line import language_of
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.web.options import parse
+from day6_tui.tui.web.options import is_loopback, parse
 from day6_tui.tui.web.settings import Settings
-
-LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
 class Refused(Exception):
-    """The server does not start; the message is for the user."""
+    """The server does not start; `words` say why."""
+
+    def __init__(self, key: str, **values: str) -> None:
+        super().__init__(key)
+        self.words = Words(key, values)
 
 
 def main(words: list[str]) -> int:
@@ -28,61 +31,95 @@ def main(words: list[str]) -> int:
     language = language_of(words)
     texts = Texts(language)
     settings = parse(words, language)
-    if sys.platform == "win32":
-        return _refuse(texts("serve.windows"), 2)
     try:
-        import aiohttp  # noqa: F401
-    except ImportError:
-        return _refuse(texts("serve.no_aiohttp"), 2)
-    try:
+        if sys.platform == "win32":
+            raise Refused("serve.windows")
+        _look_for_packages()
         offer = _offer(settings, texts)
+        _refuse_strangers(settings, offer)
         return asyncio.run(_run(settings, offer, texts))
     except Refused as error:
-        return _refuse(str(error), 2)
-    except (LinkError, OSError) as error:
-        return _refuse(f"{error.filename}: {error.strerror}" if getattr(error, "filename", None) else str(error), 1)
+        return _fail(texts(error.words.key, **error.words.values), 2)
+    except IsolationError as error:
+        return _fail(texts(error.words.key, **error.words.values), 1)
+    except OSError as error:
+        name = f"{error.filename}: " if error.filename else ""
+        return _fail(f"{name}{error.strerror or error}", 1)
 
 
-def _refuse(text: str, status: int) -> int:
+def _fail(text: str, status: int) -> int:
     print(f"day6-tui: {one_line(text)}", file=sys.stderr)
     return status
 
 
+def _look_for_packages() -> None:
+    try:
+        import aiohttp
+        import segno
+    except ImportError:
+        raise Refused("serve.no_packages") from None
+    del aiohttp, segno
+
+
 def _offer(settings: Settings, texts: Texts) -> Offer:
     """How pupils will be kept apart. Raises Refused where that is not to be had."""
-    if settings.isolation != "auto":
-        (offer,) = modes.survey((settings.isolation,))
+    name = settings.isolation
+    if name == "auto" and settings.proxied:
+        name = "none"  # there is one pupil, in an account or a container of their own
+    if name != "auto":
+        (offer,) = modes.survey((name,))
         if offer.mode is None:
             reason = "" if offer.reason is None else texts(offer.reason.key, **offer.reason.values)
-            raise Refused(texts("serve.no_mode", name=offer.name, reason=reason))
+            raise Refused("serve.no_mode", name=name, reason=reason)
         return offer
-    offers = [offer for offer in modes.survey() if offer.mode is not None]
-    return next((offer for offer in offers if offer.mode is not None and offer.mode.separates), offers[-1])
+    last: Offer | None = None
+    for each in modes.NAMES:
+        (offer,) = modes.survey((each,))
+        if offer.mode is not None and offer.mode.separates:
+            return offer
+        last = offer
+    assert last is not None
+    return last
+
+
+def _refuse_strangers(settings: Settings, offer: Offer) -> None:
+    """Others get in only where pupils are kept apart, or where the user says that they may do all this user may."""
+    separates = offer.mode is not None and offer.mode.separates
+    if not (separates or settings.trust_pupils or settings.unix is not None or is_loopback(settings.host)):
+        raise Refused("serve.not_apart", name=offer.name, host=settings.host)
 
 
 async def _run(settings: Settings, offer: Offer, texts: Texts) -> int:
-    assert sys.platform != "win32"  # `main` has said so
-    from day6_tui.tui.web.server import Server
+    from day6_tui.tui.web.class_list import BadList
+    from day6_tui.tui.web.server import InUse, Server
+    from day6_tui.tui.web.tokens import BadTokens
 
     loop = asyncio.get_running_loop()
     told = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, told.set)
-    server = Server(settings, offer, texts, _tell)
-    await server.open()
+    server = Server(settings, offer, _teller(texts))
     try:
-        await told.wait()
-    finally:
-        await server.close()
+        await server.open()
+    except BadList as error:
+        raise Refused(error.words.key, **error.words.values) from None
+    except BadTokens as error:
+        raise Refused("serve.bad_tokens", file=str(error)) from None
+    except InUse as error:
+        raise Refused("serve.in_use", folder=str(error)) from None
+    await told.wait()
+    await server.close()
     return 0
 
 
-def _tell(text: str) -> None:
-    print(f"day6-tui: {one_line(text)}", flush=True)
+def _teller(texts: Texts) -> Callable[..., None]:
+    """Prints texts of the catalogue, for whoever has started the server."""
 
+    def tell(key: str, **values: object) -> None:
+        said = {
+            name: texts(each.key, **each.values) if isinstance(each, Words) else each for name, each in values.items()
+        }
+        with contextlib.suppress(OSError):  # nobody reads any more
+            print(f"day6-tui: {one_line(texts(key, **said))}", flush=True)
 
-def data_of(given: Path | None) -> Path:
-    """Where the files of the class are, by its one true name."""
-    from day6_tui.core.places import default_home
-
-    return (default_home().parent / "class" if given is None else given).expanduser().resolve()
+    return tell

@@ -27,6 +27,9 @@ _POLICY = (
 )
 """No script but ours. The terminal needs styles of its own making and WebAssembly for pictures (xterm.js and its image addon)."""
 
+PROXIED_NAME = "me"
+"""Behind a proxy that lets in one user only."""
+
 LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
 
 
@@ -42,34 +45,37 @@ class Gate:
         self._names = {*LOOPBACK_NAMES, socket.gethostname().lower(), f"{socket.gethostname().lower()}.local"}
         self._names |= {name for name in (urlsplit(settings.base_url).hostname, settings.host.lower()) if name}
 
-    def ticket(self, request: web.Request) -> Ticket | None:
-        """Who this is, by the cookie; None for a stranger."""
+    def ticket(self, request: web.Request, kind: str) -> Ticket | None:
+        """Who this is, by the cookie for this kind; None for a stranger. A teacher can try a pupil's link beside the class."""
         if self._settings.proxied:
-            return Ticket(PUPIL, "me")
-        token = request.cookies.get(self._cookie)
+            return Ticket(PUPIL, PROXIED_NAME) if kind == PUPIL else None
+        token = request.cookies.get(f"{self._cookie}-{kind}")
         if token is None:
             return None
         ticket = self._tokens.of(token)
         if ticket is None:
             self.tries.add(self.address(request))
-        return ticket
+        return ticket if ticket is not None and ticket.kind == kind else None
 
-    def let_in(self, response: web.StreamResponse, token: str) -> None:
+    def let_in(self, response: web.StreamResponse, kind: str, token: str) -> None:
         """Have the browser remember the token, out of reach of scripts and of other sites."""
-        path = urlsplit(self._settings.base_url).path or "/"
         response.set_cookie(
-            self._cookie,
+            f"{self._cookie}-{kind}",
             token,
             max_age=COOKIE_SECONDS,
             httponly=True,
             samesite="Strict",
             secure=self._is_secure,
-            path=path,
+            path=self._path,
         )
 
-    def forget(self, response: web.StreamResponse) -> None:
+    def forget(self, response: web.StreamResponse, kind: str) -> None:
         """Have the browser forget it."""
-        response.del_cookie(self._cookie, path=urlsplit(self._settings.base_url).path or "/")
+        response.del_cookie(f"{self._cookie}-{kind}", path=self._path)
+
+    @property
+    def _path(self) -> str:
+        return urlsplit(self._settings.base_url).path or "/"
 
     @property
     def _is_secure(self) -> bool:

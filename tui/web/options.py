@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import ipaddress
 from functools import partial
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from day6_tui.core.isolation.modes import NAMES
+from day6_tui.core.places import default_home
 from day6_tui.tui.command_line import Formatter, folder
 from day6_tui.tui.locale import Texts
 from day6_tui.tui.web.settings import Settings
+
+SHORTEST_WORD = 4
+"""Characters of the class word: two tries a second are all anybody gets."""
 
 
 def build_parser(language: str = "en") -> argparse.ArgumentParser:
@@ -23,17 +29,25 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     )
     options = parser.add_argument_group(texts("cli.options"))
     options.add_argument("-h", "--help", action="help", help=texts("cli.help"))
-    options.add_argument("--word", help=texts("cli.serve.word"))
-    options.add_argument("--host", default="127.0.0.1", help=texts("cli.serve.host"))
-    options.add_argument("--port", type=_port, default=8006, metavar="N", help=texts("cli.serve.port"))
-    options.add_argument("--data", type=Path, metavar="DIR", help=texts("cli.serve.data"))
-    options.add_argument("--isolation", choices=("auto", *NAMES), default="auto", help=texts("cli.serve.isolation"))
-    options.add_argument("--trust-pupils", action="store_true", help=texts("cli.serve.trust"))
-    options.add_argument(
-        "--most", type=partial(_number, least=1), default=40, metavar="N", help=texts("cli.serve.most")
-    )
-    options.add_argument("--lessons", type=folder, metavar="DIR", help=texts("cli.lessons"))
-    options.add_argument("--lang", choices=("zh", "en"), help=texts("cli.serve.lang"))
+    add = options.add_argument
+    add("--class", dest="class_file", type=Path, metavar="FILE.csv", help=texts("cli.serve.class"))
+    add("--new-links", action="store_true", help=texts("cli.serve.new_links"))
+    add("--word", type=_word, metavar="WORD", help=texts("cli.serve.word"))
+    add("--data", type=Path, metavar="DIR", help=texts("cli.serve.data"))
+    add("--lessons", type=folder, metavar="DIR", help=texts("cli.lessons"))
+    add("--lang", choices=("zh", "en"), help=texts("cli.serve.lang"))
+    add("--most", type=partial(_number, least=1, most=1000), default=40, metavar="N", help=texts("cli.serve.most"))
+    add("--idle", type=_minutes, default=120.0, metavar="MIN", help=texts("cli.serve.idle"))
+    add("--keep", action="store_true", help=texts("cli.serve.keep"))
+    add("--isolation", choices=("auto", *NAMES), default="auto", help=texts("cli.serve.isolation"))
+    add("--trust-pupils", action="store_true", help=texts("cli.serve.trust"))
+    add("--host", default="127.0.0.1", metavar="ADDRESS", help=texts("cli.serve.host"))
+    add("--port", type=partial(_number, least=0, most=65535), default=8006, metavar="N", help=texts("cli.serve.port"))
+    add("--cert", dest="certificate", type=Path, metavar="FILE", help=texts("cli.serve.cert"))
+    add("--key", type=Path, metavar="FILE", help=texts("cli.serve.key"))
+    add("--base-url", type=_address, metavar="URL", help=texts("cli.serve.base_url"))
+    add("--unix", type=Path, metavar="SOCKET", help=texts("cli.serve.unix"))
+    add("--proxied", action="store_true", help=texts("cli.serve.proxied"))
     return parser
 
 
@@ -41,18 +55,58 @@ def parse(words: list[str], language: str) -> Settings:
     """The settings; a wrong word ends the program with status 2, as argparse does."""
     parser = build_parser(language)
     found = vars(parser.parse_args(words))
-    from day6_tui.tui.web.command import data_of
-
-    found["data"] = data_of(found["data"])
+    if found["key"] is not None and found["certificate"] is None:
+        parser.error("argument --key: needs --cert")
+    if found["new_links"] and found["class_file"] is None:
+        parser.error("argument --new-links: needs --class")
+    if found["proxied"] and (found["class_file"] or found["word"]):
+        parser.error("argument --proxied: not allowed with --class or --word")
+    if found["proxied"] and found["unix"] is None and not is_loopback(found["host"]):
+        parser.error("argument --proxied: needs --unix, or an address of this machine only")
+    found["data"] = _data(found["data"])
+    found["base_url"] = found["base_url"] or ""
     found["lang"] = found["lang"] or language
     return Settings(**found)
 
 
-def _port(text: str) -> int:
-    return _number(text, least=0, most=65535)
+def is_loopback(host: str) -> bool:
+    """Whether only this machine reaches that address."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
 
 
-def _number(text: str, *, least: int, most: int = 1 << 31) -> int:
-    if not (text.isascii() and text.isdigit() and least <= int(text) <= most):
+def _data(given: Path | None) -> Path:
+    """Where the files of the class are, by its one true name."""
+    return (default_home().with_name("class") if given is None else given).expanduser().resolve()
+
+
+def _word(text: str) -> str:
+    if len(text.strip()) < SHORTEST_WORD:
+        raise argparse.ArgumentTypeError(f"'{text}' is too easily guessed: {SHORTEST_WORD} characters at least")
+    return text.strip()
+
+
+def _address(text: str) -> str:
+    """A path (`/user/anna/day6/`) or a whole address; it ends with a slash."""
+    parts = urlsplit(text)
+    if not (parts.scheme in ("http", "https") and parts.netloc) and not text.startswith("/"):
+        raise argparse.ArgumentTypeError(f"'{text}' is no address: http://…, https://… or /…")
+    return text if text.endswith("/") else f"{text}/"
+
+
+def _minutes(text: str) -> float:
+    try:
+        minutes = float(text)
+    except ValueError:
+        minutes = -1.0
+    if not 0 <= minutes <= 1e6:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of minutes")
+    return minutes
+
+
+def _number(text: str, *, least: int, most: int) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and least <= int(text) <= most):
         raise argparse.ArgumentTypeError(f"'{text}' is no number from {least} to {most}")
     return int(text)

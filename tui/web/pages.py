@@ -21,14 +21,17 @@ def language_for(request: web.Request, default: str) -> str:
     return default
 
 
-def page(texts: Texts, body: str, *, status: int = 200, head: str = "", up: str = "") -> web.Response:
+def page(
+    texts: Texts, body: str, *, status: int = 200, head: str = "", up: str = "", wide: bool = False
+) -> web.Response:
     """A whole page; `body` is HTML. `up` leads from the page to where `static/` is."""
     language = "zh-CN" if texts.language == "zh" else "en"
+    kind = ' class="wide"' if wide else ""
     text = (
         f'<!doctype html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<title>day6-tui</title>\n<link rel="stylesheet" href="{up}static/pages.css">\n{head}</head>\n'
-        f"<body>\n<main>\n<h1>day6-tui</h1>\n{body}\n</main>\n</body>\n</html>\n"
+        f"<body>\n<main{kind}>\n<h1>day6-tui</h1>\n{body}\n</main>\n</body>\n</html>\n"
     )
     return web.Response(text=text, content_type="text/html", status=status)
 

@@ -2,66 +2,182 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import errno
+import os
+import socket
 import ssl
-from collections.abc import Callable
+import sys
 
 from aiohttp import web
 
+from day6_tui.core.isolation.cell import Words
 from day6_tui.core.isolation.modes import Offer
-from day6_tui.tui.locale import Texts
+from day6_tui.core.link.file_lock import FileLock
+from day6_tui.tui.web import class_list
 from day6_tui.tui.web.application import Application
+from day6_tui.tui.web.links import Links
 from day6_tui.tui.web.places import Places
-from day6_tui.tui.web.sessions import Sessions
+from day6_tui.tui.web.sessions import Sessions, Tell
 from day6_tui.tui.web.settings import Settings
-from day6_tui.tui.web.tokens import Tokens
+from day6_tui.tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
 
 CLOSE_SECONDS = 3.0
 """What open sockets get to say goodbye."""
+
+ONLY_DESKTOP = "me"
+"""The pupil where there is neither a list nor a word."""
+
+
+class InUse(Exception):
+    """Another server has this folder."""
 
 
 class Server:
     """What `day6-tui serve` runs."""
 
-    def __init__(self, settings: Settings, offer: Offer, texts: Texts, tell: Callable[[str], None]) -> None:
+    def __init__(self, settings: Settings, offer: Offer, tell: Tell) -> None:
         assert offer.mode is not None
         self._settings = settings
-        self._texts = texts
         self._tell = tell
         self._offer = offer
         self._places = Places(settings.data, offer.mode)
+        self._lock = FileLock(self._places.server / "lock")
         self._tokens = Tokens(self._places.server / "tokens.json")
         self._sessions = Sessions(settings, self._places, offer.mode, tell)
         self._runner: web.AppRunner | None = None
+        self._looking: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
-        """Begin to serve, and say where. Raises OSError, BadTokens."""
+        """Begin to serve, and say where. Raises OSError, InUse, BadTokens, BadList."""
         self._places.make()
+        if not self._lock.try_acquire():
+            raise InUse(str(self._settings.data))
         self._tokens.load()
-        application = Application(self._settings, self._tokens, self._sessions, self._offer.what_it_is)
-        self._runner = web.AppRunner(application.build(), access_log=None, handle_signals=False)
-        await self._runner.setup()
-        site = await self._listen(self._runner)
+        names = self._names()
+        listener = self._listener()
+        secure = self._secure()
+        base = self._address(listener, secure is not None)
+        links = Links(self._tokens, base)
+        new = links.enrol(names, anew=self._settings.new_links)
+        teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
+        await links.keep()
+        again = await self._sessions.find_again()
         what = self._offer.what_it_is
-        self._tell(self._texts("serve.apart", what=self._texts(what.key, **what.values)))
-        self._tell(self._texts("serve.at", address=site))
+        application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell)
+        self._runner = web.AppRunner(
+            application.build(), access_log=None, handle_signals=False, shutdown_timeout=CLOSE_SECONDS
+        )
+        await self._runner.setup()
+        await web.SockSite(self._runner, listener, ssl_context=secure).start()
+        self._looking = asyncio.create_task(self._sessions.look())
+        self._tell("serve.apart", what=what)
+        if again:
+            self._tell("serve.again", number=again)
+        for name in new:
+            self._tell("serve.link", name=name, link=links.known(Ticket(PUPIL, name)))
+        if teacher is not None:
+            self._tell("serve.teacher", link=teacher)
+        self._tell("serve.at", address=base)
 
-    async def _listen(self, runner: web.AppRunner) -> str:
+    def _names(self) -> list[str]:
+        """The pupils that get a link; the bad lines of the list are told."""
+        if self._settings.class_file is None:
+            alone = self._settings.word is None and not self._settings.proxied
+            return [ONLY_DESKTOP] if alone else []
+        found = class_list.read(self._settings.class_file)
+        for line, key in found.bad:
+            self._tell("serve.class.bad", file=str(self._settings.class_file), line=line, reason=Words(key))
+        return found.names
+
+    # -- where it listens ----------------------------------------------------------------------------------------------
+
+    def _listener(self) -> socket.socket:
+        """The socket, before anything else is done: that the port is taken is the first thing to know. Raises OSError."""
         settings = self._settings
         if settings.unix is not None:
-            await web.UnixSite(runner, str(settings.unix)).start()
+            return _unix_listener(str(settings.unix))
+        found = socket.getaddrinfo(settings.host, settings.port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+        family, kind, protocol, _, address = found[0]
+        listener = socket.socket(family, kind, protocol)
+        try:
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind(address)
+        except OSError as error:
+            listener.close()
+            raise OSError(error.errno, error.strerror, f"{settings.host}:{settings.port}") from None
+        return listener
+
+    def _secure(self) -> ssl.SSLContext | None:
+        if self._settings.certificate is None:
+            return None
+        secure = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
+        try:
+            secure.load_cert_chain(self._settings.certificate, self._settings.key)
+        except OSError as error:
+            raise OSError(error.errno, error.strerror or str(error), str(self._settings.certificate)) from None
+        return secure
+
+    def _address(self, listener: socket.socket, secure: bool) -> str:
+        """What pupils type, with a slash at the end."""
+        settings = self._settings
+        if settings.base_url:
+            return settings.base_url
+        if settings.unix is not None:
             return str(settings.unix)
-        secure: ssl.SSLContext | None = None
-        if settings.certificate is not None:
-            secure = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
-            secure.load_cert_chain(settings.certificate, settings.key)
-        await web.TCPSite(runner, settings.host, settings.port, ssl_context=secure).start()
-        port = runner.addresses[0][1]
-        host = f"[{settings.host}]" if ":" in settings.host else settings.host
-        return settings.base_url or f"http{'s' if secure else ''}://{host}:{port}/"
+        host, port = listener.getsockname()[:2]
+        if host in ("0.0.0.0", "::"):
+            host = own_address()
+        shown = f"[{host}]" if ":" in host else host
+        return f"http{'s' if secure else ''}://{shown}:{port}/"
 
     async def close(self) -> None:
         """End the desktops in order, and then the server."""
-        if not self._settings.keep:
-            await self._sessions.end_all("server")
+        if self._looking is not None:
+            self._looking.cancel()
+        if self._settings.keep:
+            self._sessions.say_bye()
+            self._tell("serve.kept", number=len(self._sessions.running))
+        else:
+            self._tell("serve.ending", number=len(self._sessions.running), folder=str(self._places.homes))
+            await self._sessions.end_all()
         if self._runner is not None:
             await self._runner.cleanup()
+        if self._settings.unix is not None:
+            with contextlib.suppress(OSError):
+                os.unlink(self._settings.unix)
+        self._lock.release()
+
+
+def _unix_listener(path: str) -> socket.socket:
+    """Listen on a Unix socket that only this user can reach. A socket nobody listens on makes room, any other file stays."""
+    if sys.platform == "win32":
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    before = os.umask(0o177)
+    try:
+        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+            try:
+                probe.connect(path)
+            except ConnectionRefusedError:
+                os.unlink(path)
+            except OSError:
+                pass
+        listener.bind(path)
+    except OSError as error:
+        listener.close()
+        raise OSError(error.errno, error.strerror or str(error), path) from None
+    finally:
+        os.umask(before)
+    return listener
+
+
+def own_address() -> str:
+    """The address of this machine in its network; nothing is sent to find it."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))  # an address for documentation: RFC 5737
+            return str(probe.getsockname()[0])
+        except OSError:
+            return socket.gethostname()

@@ -20,6 +20,9 @@ LEAST, MOST = (20, 5), (500, 200)
 
 MOST_PIXELS = 16384
 
+MOST_UNTYPED = 4 << 20
+"""Bytes of keys that wait for a desktop at most: a pasted book."""
+
 ANY_SIZE = (80, 24, 0, 0)
 """Of a desktop that is only watched."""
 
@@ -34,14 +37,20 @@ def clamped(columns: int, rows: int, width: int = 0, height: int = 0) -> tuple[i
 class Session:
     """One running desktop. `ended` is called once, when the keeper says so or is gone."""
 
-    def __init__(self, name: str, cell: Cell, ended: Callable[[Session], None]) -> None:
+    def __init__(self, name: str, cell: Cell, domain: int, ended: Callable[[Session], None]) -> None:
         self.name = name
         self.cell = cell
+        self.domain = domain
+        """The ROS_DOMAIN_ID of its terminals."""
         self.writer: Viewer | None = None
         """The tab that types."""
         self.watchers: list[Viewer] = []
         self.typed_at = time.monotonic()
         """When somebody typed last."""
+        self.is_over = False
+        """Whether it has ended or is being ended."""
+        self.is_over_disk = False
+        """Whether its home is larger than it may be."""
         self._ended = ended
         self._line: Line | None = None
         self._is_read = False
@@ -60,19 +69,18 @@ class Session:
 
     def greet(self, connection: socket.socket) -> None:
         """Have the desktop draw its whole screen on this line, and no longer on the last one."""
-        self._let_go()
+        self.let_go()
         columns, rows, width, height = self.size
-        terminal = {name: value for name, value in starting.environment().items() if name != "PATH"}
         self._line = Line(connection)
         self._read(True)
-        self._send(wire.HELLO, json.dumps({"size": [rows, columns, width, height], "environ": terminal}).encode())
-
-    def let_go(self) -> None:
-        """Nobody looks any more: the desktop goes on without a terminal."""
-        self._let_go()
+        self._send(
+            wire.HELLO, json.dumps({"size": [rows, columns, width, height], "environ": starting.TERMINAL}).encode()
+        )
 
     def type(self, keys: bytes) -> None:
-        """Keys of the tab that types."""
+        """Keys of the tab that types. Raises BlockingIOError if the desktop has not taken the last ones by far."""
+        if self._line is not None and self._line.unsent > MOST_UNTYPED:
+            raise BlockingIOError
         self.typed_at = time.monotonic()
         self._send(wire.INPUT, keys)
 
@@ -89,7 +97,8 @@ class Session:
 
     # -- the line ------------------------------------------------------------------------------------------------------
 
-    def _let_go(self) -> None:
+    def let_go(self) -> None:
+        """Take nothing from the desktop any more: it goes on without a terminal, or with the next line."""
         if self._line is not None:
             loop = asyncio.get_running_loop()
             loop.remove_reader(self._line.fileno())
@@ -147,7 +156,8 @@ class Session:
             self._read(False)
 
     def _over(self, why: str) -> None:
-        self._let_go()
+        self.let_go()
         self.say_bye("taken" if why == "left" else why)
-        if why in ("ended", "server"):
+        if why in ("ended", "server") and not self.is_over:
+            self.is_over = True
             self._ended(self)

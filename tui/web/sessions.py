@@ -1,4 +1,4 @@
-"""All desktops of the class: starts them, finds them again, ends them."""
+"""All desktops of the class: starts them, finds them again, ends them. Everything that blocks is done in threads."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ import errno
 import os
 import socket
 import sys
-from collections.abc import Callable, Coroutine
-from typing import Any
+import time
+from collections.abc import Callable
 
-from day6_tui.core.isolation.cell import Limits
+from day6_tui.core.isolation.cell import IsolationError, Limits
 from day6_tui.core.isolation.mode import Mode
+from day6_tui.core.isolation.modes import survey
 from day6_tui.tui.detached import meeting
-from day6_tui.tui.web import starting
+from day6_tui.tui.web import records, starting
 from day6_tui.tui.web.names import same_name
 from day6_tui.tui.web.places import Places
+from day6_tui.tui.web.records import Record
 from day6_tui.tui.web.session import Session
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.viewer import Viewer
@@ -24,46 +26,82 @@ from day6_tui.tui.web.viewer import Viewer
 MOST_TABS = 4
 """Sockets of one pupil at a time; the oldest has to go."""
 
+LOOK_SECONDS = 30.0
+"""Between two looks at what each desktop takes of the disk, and whether somebody types."""
+
+DISK_PATIENCE = 1.5
+"""A home that is so many times as large as it may be ends its desktop; before that the teacher is told."""
+
+DOMAINS = range(1, 102)
+"""For ROS_DOMAIN_ID; what really keeps the graphs apart is the runtime folder."""
+
+Tell = Callable[..., None]
+"""Prints a text of the catalogue: its key, and what fills it."""
+
 
 class Full(Exception):
     """There are as many desktops as there may be."""
 
 
 class Sessions:
-    """The desktops by the names of the pupils. Everything that blocks is done in threads."""
+    """The desktops by the names of the pupils."""
 
-    def __init__(self, settings: Settings, places: Places, mode: Mode, tell: Callable[[str], None]) -> None:
+    def __init__(self, settings: Settings, places: Places, mode: Mode, tell: Tell) -> None:
         self._settings = settings
         self._places = places
         self._mode = mode
         self._tell = tell
+        self._file = places.server / "sessions.json"
         self.running: dict[str, Session] = {}
+        self._tabs: dict[str, list[Viewer]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
         self._tasks: set[asyncio.Task[None]] = set()
+        self._is_closing = False
 
-    async def show(self, name: str, viewer: Viewer) -> Session:
-        """Give the desktop of this pupil to a tab; it is started if it does not run. Raises Full, IsolationError, OSError."""
+    # -- tabs ----------------------------------------------------------------------------------------------------------
+
+    async def show(self, name: str, viewer: Viewer) -> Session | None:
+        """Give the desktop of this pupil to a tab, and start it if it does not run; None if the tab has to go meanwhile.
+
+        Raises Full, IsolationError, OSError.
+        """
         key = same_name(name)
-        async with self._locks.setdefault(key, asyncio.Lock()):
+        tabs = self._tabs.setdefault(key, [])
+        tabs.append(viewer)
+        for oldest in tabs[:-MOST_TABS]:
+            oldest.bye("taken")
+            tabs.remove(oldest)
+        async with self._lock(key):
+            if viewer.is_over or self._is_closing:
+                return None
             session = self.running.get(key)
+            if session is not None and session.is_over:
+                await self._clear(session)
+                session = None
             if session is None:
-                session = await self._open(name)
-            connection = await self._connect(session)
-            self._seat(session, viewer)
+                session = await self._new(name)
+            try:
+                connection = await self._connect(session)
+            except (IsolationError, OSError):
+                await self._clear(session)
+                raise
+            if viewer.is_over:
+                connection.close()
+                return None
+            _seat(session, viewer)
             session.greet(connection)
             return session
 
-    def _seat(self, session: Session, viewer: Viewer) -> None:
-        if viewer.read_only:
-            session.watchers.append(viewer)
-            return
-        if session.writer is not None:
-            session.writer.bye("taken")
-        viewer.on_room = session.has_room
-        session.writer = viewer
-
-    async def leave(self, session: Session, viewer: Viewer) -> None:
+    async def leave(self, name: str, viewer: Viewer) -> None:
         """A tab is gone. The desktop stays."""
+        key = same_name(name)
+        if viewer in (tabs := self._tabs.get(key, [])):
+            tabs.remove(viewer)
+        if not tabs:
+            self._tabs.pop(key, None)
+        session = self.running.get(key)
+        if session is None:
+            return
         if viewer in session.watchers:
             session.watchers.remove(viewer)
         elif session.writer is viewer:
@@ -71,52 +109,163 @@ class Sessions:
         if not session.is_watched:
             session.let_go()
 
-    async def _open(self, name: str) -> Session:
+    # -- one desktop ---------------------------------------------------------------------------------------------------
+
+    def _lock(self, key: str) -> asyncio.Lock:
+        return self._locks.setdefault(key, asyncio.Lock())
+
+    async def _new(self, name: str) -> Session:
         if len(self.running) >= self._settings.most:
             raise Full
-        cell = await asyncio.to_thread(self._places.cell, name, self._mode, Limits())
-        session = Session(name, cell, self._has_ended)
+        used = {session.domain for session in self.running.values()}
+        domain = next((number for number in DOMAINS if number not in used), DOMAINS[0])
+        session = await self._session(name, domain)
         self.running[same_name(name)] = session
+        await self._remember()
         return session
+
+    async def _session(self, name: str, domain: int) -> Session:
+        cell = await asyncio.to_thread(self._places.cell, name, self._mode, Limits())
+        return Session(name, cell, domain, self._has_ended)
 
     async def _connect(self, session: Session) -> socket.socket:
         """A line to the keeper, which is started if there is none."""
-        if sys.platform == "win32":  # which has no keepers
-            raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
         for _ in range(3):
-            found = await asyncio.to_thread(meeting.connect, session.cell.home, self._places.keepers)
+            found = await asyncio.to_thread(self._found, session)
             if found is not None:
                 return found
             with contextlib.suppress(BlockingIOError):  # one was just started, or is just ending
                 return await asyncio.to_thread(
-                    starting.start, self._mode, session.cell, self._places.keepers, self._words(session)
+                    starting.start, self._mode, session.cell, self._places.keepers, session.domain, self._words()
                 )
             await asyncio.sleep(0.3)
-        raise OSError("the desktop neither runs nor can be started")
+        raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
-    def _words(self, session: Session) -> list[str]:
-        words = ["--home", str(session.cell.home), "--lang", self._settings.lang, *self._settings.words]
-        if self._settings.lessons is not None:
-            words += ["--lessons", str(self._settings.lessons)]
-        return words
+    def _found(self, session: Session) -> socket.socket | None:
+        if sys.platform == "win32":  # which has no keepers
+            raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+        return meeting.connect(session.cell.home, self._places.keepers)
+
+    def _words(self) -> list[str]:
+        words = ["--lang", self._settings.lang]
+        return words if self._settings.lessons is None else [*words, "--lessons", str(self._settings.lessons)]
 
     def _has_ended(self, session: Session) -> None:
-        self._later(self._sweep(session))
-
-    def _later(self, coroutine: Coroutine[Any, Any, None]) -> None:
-        task = asyncio.create_task(coroutine)
+        """The keeper said so, or it is gone."""
+        task = asyncio.create_task(self._sweep(session))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
     async def _sweep(self, session: Session) -> None:
-        key = same_name(session.name)
-        async with self._locks.setdefault(key, asyncio.Lock()):
-            if self.running.get(key) is session:
-                del self.running[key]
-            await asyncio.to_thread(self._mode.end, session.cell)
+        async with self._lock(same_name(session.name)):
+            if self.running.get(same_name(session.name)) is session:
+                await self._clear(session)
 
-    async def end_all(self, why: str) -> None:
-        """End every desktop in order."""
-        for session in list(self.running.values()):
-            session.say_bye(why)
-        await asyncio.gather(*(self._sweep(session) for session in list(self.running.values())))
+    async def _clear(self, session: Session) -> None:
+        """Leave nothing of it but the files."""
+        session.is_over = True
+        session.let_go()
+        if not await asyncio.to_thread(starting.stop, self._mode, session.cell, self._places.keepers):
+            self._tell("serve.left", name=session.name)
+        self.running.pop(same_name(session.name), None)
+        await self._remember()
+
+    async def end(self, session: Session, why: str) -> None:
+        """End a desktop and tell its tabs why."""
+        session.is_over = True
+        session.say_bye(why)
+        await self._sweep(session)
+
+    async def end_all(self) -> None:
+        """End every desktop in order; no new one begins."""
+        self._is_closing = True
+        await asyncio.gather(*(self.end(session, "server") for session in list(self.running.values())))
+
+    def say_bye(self) -> None:
+        """To all tabs; the desktops go on."""
+        self._is_closing = True
+        for session in self.running.values():
+            session.say_bye("server")
+
+    # -- what is remembered --------------------------------------------------------------------------------------------
+
+    async def _remember(self) -> None:
+        found = [Record(each.name, self._mode.name, each.domain) for each in self.running.values()]
+        try:
+            await asyncio.to_thread(records.write, self._file, found)
+        except OSError as error:  # a full disk: the class goes on
+            self._tell("serve.no_record", file=str(self._file), reason=error.strerror or str(error))
+
+    async def find_again(self) -> int:
+        """Take over the desktops of a server that was killed, end what cannot be; return how many go on. Raises OSError."""
+        try:
+            found = await asyncio.to_thread(records.read, self._file)
+        except ValueError:
+            self._tell("serve.bad_record", file=str(self._file))
+            return 0
+        await asyncio.gather(*map(self._find, found))
+        await self._remember()
+        return len(self.running)
+
+    async def _find(self, record: Record) -> None:
+        mode = self._mode
+        if record.mode != mode.name:
+            (offer,) = await asyncio.to_thread(survey, (record.mode,))
+            if offer.mode is None:
+                self._tell("serve.left", name=record.name)
+                return
+            mode = offer.mode
+        try:
+            cell = await asyncio.to_thread(self._places.cell, record.name, mode, Limits())
+            session = Session(record.name, cell, record.domain, self._has_ended)
+            probe = await asyncio.to_thread(self._found, session) if mode is self._mode else None
+            if probe is None:
+                await asyncio.to_thread(starting.stop, mode, cell, self._places.keepers)
+                return
+            probe.close()
+            self.running[same_name(record.name)] = session
+        except (IsolationError, OSError):
+            self._tell("serve.left", name=record.name)
+
+    # -- what is looked at now and then --------------------------------------------------------------------------------
+
+    async def look(self) -> None:
+        """Watch the idle and the disk, for as long as the server runs."""
+        while True:
+            await asyncio.sleep(LOOK_SECONDS)
+            for session in list(self.running.values()):
+                if session.is_over:
+                    continue
+                if self._is_idle(session):
+                    self._tell("serve.idle", name=session.name, minutes=f"{self._settings.idle:g}")
+                    await self.end(session, "idle")
+                else:
+                    await self._look_at_disk(session)
+
+    def _is_idle(self, session: Session) -> bool:
+        return 0 < self._settings.idle * 60 <= time.monotonic() - session.typed_at
+
+    async def _look_at_disk(self, session: Session) -> None:
+        used = await asyncio.to_thread(self._mode.used, session.cell)
+        most = session.cell.limits.disk
+        was_over, session.is_over_disk = session.is_over_disk, used.disk > most
+        if not session.is_over_disk:
+            return
+        values = {"name": session.name, "used": used.disk >> 20, "most": most >> 20}
+        if used.disk > DISK_PATIENCE * most:
+            self._tell("serve.disk.ended", **values)
+            await self.end(session, "full")
+        elif not was_over:
+            self._tell("serve.disk.over", **values)
+
+
+def _seat(session: Session, viewer: Viewer) -> None:
+    """Show the desktop to this tab; one that types takes it over."""
+    if viewer.read_only:
+        session.watchers.append(viewer)
+        return
+    if session.writer is not None:
+        session.writer.bye("taken")
+    viewer.on_room = session.has_room
+    session.writer = viewer
+    session.typed_at = time.monotonic()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 
@@ -21,8 +21,11 @@ class Settings:
     word: str | None = None
     """The class word: who knows it chooses a name."""
     class_file: Path | None = None
+    """The names of the class."""
     new_links: bool = False
+    """Make all links anew; the old ones are no longer good."""
     isolation: str = "auto"
+    """A name of core.isolation.modes, or "auto": the best this machine has."""
     trust_pupils: bool = False
     most: int = 40
     """Desktops at a time."""
@@ -36,5 +39,3 @@ class Settings:
     """The address at which the pupils reach the server, where it is not the one it listens on."""
     proxied: bool = False
     """Who reaches the socket is the user: one desktop, no token."""
-    words: tuple[str, ...] = field(default=())
-    """What the desktops are started with besides."""

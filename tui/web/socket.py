@@ -1,16 +1,18 @@
-"""The WebSocket of a tab. What it says is in the class `Talk`; anything else closes it with a plain reason."""
+"""The WebSocket of a tab. What it says is in `_obey`; anything else closes it with a plain reason."""
 
 from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import Callable
 from typing import Any
 
-from aiohttp import WSMsgType, web
+from aiohttp import WSCloseCode, WSMsgType, web
 
 from day6_tui.core.isolation.cell import IsolationError
 from day6_tui.tui.web.session import Session, clamped
 from day6_tui.tui.web.sessions import Full, Sessions
+from day6_tui.tui.web.tokens import WATCHER, Ticket
 from day6_tui.tui.web.viewer import Viewer
 
 LONGEST_FRAME = 64 << 10
@@ -20,34 +22,40 @@ BEAT = 20.0
 """Seconds between two signs of life that are asked of the browser: a proxy cuts what is silent for a minute."""
 
 
+Refused = Callable[[str, Exception], None]
+"""Tells the server's user why a pupil got no desktop."""
+
+
 class Nonsense(Exception):
     """The browser said what no page of ours says; the message is the reason it is told."""
 
 
 async def talk(
-    request: web.Request, sessions: Sessions, name: str, *, read_only: bool, lang: str
+    request: web.Request, sessions: Sessions, ticket: Ticket, *, lang: str, refused: Refused
 ) -> web.StreamResponse:
     """Serve one tab until one of both leaves."""
     ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
     await ws.prepare(request)
+    name, read_only = ticket.name, ticket.kind == WATCHER
     viewer = Viewer(ws, _asked_size(request), read_only=read_only)
     await viewer.say(t="hello", name=name, read_only=read_only, lang=lang)
     columns, rows, _, _ = viewer.size
     await viewer.say(t="size", cols=columns, rows=rows)
-    try:
-        session = await sessions.show(name, viewer)
-    except (Full, IsolationError, OSError) as error:
-        viewer.bye("full" if isinstance(error, Full) else "refused")
-        await viewer.run()
-        return ws
     sending = asyncio.create_task(viewer.run())
     try:
-        await _listen(ws, viewer, session)
+        session = await sessions.show(name, viewer)
+        if session is not None:
+            await _listen(ws, viewer, session)
     except Nonsense as reason:
-        await ws.close(code=1008, message=str(reason).encode())
+        await ws.close(code=WSCloseCode.POLICY_VIOLATION, message=str(reason).encode())
+    except Full:
+        viewer.bye("full")
+    except (IsolationError, OSError) as error:
+        refused(name, error)
+        viewer.bye("refused")
     finally:
-        await sessions.leave(session, viewer)
-        if ws.closed:
+        await sessions.leave(name, viewer)
+        if ws.closed and not viewer.is_over:
             sending.cancel()
         await asyncio.gather(sending, return_exceptions=True)
     return ws
@@ -66,7 +74,10 @@ async def _listen(ws: web.WebSocketResponse, viewer: Viewer, session: Session) -
     async for message in ws:
         if message.type == WSMsgType.BINARY:
             if not viewer.read_only and session.writer is viewer:
-                session.type(message.data)
+                try:
+                    session.type(message.data)
+                except BlockingIOError:
+                    raise Nonsense("typed too much") from None
         elif message.type == WSMsgType.TEXT:
             await _obey(_parsed(message.data), viewer, session)
 

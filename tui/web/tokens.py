@@ -65,9 +65,11 @@ class Tokens:
         self._tickets[_hash(token)] = ticket
         return token
 
-    def revoke(self, ticket: Ticket) -> None:
-        """Let no token for this be good any longer."""
-        self._tickets = {key: each for key, each in self._tickets.items() if not _is_same(each, ticket)}
+    def revoke(self, ticket: Ticket, *, keep: int = 0) -> None:
+        """Let no token for this be good any longer, but the last `keep` ones."""
+        old = [key for key, each in self._tickets.items() if _is_same(each, ticket)]
+        for key in old[: len(old) - keep]:
+            del self._tickets[key]
 
     def of(self, token: str) -> Ticket | None:
         """What a token stands for; None for a wrong one."""
@@ -76,6 +78,10 @@ class Tokens:
     def has(self, ticket: Ticket) -> bool:
         """Whether there is a token for this."""
         return any(_is_same(each, ticket) for each in self._tickets.values())
+
+    def names(self) -> list[str]:
+        """The pupils that have a token, in the order in which they got it."""
+        return list({same_name(each.name): each.name for each in self._tickets.values() if each.kind == PUPIL}.values())
 
 
 def _hash(token: str) -> str:

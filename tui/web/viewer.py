@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+from collections.abc import Callable
 from typing import Any
 
 from aiohttp import web
@@ -34,13 +35,18 @@ class Viewer:
         self._wakes = asyncio.Event()
         self._last: dict[str, Any] | None = None
         """The last words; set when it is over."""
-        self.on_room: Any = None
+        self.on_room: Callable[[], None] | None = None
         """Called when there is room again."""
 
     @property
     def is_full(self) -> bool:
         """Whether it has to acknowledge something first."""
         return self._sent + len(self._waiting) - self._acknowledged >= MOST_UNACKNOWLEDGED
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it was said goodbye to."""
+        return self._last is not None
 
     @property
     def is_lost(self) -> bool:
