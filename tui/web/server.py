@@ -8,6 +8,7 @@ import errno
 import os
 import socket
 import ssl
+import stat
 import sys
 
 from aiohttp import web
@@ -155,21 +156,20 @@ def _unix_listener(path: str) -> socket.socket:
     if sys.platform == "win32":
         raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
     listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    before = os.umask(0o177)
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
             try:
                 probe.connect(path)
             except ConnectionRefusedError:
-                os.unlink(path)
+                if stat.S_ISSOCK(os.lstat(path).st_mode):
+                    os.unlink(path)
             except OSError:
                 pass
         listener.bind(path)
+        os.chmod(path, 0o600)  # nobody gets in before it listens
     except OSError as error:
         listener.close()
         raise OSError(error.errno, error.strerror or str(error), path) from None
-    finally:
-        os.umask(before)
     return listener
 
 

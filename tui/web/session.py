@@ -54,6 +54,8 @@ class Session:
         self._ended = ended
         self._line: Line | None = None
         self._is_read = False
+        self._early: bytearray | None = None
+        """Keys that came before the desktop draws on the present line: the keeper takes none from a client that waits."""
 
     @property
     def size(self) -> tuple[int, int, int, int]:
@@ -72,6 +74,7 @@ class Session:
         self.let_go()
         columns, rows, width, height = self.size
         self._line = Line(connection)
+        self._early = bytearray()
         self._read(True)
         self._send(
             wire.HELLO, json.dumps({"size": [rows, columns, width, height], "environ": starting.TERMINAL}).encode()
@@ -79,10 +82,14 @@ class Session:
 
     def type(self, keys: bytes) -> None:
         """Keys of the tab that types. Raises BlockingIOError if the desktop has not taken the last ones by far."""
-        if self._line is not None and self._line.unsent > MOST_UNTYPED:
+        waiting = len(self._early or b"") + (0 if self._line is None else self._line.unsent)
+        if waiting > MOST_UNTYPED:
             raise BlockingIOError
         self.typed_at = time.monotonic()
-        self._send(wire.INPUT, keys)
+        if self._early is None:
+            self._send(wire.INPUT, keys)
+        else:
+            self._early += keys
 
     def resize(self) -> None:
         """The tab that types has another size."""
@@ -138,6 +145,7 @@ class Session:
         assert line is not None
         for kind, data in line.receive():
             if kind == wire.OUTPUT:
+                self._type_early()
                 self._show(data)
             elif kind == wire.END:
                 self._over("ended")
@@ -147,6 +155,11 @@ class Session:
                 return
         if line.closed and self._line is line:
             self._over("server")
+
+    def _type_early(self) -> None:
+        early, self._early = self._early, None
+        for begin in range(0, len(early or b""), wire.READ_SIZE):
+            self._send(wire.INPUT, bytes((early or b"")[begin : begin + wire.READ_SIZE]))
 
     def _show(self, data: bytes) -> None:
         for viewer in (self.writer, *self.watchers):

@@ -232,7 +232,9 @@ class Sessions:
     async def look(self) -> None:
         """Watch the idle and the disk, for as long as the server runs."""
         while True:
-            await asyncio.sleep(LOOK_SECONDS)
+            await asyncio.sleep(
+                min(LOOK_SECONDS, max(1.0, self._settings.idle * 15)) if self._settings.idle else LOOK_SECONDS
+            )
             for session in list(self.running.values()):
                 if session.is_over:
                     continue

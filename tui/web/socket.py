@@ -25,6 +25,9 @@ BEAT = 20.0
 Refused = Callable[[str, Exception], None]
 """Tells the server's user why a pupil got no desktop."""
 
+LAST_SECONDS = 2.0
+"""What a browser gets to take the last words."""
+
 
 class Nonsense(Exception):
     """The browser said what no page of ours says; the message is the reason it is told."""
@@ -34,7 +37,7 @@ async def talk(
     request: web.Request, sessions: Sessions, ticket: Ticket, *, lang: str, refused: Refused
 ) -> web.StreamResponse:
     """Serve one tab until one of both leaves."""
-    ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
+    ws = web.WebSocketResponse(timeout=LAST_SECONDS, max_msg_size=LONGEST_FRAME, heartbeat=BEAT, compress=False)
     await ws.prepare(request)
     name, read_only = ticket.name, ticket.kind == WATCHER
     viewer = Viewer(ws, _asked_size(request), read_only=read_only)
@@ -44,21 +47,49 @@ async def talk(
     sending = asyncio.create_task(viewer.run())
     try:
         session = await sessions.show(name, viewer)
-        if session is not None:
-            await _listen(ws, viewer, session)
-    except Nonsense as reason:
-        await ws.close(code=WSCloseCode.POLICY_VIOLATION, message=str(reason).encode())
-    except Full:
-        viewer.bye("full")
-    except (IsolationError, OSError) as error:
-        refused(name, error)
-        viewer.bye("refused")
+        code, reason = await _exchange(ws, viewer, session, sending)
+    except (Full, IsolationError, OSError) as error:
+        if not isinstance(error, Full):
+            refused(name, error)
+        viewer.bye("full" if isinstance(error, Full) else "refused")
+        code, reason = WSCloseCode.OK, await _last_words(sending)
     finally:
         await sessions.leave(name, viewer)
-        if ws.closed and not viewer.is_over:
-            sending.cancel()
+        sending.cancel()
         await asyncio.gather(sending, return_exceptions=True)
+    await ws.close(code=code, message=reason.encode())
     return ws
+
+
+async def _exchange(
+    ws: web.WebSocketResponse, viewer: Viewer, session: Session | None, sending: asyncio.Task[str]
+) -> tuple[int, str]:
+    """Carry to and fro until one of both leaves; return how to close.
+
+    Reading ends before the socket is closed: aiohttp would else not wait for the browser's answer, and the last words get lost.
+    """
+    if session is None:
+        return WSCloseCode.OK, await _last_words(sending)
+    listening = asyncio.create_task(_listen(ws, viewer, session))
+    try:
+        await asyncio.wait({sending, listening}, return_when=asyncio.FIRST_COMPLETED)
+        if not listening.done():
+            return WSCloseCode.OK, await _last_words(sending)
+        listening.result()
+        return WSCloseCode.OK, ""
+    except Nonsense as nonsense:
+        return WSCloseCode.POLICY_VIOLATION, str(nonsense)
+    finally:
+        listening.cancel()
+        await asyncio.gather(listening, return_exceptions=True)
+
+
+async def _last_words(sending: asyncio.Task[str]) -> str:
+    """Wait until the last words were sent, for a while; return why it is over."""
+    try:
+        return await asyncio.wait_for(sending, LAST_SECONDS)
+    except (asyncio.TimeoutError, ConnectionError):
+        return ""
 
 
 def _asked_size(request: web.Request) -> tuple[int, int, int, int]:

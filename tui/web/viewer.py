@@ -18,9 +18,6 @@ MOST_WAITING = 4 << 20
 
 PIECE = 32 << 10
 
-CLOSE_SECONDS = 2.0
-"""What a browser gets to take the last words."""
-
 
 class Viewer:
     """A socket. `cols`, `rows`, `width` and `height` are those of the tab."""
@@ -77,19 +74,21 @@ class Viewer:
             self._last = {"t": "bye", "why": why}
             self._wakes.set()
 
-    async def run(self) -> None:
-        """Send until it is over."""
-        with contextlib.suppress(ConnectionError):
-            while self._last is None:
-                room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
-                piece = bytes(self._waiting[: min(PIECE, room)]) if room > 0 else b""
-                if not piece:
-                    self._wakes.clear()
-                    await self._wakes.wait()
-                    continue
+    async def run(self) -> str:
+        """Send until it is over, and return why it is. Closing is left to whoever reads from the socket."""
+        while self._last is None:
+            room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
+            piece = bytes(self._waiting[: min(PIECE, room)]) if room > 0 else b""
+            if piece:
                 await self._send(piece)
-            with contextlib.suppress(TimeoutError, asyncio.TimeoutError):
-                await asyncio.wait_for(self._part(self._last), CLOSE_SECONDS)
+            else:
+                self._wakes.clear()
+                await self._wakes.wait()
+        room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
+        if self._waiting and room > 0:
+            await self._send(bytes(self._waiting[:room]))
+        await self.say(**self._last)
+        return str(self._last["why"])
 
     async def _send(self, piece: bytes) -> None:
         del self._waiting[: len(piece)]
@@ -97,10 +96,3 @@ class Viewer:
         await self._ws.send_bytes(piece)
         if self.on_room is not None and not self.is_full:
             self.on_room()
-
-    async def _part(self, last: dict[str, Any]) -> None:
-        room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
-        if self._waiting and room > 0:
-            await self._send(bytes(self._waiting[:room]))
-        await self.say(**last)
-        await self._ws.close(message=str(last["why"]).encode())

@@ -1,0 +1,73 @@
+"""`day6-tui serve` on the command line: what it refuses, and how else it can be reached."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import aiohttp
+import pytest
+from serving import PATIENCE, Browser, Serving, run
+from short_folder import make_short_folder
+
+
+def refused(*words: str, folder: Path | None = None) -> tuple[int, str]:
+    data = make_short_folder("d6w-") if folder is None else folder
+    done = subprocess.run(
+        [sys.executable, "-m", "day6_tui.tui.main", "serve", "--lang", "en", "--data", str(data), *words],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert "Traceback" not in done.stderr
+    return done.returncode, done.stderr.strip().splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "reason"),
+    [
+        (["--host", "0.0.0.0", "--isolation", "none"], 2, "--host 0.0.0.0: pupils are not kept apart here"),
+        (["--word", "abc"], 2, "too easily guessed"),
+        (["--port", "70000"], 2, "no number from 0 to 65535"),
+        (["--idle", "soon"], 2, "no number of minutes"),
+        (["--key", "key.pem"], 2, "needs --cert"),
+        (["--proxied", "--host", "0.0.0.0"], 2, "needs --unix"),
+        (["--class", "/nowhere.csv", "--isolation", "none"], 1, "/nowhere.csv: No such file"),
+        (["--cert", "/nowhere.pem", "--isolation", "none", "--port", "0"], 1, "/nowhere.pem: No such file"),
+    ],
+)
+def test_what_cannot_be_is_told_in_a_line(words: list[str], status: int, reason: str) -> None:
+    found, said = refused(*words)
+    assert found == status and reason in said
+
+
+def test_a_folder_has_one_server_and_files_of_others_stay(class_server: Serving) -> None:
+    status, said = refused("--isolation", "none", "--port", "0", folder=class_server.folder / "class")
+    assert status == 2 and "another server uses this folder" in said
+    folder = make_short_folder("d6w-")
+    (folder / "server").mkdir()
+    (folder / "server" / "tokens.json").write_text("my own text")
+    status, said = refused("--isolation", "none", "--port", "0", folder=folder)
+    assert status == 2 and "not what this program writes" in said
+    assert (folder / "server" / "tokens.json").read_text() == "my own text"
+    (folder / "socket").write_text("no socket")
+    status, said = refused("--isolation", "none", "--unix", str(folder / "socket"))
+    assert status == 1 and (folder / "socket").read_text() == "no socket"
+
+
+def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link() -> None:
+    folder = make_short_folder("d6w-")
+    path = str(folder / "socket")
+    with Serving(folder, "--unix", path, "--proxied", "--base-url", "http://hub.example/user/me/day6") as serving:
+
+        async def deed() -> None:
+            connector = aiohttp.UnixConnector(path)
+            async with aiohttp.ClientSession(connector=connector) as session:
+                door = Browser(session, "http://hub.example/")
+                assert (await door.get("desk"))[0] == 200
+                tab = await door.tab()
+                await tab.see("me@day6:~$")
+
+        run(deed())
+        assert serving.end() == 0 and serving.cells() == [] and not Path(path).exists()

@@ -1,0 +1,137 @@
+"""Who gets in: by a link, or by the class word; nobody else sees anything."""
+
+from __future__ import annotations
+
+import json
+import stat
+
+import aiohttp
+import pytest
+from serving import WORD, Browser, Serving, browser, run
+
+from day6_tui.tui.web.tries import MOST_OF_ONE
+
+
+async def status_of_socket(door: Browser, **headers: str) -> int:
+    try:
+        tab = await door.tab(**headers)
+    except aiohttp.WSServerHandshakeError as error:
+        return error.status
+    await tab.ws.close()
+    return 101
+
+
+def test_without_a_token_there_is_the_start_page_and_nothing_else(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            status, page = await door.get("")
+            assert status == 200 and "How pupils are kept apart here: all pupils are the same user" in page
+            for path in ("desk", "watch", "class", "links"):
+                status, page = await door.get(path)
+                assert status == 403 and "needs a link" in page
+            assert await status_of_socket(door) == 403
+            assert (await door.post("links/new", kind="pupil", name="anna"))[0] == 403
+            assert (await door.get("static/../tokens.py"))[0] == 404
+
+    run(deed())
+
+
+def test_a_page_of_another_site_opens_no_socket_and_sends_no_form(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            await door.get(class_server.link("anna"))
+            for origin in ("http://evil.example", "null", class_server.base.rstrip("/") + "1", ""):
+                assert await status_of_socket(door, Origin=origin) == 403
+                assert (await door.post("enter", origin=origin, word=WORD, name="eva"))[0] == 403
+            assert await status_of_socket(door) == 101
+            status, _ = await door.get("", Host="evil.example:8006")
+            assert status == 421
+
+    run(deed())
+
+
+def test_every_answer_forbids_what_our_pages_never_do(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            for path in ("", "desk", "static/pages.css", "nothing"):
+                async with door.session.get(door.base + path) as answer:
+                    assert "script-src 'self' 'wasm-unsafe-eval';" in answer.headers["Content-Security-Policy"]
+                    assert answer.headers["X-Content-Type-Options"] == "nosniff"
+                    assert answer.headers["Referrer-Policy"] == "same-origin"
+            async with door.session.get(class_server.link("anna")) as answer:
+                cookie = answer.headers["Set-Cookie"]
+                assert "HttpOnly" in cookie and "SameSite=Strict" in cookie and "Path=/" in cookie
+
+    run(deed())
+
+
+def test_tokens_are_hashed_on_the_disk(class_server: Serving) -> None:
+    file = class_server.folder / "class" / "server" / "tokens.json"
+    assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    text = file.read_text(encoding="utf-8")
+    for name in ("anna", "李雷", "the teacher"):
+        assert class_server.link(name).rpartition("/")[2] not in text
+    assert {each["name"] for each in json.loads(text)["tickets"]} >= {"anna", "李雷", "bert", ""}
+
+
+def test_the_list_gave_each_pupil_a_link_and_its_bad_lines_are_named(class_server: Serving) -> None:
+    said = "\n".join(class_server.said)
+    assert "pupils.csv, line 4: Type a name." in said
+    assert "pupils.csv, line 5: this name is there twice" in said
+    assert len({class_server.link(name) for name in ("anna", "李雷", "bert")}) == 3
+
+
+def test_the_teacher_gets_links_to_print_and_makes_new_ones(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            await door.get(class_server.link("the teacher"))
+            _, page = await door.get("links")
+            old = class_server.link("bert")
+            assert f"<code>{old}</code>" in page and page.count("<svg") >= 3
+            assert (await door.post("links/new", kind="pupil", name="bert"))[0] == 303
+            assert (await door.post("links/new", kind="teacher", name=""))[0] == 303
+            _, page = await door.get("links")
+            assert old not in page
+            assert (await door.get(old))[0] == 403
+            new = page.partition("bert</h2>")[2].partition("<code>")[2].partition("<")[0]
+            assert (await door.get(new))[0] == 200
+            class_server.said = [line.replace(old, new) for line in class_server.said]
+
+    run(deed())
+
+
+def test_who_knows_the_word_chooses_a_name_that_nobody_has(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door, browser(class_server.base) as other:
+            assert (await door.post("enter", word="wrong", name="dora"))[0] == 403
+            assert (await door.post("enter", word=WORD, name="<script>"))[0] == 400
+            assert (await door.post("enter", word=WORD, name="d" * 33))[0] == 400
+            assert (await door.post("enter", word=WORD, name="Dora 王"))[0] == 303
+            assert "Go on as Dora 王" in (await door.get(""))[1]
+            for taken in ("Dora 王", "dora  王", "ANNA"):
+                status, page = await other.post("enter", word=WORD, name=taken)
+                assert status == 409 and "Choose another name" in page
+            assert (await door.get("desk"))[0] == 200
+            assert (await door.post("leave"))[0] == 303
+            assert (await door.get("desk"))[0] == 403
+
+    run(deed())
+
+
+@pytest.fixture
+def tried(class_server: Serving) -> Serving:
+    """A server of its own: its address is shut out afterwards."""
+    return Serving(class_server.folder.parent / f"{class_server.folder.name}-t", "--word", WORD, "--isolation", "none")
+
+
+def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Serving) -> None:
+    async def deed() -> None:
+        async with browser(tried.base) as door:
+            link = tried.link("the teacher")
+            found = [(await door.get(f"p/{number:022}"))[0] for number in range(MOST_OF_ONE + 5)]
+            assert found == [403] * MOST_OF_ONE + [429] * 5
+            assert (await door.post("enter", word=WORD, name="anna"))[0] == 429
+            assert (await door.get(link))[0] == 200
+
+    with tried:
+        run(deed())
