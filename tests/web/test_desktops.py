@@ -193,7 +193,7 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
                 assert (await door.post("enter", word=WORD, name="anna"))[0] == 303
                 tab = await door.tab()
                 await tab.see("anna@day6:~$")
-                await tab.type(MADE + "; echo kept > kept.txt; sleep 600 &\r")
+                await tab.type("echo kept > kept.txt; sleep 600 & " + MADE + "\r")
                 await tab.see("made-by-42")
                 cookies = door.session.cookie_jar
                 serving.end(signal.SIGKILL)
