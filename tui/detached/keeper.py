@@ -37,6 +37,13 @@ LEAVE_SECONDS = 3.0
 STUCK_SECONDS = 5.0
 """A client that takes nothing for so long is treated as if it had left, until it takes what waits: a closed laptop."""
 
+MOST_OBSERVERS = 16
+MOST_NOTES = 1 << 19
+"""Bytes of notes that may wait for an observer; one that takes no more is let go."""
+
+MOST_ORDERS = 1 << 16
+"""Bytes of orders that may wait for the desktop; more are dropped."""
+
 MOST_UNSENT = 1 << 20
 """Bytes that are kept at most for a client that the desktop is leaving."""
 
@@ -68,6 +75,10 @@ class Keeper:
         """The client that gets the desktop as soon as the present one has been left."""
         self._parting: list[tuple[Line, float]] = []
         """Clients that only have to take what was sent, and until when."""
+        self._observers: list[Line] = []
+        """Who hears the desktop's notes."""
+        self._note = b""
+        """The last one."""
         self._is_here = False
         """Whether the desktop draws, or is about to."""
         self._leave_by: float | None = None
@@ -106,7 +117,7 @@ class Keeper:
         with contextlib.suppress(OSError):  # the folder is not ours where a server started us: it removes the socket
             meeting.remove(self._path)
         self._held.close()  # before anybody is told: the next desktop may start at once
-        for line in [self._client, self._next and self._next[0]]:
+        for line in [self._client, self._next and self._next[0], *self._observers]:
             if line is not None:
                 line.send(wire.END, str(status).encode())
                 self._part(line)
@@ -119,10 +130,11 @@ class Keeper:
     def _serve(self) -> None:
         """Wait until something can be done, and do it."""
         client, upcoming = self._client, self._next and self._next[0]
-        readers: list[Any] = [self._wakes, self._held.listener, *self._arrived]
-        writers: list[Any] = self._unsent_parting()
+        readers: list[Any] = [self._wakes, self._held.listener, *self._arrived, *self._observers]
+        writers: list[Any] = [*self._unsent_parting(), *(line for line in self._observers if line.unsent)]
         if self._pid and not self._desktop.closed:
             readers.append(self._desktop)
+            writers += [self._desktop] if self._desktop.unsent else []
         if self._master >= 0 and self._takes_output:
             readers.append(self._master)
         if self._master >= 0 and self._typed and self._reads_keys:
@@ -146,10 +158,13 @@ class Keeper:
             if line is not None and line in writable:
                 line.flush()
                 self._took_at = time.monotonic() if line is client else self._took_at
+        for line in [line for line in (*self._observers, *([self._desktop] if self._pid else ())) if line in writable]:
+            line.flush()
         if self._pid and self._desktop in readable:
-            for kind, _ in self._desktop.receive():
-                self._hear_desktop(kind)
-        for line in [line for line in (*self._arrived, client, upcoming) if line is not None and line in readable]:
+            for kind, data in self._desktop.receive():
+                self._hear_desktop(kind, data)
+        heard = (*self._arrived, client, upcoming, *self._observers)
+        for line in [line for line in heard if line is not None and line in readable]:
             for kind, data in line.receive():
                 self._hear(line, kind, data)
         self._forget_closed()
@@ -252,9 +267,16 @@ class Keeper:
         with contextlib.suppress(OSError):
             del self._typed[: os.write(self._master, self._typed[:4096])]
 
-    def _hear_desktop(self, kind: bytes) -> None:
-        if kind == wire.HERE:
-            self._has_begun = self._reads_keys = True
+    def _hear_desktop(self, kind: bytes, data: bytes) -> None:
+        if kind == wire.NOTE:
+            self._note = data
+            for line in self._observers:
+                self._tell_observer(line)
+        elif kind == wire.HERE:
+            if not self._has_begun:
+                self._has_begun = True
+                self._count_observers()
+            self._reads_keys = True
             if self._client is not None and self._hello.get("size") is None:
                 self._client.send(wire.READY)
                 self._part(self._client)
@@ -306,7 +328,13 @@ class Keeper:
             self._arrived.append(Line(connection))
 
     def _hear(self, line: Line, kind: bytes, data: bytes) -> None:
-        if line in self._arrived and kind == wire.STOP:
+        if line in self._arrived and kind == wire.WATCH:
+            self._arrived.remove(line)
+            self._observe(line)
+        elif line in self._observers:
+            if kind == wire.ORDER and self._has_begun and self._desktop.unsent < MOST_ORDERS:
+                self._desktop.send(wire.ORDER, data)
+        elif line in self._arrived and kind == wire.STOP:
             self._hand_on(signal.SIGTERM, None)  # the line stays open until this process ends
         elif line in self._arrived:
             hello = _hello(data) if kind == wire.HELLO else None
@@ -343,6 +371,26 @@ class Keeper:
         else:
             self._left()
 
+    def _observe(self, line: Line) -> None:
+        """Let one more hear what the desktop says of itself."""
+        if len(self._observers) >= MOST_OBSERVERS:
+            line.close()
+            return
+        self._observers.append(line)
+        if self._note:
+            self._tell_observer(line)
+        self._count_observers()
+
+    def _tell_observer(self, line: Line) -> None:
+        if line.unsent > MOST_NOTES:
+            line.closed = True
+        else:
+            line.send(wire.NOTE, self._note)
+
+    def _count_observers(self) -> None:
+        if self._has_begun:
+            self._desktop.send(wire.OBSERVERS, str(len(self._observers)).encode())
+
     def _part(self, line: Line) -> None:
         """Let a client go as soon as it has taken what was sent."""
         if line is self._client:
@@ -365,6 +413,11 @@ class Keeper:
         for line in [line for line in self._arrived if line.closed]:
             self._arrived.remove(line)
             line.close()
+        if lost := [line for line in self._observers if line.closed]:
+            for line in lost:
+                self._observers.remove(line)
+                line.close()
+            self._count_observers()
         if self._next is not None and self._next[0].closed:
             self._next[0].close()
             self._next = None

@@ -17,6 +17,16 @@ SIZE = b"s"
 STOP = b"q"
 """In place of HELLO, from the server of a class: end the desktop as SIGTERM does. The answer is that the connection ends."""
 
+# Between an observer and the keeper, who only hands on; what is in them is `core/classroom`'s
+WATCH = b"w"
+"""In place of HELLO: become an observer, who sees no output and types nothing. Any number may observe."""
+NOTE = b"n"
+"""From the desktop, what it says of itself; an observer that comes gets the last one."""
+ORDER = b"O"
+"""From an observer, what the desktop is asked to do."""
+OBSERVERS = b"W"
+"""To the desktop: how many observe it now."""
+
 # From the keeper to a client
 OUTPUT = b"o"
 READY = b"r"

@@ -1,0 +1,159 @@
+"""The class as the teacher has heard of it: who is there, where they are, who needs somebody."""
+
+from __future__ import annotations
+
+import csv
+import io
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from day6_tui.core.classroom.note import Note
+from day6_tui.core.classroom.order import Order
+
+STUCK_SECONDS = 60.0
+"""With an error that stands for so long somebody may need help."""
+IDLE_SECONDS = 300.0
+MOST_PUPILS = 200
+
+
+class Carrier(Protocol):
+    """Takes orders to the desktops."""
+
+    def send(self, name: str, order: Order) -> bool:
+        """Send an order; False if that pupil cannot be reached."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One pupil. Times are those of the roster's clock."""
+
+    name: str
+    is_here: bool = True
+    """Whether the desktop runs and is reached."""
+    note: Note | None = None
+    heard: float = 0.0
+    """When the note came."""
+    troubled: float | None = None
+    """Since when the same error stands."""
+    raised: float | None = None
+    """Since when the hand is up."""
+    furthest: tuple[tuple[str, int, int], ...] = ()
+    """For each lesson that was seen: its name, the furthest step that was solved or reached, and how many there are."""
+
+    def idle(self, now: float) -> float:
+        """Return the seconds since the pupil did anything."""
+        return self.note.idle + max(0.0, now - self.heard) if self.note is not None else 0.0
+
+    def is_stuck(self, now: float) -> bool:
+        """Whether an error has stood for a while."""
+        return self.is_here and self.troubled is not None and now - self.troubled >= STUCK_SECONDS
+
+
+class Roster:
+    """Holds the class. Not for several threads."""
+
+    def __init__(self, carrier: Carrier | None = None, clock: Callable[[], float] = time.monotonic) -> None:
+        self.carrier = carrier
+        self._clock = clock
+        self._rows: dict[str, Row] = {}
+        self.version = 0
+        """Another number after every change."""
+
+    # -- what is heard -------------------------------------------------------------------------------------------------
+
+    def here(self, name: str) -> None:
+        """A pupil's desktop is reached."""
+        self._put(replace(self._row(name), is_here=True))
+
+    def heard(self, name: str, note: Note) -> None:
+        """A note came."""
+        row, now = self._row(name), self._clock()
+        same = row.note is not None and row.note.trouble == note.trouble
+        troubled = None if note.trouble is None else row.troubled if same and row.troubled is not None else now
+        raised = None if not note.hand else row.raised if row.raised is not None else now
+        furthest = _further(row.furthest, note)
+        self._put(Row(name, True, note, now, troubled, raised, furthest))
+
+    def gone(self, name: str) -> None:
+        """A pupil's desktop has ended, or is out of reach."""
+        if name in self._rows:
+            self._put(replace(self._rows[name], is_here=False, raised=None))
+
+    def forget(self, name: str) -> None:
+        """The pupil does not belong to the class any more."""
+        if self._rows.pop(name, None) is not None:
+            self.version += 1
+
+    def _row(self, name: str) -> Row:
+        return self._rows.get(name) or Row(name)
+
+    def _put(self, row: Row) -> None:
+        if row.name not in self._rows and len(self._rows) >= MOST_PUPILS:
+            return
+        self._rows[row.name] = row
+        self.version += 1
+
+    # -- what is seen --------------------------------------------------------------------------------------------------
+
+    @property
+    def now(self) -> float:
+        """The time on the roster's clock."""
+        return self._clock()
+
+    def rows(self) -> list[Row]:
+        """Return the class: raised hands first, the longest first, then who is stuck, then by name; who is gone comes last."""
+        now = self._clock()
+
+        def place(row: Row) -> tuple[object, ...]:
+            if not row.is_here:
+                return (3, 0.0, row.name)
+            if row.raised is not None:
+                return (0, row.raised, row.name)
+            return (1, row.troubled, row.name) if row.is_stuck(now) else (2, 0.0, row.name)
+
+        return sorted(self._rows.values(), key=place)
+
+    def row(self, name: str) -> Row | None:
+        """Return one pupil."""
+        return self._rows.get(name)
+
+    # -- what is asked -------------------------------------------------------------------------------------------------
+
+    def order(self, names: Iterable[str], order: Order) -> list[str]:
+        """Ask something of these pupils; return those who could not be reached."""
+        return [name for name in names if self.carrier is None or not self.carrier.send(name, order)]
+
+    def everybody(self) -> list[str]:
+        """Return the names of all who are here."""
+        return [row.name for row in self._rows.values() if row.is_here]
+
+    def report(self, language: str) -> str:
+        """Return a table for a spreadsheet: a line for each lesson a pupil was seen at, with the step that was reached."""
+        file = io.StringIO()
+        table = csv.writer(file, lineterminator="\r\n")
+        table.writerow(_HEADS[language])
+        for row in sorted(self._rows.values(), key=lambda row: row.name):
+            for lesson, step, steps in row.furthest or (("", 0, 0),):
+                table.writerow([_cell(row.name), _cell(lesson), step or "", steps or ""])
+        return file.getvalue()
+
+
+_HEADS = {"en": ["name", "lesson", "step reached", "steps"], "zh": ["姓名", "课程", "学到第几步", "共几步"]}
+
+
+def _cell(text: str) -> str:
+    """A text no spreadsheet takes for a formula."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
+
+
+def _further(before: tuple[tuple[str, int, int], ...], note: Note) -> tuple[tuple[str, int, int], ...]:
+    lesson = note.lesson
+    if lesson is None:
+        return before
+    known = {name: (step, steps) for name, step, steps in before}
+    step = max(lesson.step, known.get(lesson.name, (0, 0))[0])
+    if lesson.name in known or len(known) < 100:
+        known[lesson.name] = (min(step, lesson.all), lesson.all)
+    return tuple((name, *place) for name, place in known.items())

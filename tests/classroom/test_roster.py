@@ -1,0 +1,91 @@
+"""The teacher's list of the class."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+from day6_tui.core.classroom.note import LessonPlace, Note, Trouble
+from day6_tui.core.classroom.order import Order
+from day6_tui.core.classroom.roster import STUCK_SECONDS, Roster
+
+ERROR = Trouble({"en": "Not found"}, "Package 'turtlesin' not found")
+
+
+class Clock:
+    now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class Carrier:
+    def __init__(self, *reached: str) -> None:
+        self.reached, self.sent = reached, list[tuple[str, Order]]()
+
+    def send(self, name: str, order: Order) -> bool:
+        self.sent.append((name, order))
+        return name in self.reached
+
+
+def names(roster: Roster) -> list[str]:
+    return [row.name for row in roster.rows()]
+
+
+def test_who_needs_somebody_comes_first() -> None:
+    clock = Clock()
+    roster = Roster(clock=clock)
+    for name in ("anna", "ben", "carl", "dora", "emil"):
+        roster.heard(name, Note())
+    roster.gone("anna")
+    roster.heard("dora", Note(trouble=ERROR))
+    clock.now += 5
+    roster.heard("emil", Note(hand=True))
+    clock.now += 5
+    roster.heard("carl", Note(hand=True))
+    assert names(roster) == ["emil", "carl", "ben", "dora", "anna"]
+    clock.now += STUCK_SECONDS
+    assert names(roster) == ["emil", "carl", "dora", "ben", "anna"]
+    roster.heard("dora", Note(trouble=ERROR))  # the same error stands, whatever else has changed
+    assert names(roster) == ["emil", "carl", "dora", "ben", "anna"]
+    roster.heard("dora", Note())
+    roster.heard("emil", Note())
+    assert names(roster) == ["carl", "ben", "dora", "emil", "anna"]
+
+
+def test_idle_time_goes_on_while_nothing_is_heard() -> None:
+    clock = Clock()
+    roster = Roster(clock=clock)
+    roster.heard("anna", Note(idle=10))
+    clock.now += 50
+    row = roster.row("anna")
+    assert row is not None and row.idle(roster.now) == 60
+
+
+def test_orders_go_to_those_who_are_reached() -> None:
+    carrier = Carrier("anna")
+    roster = Roster(carrier, Clock())
+    for name in ("anna", "ben"):
+        roster.heard(name, Note())
+    say = Order("say", text="hello")
+    assert roster.order(roster.everybody(), say) == ["ben"]
+    assert carrier.sent == [("anna", say), ("ben", say)]
+    roster.gone("ben")
+    assert roster.everybody() == ["anna"]
+
+
+def test_the_report_tells_how_far_everybody_came_and_is_no_formula() -> None:
+    roster = Roster(clock=Clock())
+    for step in (1, 5, 3):
+        roster.heard("=anna()", Note(lesson=LessonPlace("day3", {}, step, 12)))
+    roster.heard("=anna()", Note(lesson=LessonPlace("day4", {}, 1, 9)))
+    roster.here("ben")
+    rows = list(csv.reader(io.StringIO(roster.report("en"))))
+    assert rows[1:] == [["'=anna()", "day3", "5", "12"], ["'=anna()", "day4", "1", "9"], ["ben", "", "", ""]]
+
+
+def test_a_crowd_that_is_no_class_has_an_end() -> None:
+    roster = Roster(clock=Clock())
+    for number in range(1000):
+        roster.heard(f"n{number}", Note())
+    assert len(roster.rows()) == 200
