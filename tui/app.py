@@ -34,6 +34,7 @@ from day6_tui.core.shell.heap import keep_heap_small
 from day6_tui.tui import actions, chops, departure, output
 from day6_tui.tui.arranging import Arranging
 from day6_tui.tui.bars import Bar
+from day6_tui.tui.classroom import Classroom
 from day6_tui.tui.colours import colours
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.detachment import Detachment
@@ -169,6 +170,8 @@ class Day6App(TerminalApp):
         self.looks = looks = Looks(self, look)
         self.explaining = Explaining(machine, desktop, self.terminals, notices, look)
         self.detachment = Detachment(self, options.keeper)
+        self.classroom = Classroom(self, self.detachment.tell, is_possible=self.detachment.is_possible)
+        self.detachment.observed, self.detachment.ordered = self.classroom.observe, self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
         self.recording = Recording(self, machine, desktop, looks, notices, look)
@@ -180,6 +183,7 @@ class Day6App(TerminalApp):
             self.lessons,
             self.arranging,
             self.recording,
+            self.classroom,
             Guidance(desktop, registry, look, self.terminals.run, self.explaining),
             WorldTime(machine, notices, look),
         ):
@@ -196,7 +200,10 @@ class Day6App(TerminalApp):
         )
         if detach is None:
             registry.hidden.add("detach")
+        if not self.classroom.is_possible:
+            registry.hidden |= self.classroom.actions().keys()
         top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
+        top.classroom = self.classroom.pieces
         self.top = Bar(look, top.pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
@@ -300,6 +307,7 @@ class Day6App(TerminalApp):
             if self._exit:
                 return  # while leaving, there is nothing left to receive keys
             self.desktop.keep_keyboard()
+            self.classroom.typed_at = time.monotonic()
         await survive(self, event, super().on_event(event))
 
     async def _on_message(self, message: Message) -> None:
@@ -361,6 +369,7 @@ class Day6App(TerminalApp):
         self.frames.detach()
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        self.classroom.has_drawn = True
         if not self.detachment.away:
             super()._display(screen, renderable)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import json
 import socket
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from day6_tui.tui.detached import wire
@@ -27,6 +27,9 @@ class Detachment:
         self._line = None if descriptor is None else wire.Line(socket.socket(fileno=descriptor))
         self.away = False
         """Whether there is no terminal."""
+        self.observed: Callable[[int], None] | None = None
+        self.ordered: Callable[[bytes], None] | None = None
+        """Called with the number of those who observe the desktop, and with what one of them asks of it."""
         if descriptor is not None:
             from day6_tui.tui.adaptation import Adaptation
 
@@ -42,6 +45,19 @@ class Detachment:
         if self._line is not None:
             asyncio.get_running_loop().add_reader(self._line.fileno(), self._hear)
             self._line.send(wire.HERE)
+
+    def tell(self, note: bytes) -> None:
+        """Say something to those who observe the desktop."""
+        if self._line is not None and not self._line.closed:
+            self._line.send(wire.NOTE, note)
+            if self._line.unsent:
+                asyncio.get_running_loop().add_writer(self._line.fileno(), self._flush)
+
+    def _flush(self) -> None:
+        assert self._line is not None
+        self._line.flush()
+        if not self._line.unsent:
+            asyncio.get_running_loop().remove_writer(self._line.fileno())
 
     def detach(self) -> None:
         """Leave the terminal. `day6-tui attach` comes back."""
@@ -80,5 +96,10 @@ class Detachment:
                 elif kind == wire.COME:
                     self._come(json.loads(data))
                     self._line.send(wire.HERE)
+                elif kind == wire.OBSERVERS and self.observed is not None:
+                    self.observed(int(data))
+                elif kind == wire.ORDER and self.ordered is not None:
+                    self.ordered(data)
         if self._line.closed:  # the keeper was killed, and the terminal hangs up
             asyncio.get_running_loop().remove_reader(self._line.fileno())
+            asyncio.get_running_loop().remove_writer(self._line.fileno())

@@ -120,6 +120,17 @@ class Lessons:
             ),
         )
 
+    def go_to(self, name: str) -> bool:
+        """Open the window at a lesson, or have it show that; False if it is known to have no such lesson."""
+        pane = self.pane
+        if pane is None:
+            self.open(name)
+            return True
+        if pane.course.lesson(name) is None:
+            return False
+        pane.course.request(lambda: pane.course.open(name))
+        return True
+
     def back_to_work(self) -> None:
         """Give the keyboard to what was used before the lesson: a terminal, an editor, RViz."""
         others = [self._desktop.slots[slot] for slot in self._desktop.recent]

@@ -34,10 +34,18 @@ class TopLine:
         self._look = look
         self._doors = doors
         self._recording = recording
+        self.classroom: Callable[[], list[Piece]] = list
+        """What the pupil of a class has to see."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left and from the right."""
-        return [*self._name(), *self._recorded(), *self._door_pieces(), *self._running()], self._switches()
+        return [
+            *self._name(),
+            *self._recorded(),
+            *self.classroom(),
+            *self._door_pieces(),
+            *self._running(),
+        ], self._switches()
 
     def _recorded(self) -> list[Piece]:
         """That the screen is being recorded; a click ends it."""

@@ -1,0 +1,304 @@
+"""The pupil's side of a class: what this desktop tells a teacher who observes it, and what it does when a teacher asks.
+
+Without an observer nothing is gathered and no timer runs. The pupil always sees who watches and who may type.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from day6_tui.core.classroom import note as notes
+from day6_tui.core.classroom import order as orders
+from day6_tui.core.classroom.note import LessonPlace, Note, Picture, Trouble
+from day6_tui.core.session.harmless import one_line
+from day6_tui.tui.actions import Handlers
+from day6_tui.tui.notices import NOTICE_SECONDS
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.terminal_pane import TerminalPane
+
+if TYPE_CHECKING:
+    from textual.timer import Timer
+
+    from day6_tui.core.classroom.order import Order
+    from day6_tui.core.shell.runs import Run
+    from day6_tui.tui.app import Day6App
+
+_log = logging.getLogger(__name__)
+
+TICK_SECONDS = 0.5
+"""Between two looks at what there is to tell, and between two pictures."""
+IDLE_STEPS = (0.0, 60.0, 300.0)
+"""Seconds without a key after which that is told; in between the teacher's clock goes on."""
+FROZEN_SECONDS = 600.0
+"""The longest that a screen stays frozen without a new order: nobody is locked in for ever."""
+SAYING_SECONDS = 60.0
+MOST_SAYINGS = 50
+
+
+class Classroom:
+    """Holds the hand, the watching, the freezing and the consent; `tell` sends a note to who observes."""
+
+    def __init__(self, app: Day6App, tell: Callable[[bytes], None], *, is_possible: bool) -> None:
+        self._app = app
+        self._tell = tell
+        self.is_possible = is_possible
+        """Whether anybody can observe this desktop."""
+        self.typed_at = time.monotonic()
+        """When the pupil did something last; the application writes it."""
+        self.has_drawn = True
+        """Whether the screen has changed since the last picture; the application writes it."""
+        self._observers = 0
+        self._timer: Timer | None = None
+        self._hand = False
+        self._may_type = False
+        self._refused = ""
+        self._watched_until = 0.0
+        self._frozen_until = 0.0
+        self._picture: Picture | None = None
+        self._told: Note | None = None
+        self._looked: tuple[object, Trouble | None] = (None, None)
+        """What was run last when a card was looked for, and the card."""
+        self.sayings: list[str] = []
+
+    # -- what the pupil does and sees ----------------------------------------------------------------------------------
+
+    def actions(self) -> Handlers:
+        return {"hand": self.toggle_hand, "sayings": self.show_sayings, "take_back": self.take_back}
+
+    def toggle_hand(self) -> None:
+        """Raise the hand, or lower it."""
+        self._hand = not self._hand
+        texts = self._app.look.texts
+        key = "class.hand.lowered" if not self._hand else "class.hand.raised" if self._observers else "class.hand.alone"
+        self._app.notices.show(texts(key))
+        self._tick()
+
+    def take_back(self) -> None:
+        """The teacher may type no longer."""
+        if self._may_type:
+            self._may_type = False
+            self._app.notices.show(self._app.look.texts("class.taken_back"))
+            self._tick()
+
+    def show_sayings(self) -> None:
+        """What the teacher has said."""
+        from day6_tui.tui.message import LogModal
+
+        look = self._app.look
+        said = self.sayings or [look.texts("class.sayings.none")]
+        self._app.desktop.open_overlay(LogModal(look, look.texts("class.sayings"), said))
+
+    def pieces(self) -> list[Piece]:
+        """For the top line: the hand, who watches, who may type."""
+        look, actions = self._app.look, self._app.actions
+        found = []
+        if self._hand:
+            found.append(Piece(f" {look.texts('class.bar.hand')} ", look.colours.hint, actions["hand"]))
+        if self._may_type:
+            found.append(Piece(f" {look.texts('class.bar.types')} ", look.colours.error, actions["take_back"]))
+        if self.is_watched:
+            found.append(Piece(f" {look.texts('class.bar.watched')} ", look.colours.warning))
+        return [*found, Piece("  ", look.colours.bar)] if found else []
+
+    @property
+    def is_watched(self) -> bool:
+        return bool(self._observers) and time.monotonic() < self._watched_until
+
+    @property
+    def _is_frozen(self) -> bool:
+        return bool(self._observers) and time.monotonic() < self._frozen_until
+
+    # -- what comes from the keeper ------------------------------------------------------------------------------------
+
+    def observe(self, count: int) -> None:
+        """So many observe this desktop now."""
+        self._observers = count
+        if count and self._timer is None:
+            self._timer = self._app.set_interval(TICK_SECONDS, self._tick)
+            self._told = None
+        elif not count:
+            if self._timer is not None:
+                self._timer.stop()
+                self._timer = None
+            self._may_type = False
+            self._frozen_until = self._watched_until = 0.0
+        self._tick()
+        self._app.frames.wake()
+
+    def hear(self, data: bytes) -> None:
+        """An order came."""
+        try:
+            order = orders.decode(data)
+        except orders.OrderError as error:
+            _log.warning("an order that is none: %s", one_line(str(error)))
+            return
+        self._follow(order)
+        self._tick()
+        self._app.frames.wake()
+
+    def _follow(self, order: Order) -> None:
+        now = time.monotonic()
+        if order.do == "tell":
+            self._told = None
+        elif order.do == "watch":
+            self._watched_until, self.has_drawn = now + order.seconds, self.has_drawn or self._picture is None
+        elif order.do == "unwatch":
+            self._watched_until = 0.0
+        elif order.do == "say":
+            self._say(order.text)
+        elif order.do == "freeze":
+            self._frozen_until = now + FROZEN_SECONDS if order.on else 0.0
+        elif order.do == "lower_hand":
+            self._hand = False
+        elif order.do == "ask_to_type":
+            self._ask()
+        elif order.do == "stop_typing":
+            self._may_type = False
+        elif order.do == "type":
+            self._type(order.text)
+        elif order.do == "end":
+            self._app.leaving.end_by_signal()
+        else:
+            self._open(order)
+
+    def _say(self, text: str) -> None:
+        said = one_line(text)
+        self.sayings = [*self.sayings, said][-MOST_SAYINGS:]
+        title = self._app.look.texts("class.says")
+        self._app.notify(said, title=title, timeout=SAYING_SECONDS, markup=False)
+
+    def _ask(self) -> None:
+        from day6_tui.tui.classroom_modals import Consent
+        from day6_tui.tui.question import Answer
+
+        if self._may_type:
+            return
+        overlay = self._app.desktop.overlay
+        if overlay is not None and overlay.waits:
+            self._refused = "class.refused.busy"
+            return
+        self._refused = ""
+        look = self._app.look
+        self._app.desktop.open_overlay(Consent(look, Answer("y", look.texts("class.consent.yes"), self._consent)))
+
+    def _consent(self) -> None:
+        self._may_type = True
+        self._tick()
+
+    def _type(self, keys: str) -> None:
+        pane = self._app.desktop.focused_pane
+        if not self._may_type:
+            self._refused = "class.refused.type"
+        elif self._app.desktop.overlay is not None or not isinstance(pane, TerminalPane) or not pane.has_terminal:
+            self._refused = "class.refused.place"
+        else:
+            self._refused = ""
+            pane.view.terminal.send(keys)
+
+    def _open(self, order: Order) -> None:
+        """A scene or a lesson, as if chosen here: what runs goes on, and a scene types where nothing runs."""
+        from day6_tui.tui.scenes import SCENES
+
+        app, self._refused = self._app, ""
+        overlay = app.desktop.overlay
+        if overlay is not None and overlay.waits:
+            self._refused = "class.refused.busy"
+        elif order.do == "scene" and order.text in SCENES:
+            app.scenes.start(order.text)
+        elif order.do == "lesson" and app.lessons.go_to(order.text):
+            app.notices.show(app.look.texts("class.opened"), NOTICE_SECONDS)
+        else:
+            self._refused = "class.refused.unknown"
+
+    # -- what is told --------------------------------------------------------------------------------------------------
+
+    def _tick(self) -> None:
+        self._keep_frozen()
+        if not self._observers:
+            return
+        note = self._note()
+        if note != self._told:
+            self._told = note
+            self._tell(notes.encode(replace(note, idle=time.monotonic() - self.typed_at)))
+
+    def _keep_frozen(self) -> None:
+        from day6_tui.tui.classroom_modals import Frozen
+        from day6_tui.tui.question import Question
+
+        overlay = self._app.desktop.overlay
+        if not self._is_frozen:
+            if isinstance(overlay, Frozen):
+                overlay.close()
+        elif not isinstance(overlay, (Frozen, Question)) and not self._app.detachment.away:
+            self._app.desktop.open_overlay(Frozen(self._app.look))
+
+    def _note(self) -> Note:
+        """What there is to tell; `idle` in steps, so that an idle desktop is silent."""
+        app, idle = self._app, time.monotonic() - self.typed_at
+        nodes = app.machine.desk.graph.nodes if app.machine.desk is not None else ()
+        return Note(
+            lesson=self._lesson(),
+            trouble=self._trouble(),
+            nodes=tuple(sorted({node.full_name for node in nodes if not node.name.startswith("_")})),
+            programs=tuple(app.leaving.running()),
+            hand=self._hand,
+            idle=max(step for step in IDLE_STEPS if step <= idle),
+            watched=self.is_watched,
+            frozen=self._is_frozen,
+            may_type=self._may_type,
+            refused=self._refused,
+            screen=self._screen() if self.is_watched else None,
+        )
+
+    def _lesson(self) -> LessonPlace | None:
+        pane = self._app.lessons.pane
+        state = pane.course.state if pane is not None else None
+        if state is None or state.lesson is None:
+            return None
+        lesson = state.lesson
+        return LessonPlace(
+            lesson.name, dict(lesson.title), state.index + 1, len(lesson.steps), state.solved, state.hints
+        )
+
+    def _trouble(self) -> Trouble | None:
+        """The card of what was run last in any terminal, if it has ended."""
+        from day6_tui.core.shell.builtins.why import is_own
+
+        runs: list[Run] = []
+        for pane in self._app.desktop.terminals():
+            if pane.has_terminal:
+                runs += [run for run in pane.view.terminal.runs.all if not is_own(run.source)][-1:]
+        last = max((run for run in runs if run.ended_ns is not None), key=lambda run: run.began_ns, default=None)
+        if last is None:
+            return None
+        if self._looked[0] is not last:
+            self._looked = (last, _card_of(last.output))
+        return self._looked[1]
+
+    def _screen(self) -> Picture | None:
+        """The screen as it is now, the last one where nothing was drawn since."""
+        app = self._app
+        if app.detachment.away:
+            return None
+        if self.has_drawn or self._picture is None:
+            self.has_drawn = False
+            strips = app.screen._compositor.render_strips()
+            ansi = "\n".join(strip.render(app.console) for strip in strips)
+            self._picture = Picture(app.size.width, app.size.height, ansi)
+        return self._picture
+
+
+def _card_of(output: str) -> Trouble | None:
+    from day6_tui.core.advice.card_files import LANGUAGES
+    from day6_tui.core.advice.matching import cards_in
+    from day6_tui.core.advice.wording import filled_in
+
+    match = next(cards_in(output), None)
+    if match is None:
+        return None
+    titles = {language: filled_in(match.card.words[language].first, match.values) for language in LANGUAGES}
+    return Trouble(titles, one_line(match.line))
