@@ -17,8 +17,14 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-import aiohttp
 import pyte
+import pytest
+
+pytest.importorskip("termios", reason="this system has no pseudo-terminals, and the server no keepers")
+pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[serve]'")
+pytest.importorskip("segno", reason="needs the extra: pip install 'day6-tui[serve]'")
+
+import aiohttp  # noqa: E402
 
 PATIENCE = 15.0
 WORD = "open sesame"

@@ -1,0 +1,132 @@
+"""A server for the pages that does what a test says: it serves the static files and speaks the protocol of one WebSocket."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from aiohttp import WSMsgType, web
+from background import Background
+
+from day6_tui.tui import web as door
+
+STATIC = Path(door.__file__).parent / "static"
+POLICY = (
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:;"
+    " object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"
+)
+WAIT_SECONDS = 10.0
+
+
+class PageServer:
+    """Answers at `address`; remembers what the page sent."""
+
+    def __init__(self, background: Background) -> None:
+        self._background = background
+        self.hello: dict[str, Any] = {"t": "hello", "name": "anna", "read_only": False, "lang": "en"}
+        self.farewell: str | None = None
+        """Why a new connection is said goodbye to at once; None: it is not."""
+        self.refuses = False
+        self.pongs = True
+        self.forget()
+        self._socket: web.WebSocketResponse | None = None
+        self.address = background.run(self._start())
+
+    def forget(self) -> None:
+        """As new."""
+        self.keys = b""
+        self.messages: list[dict[str, Any]] = []
+        self.connections: list[Mapping[str, str]] = []
+
+    async def _start(self) -> str:
+        app = web.Application()
+        app.router.add_get("/below/desk", self._page("desk.html"))
+        app.router.add_get("/below/class", self._page("class.html"))
+        app.router.add_get("/below/ws", self._line)
+        app.router.add_get("/below/class/ws", self._line)
+        app.router.add_static("/below/static", STATIC)
+        app.on_response_prepare.append(_with_policy)
+        self._runner = web.AppRunner(app)
+        await self._runner.setup()
+        site = web.TCPSite(self._runner, "127.0.0.1", 0)
+        await site.start()
+        return f"http://127.0.0.1:{self._runner.addresses[0][1]}/below"
+
+    def _page(self, name: str) -> Any:
+        async def page(request: web.Request) -> web.StreamResponse:
+            return web.Response(status=401) if self.refuses else web.FileResponse(STATIC / name)
+
+        return page
+
+    async def _line(self, request: web.Request) -> web.WebSocketResponse:
+        if self.refuses:
+            raise web.HTTPUnauthorized
+        socket = web.WebSocketResponse()
+        await socket.prepare(request)
+        self.connections.append(dict(request.query))
+        if self.farewell is not None:
+            await socket.send_json({"t": "bye", "why": self.farewell})
+            await socket.close()
+            return socket
+        await socket.send_json(self.hello)
+        self._socket = socket
+        async for frame in socket:
+            await self._take(socket, frame)
+        return socket
+
+    async def _take(self, socket: web.WebSocketResponse, frame: Any) -> None:
+        if frame.type == WSMsgType.BINARY:
+            self.keys += frame.data
+        elif frame.type == WSMsgType.TEXT:
+            message = json.loads(frame.data)
+            self.messages.append(message)
+            if message["t"] == "ping" and self.pongs:
+                await socket.send_json({"t": "pong", "n": message["n"]})
+
+    def output(self, data: bytes | str) -> None:
+        """Send the terminal something."""
+        data = data.encode() if isinstance(data, str) else data
+        assert self._socket is not None
+        self._background.run(self._socket.send_bytes(data))
+
+    def say(self, message: Mapping[str, Any]) -> None:
+        """Send the page a message."""
+        assert self._socket is not None
+        self._background.run(self._socket.send_json(message))
+
+    def hang_up(self) -> None:
+        """Drop the line without a word."""
+        self._background.run(self._drop())
+
+    async def _drop(self) -> None:
+        if self._socket is not None and (transport := self._socket._req.transport if self._socket._req else None):
+            transport.abort()
+        await asyncio.sleep(0)
+
+    def of_kind(self, kind: str) -> list[dict[str, Any]]:
+        """What the page said of one kind."""
+        return [message for message in self.messages if message["t"] == kind]
+
+    def wait_for(self, condition: Any, what: str = "", seconds: float = WAIT_SECONDS) -> Any:
+        """The condition's value as soon as it is true."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if value := condition():
+                return value
+            time.sleep(0.01)
+        raise TimeoutError(f"{what or 'never'}: keys {self.keys!r}, messages {self.messages[-5:]!r}")
+
+    def wait_for_keys(self, expected: bytes) -> None:
+        """Wait until the page sent just these keys since the last `forget`."""
+        self.wait_for(lambda: expected in self.keys, f"no {expected!r}")
+
+    def close(self) -> None:
+        self._background.run(self._runner.cleanup())
+
+
+async def _with_policy(request: web.Request, response: web.StreamResponse) -> None:
+    response.headers["Content-Security-Policy"] = POLICY

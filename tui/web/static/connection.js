@@ -1,0 +1,194 @@
+/**
+ * The line to the server: one WebSocket that comes back by itself.
+ *
+ * Binary frames are the terminal's output and the keys; text frames are JSON: hello, pong, size, bye from the server; size, ping,
+ * ack to it. The server stops sending when too much is unacknowledged, so `taken` has to be called for what was drawn.
+ */
+
+const PING_MS = 2000;
+const SILENCE_MS = 9000; // without any sign of the server after a ping: the line is dead, whatever the browser thinks
+const FIRST_RETRY_MS = 250;
+const LONGEST_RETRY_MS = 5000;
+const FULL_RETRY_MS = 10000;
+const ACK_BYTES = 32 * 1024;
+const KEY_BYTES = 16 * 1024; // the longest frame of keys
+const LATENCIES = 9;
+
+/** Goodbyes after which asking again by itself would be wrong. */
+const FINAL = new Set(["taken", "ended", "idle", "refused"]);
+
+/** How long to wait before the attempt number `count` (from 1): doubling, at most 5 s, a little apart for thirty tabs. */
+export function retryDelay(count, chance = Math.random()) {
+  return Math.min(LONGEST_RETRY_MS, FIRST_RETRY_MS * 2 ** (count - 1)) * (0.75 + 0.25 * chance);
+}
+
+export function median(values) {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted.length ? sorted[sorted.length >> 1] : null;
+}
+
+export class Connection {
+  /**
+   * `size()` gives {cols, rows, w, h}. `on` has hello(message), output(bytes, done), size(cols, rows), latency(ms) and
+   * state(name, detail): connecting | open | lost (attempt number) | offline | a goodbye.
+   */
+  constructor(address, size, on) {
+    this._address = address;
+    this._size = size;
+    this._on = on;
+    this._attempts = 0;
+    this._timer = 0;
+    this._latencies = [];
+    this._encoder = new TextEncoder();
+    addEventListener("online", () => this._hurry());
+    addEventListener("offline", () => this._pulse());
+    document.addEventListener("visibilitychange", () => {
+      if (!document.hidden) this._hurry();
+    });
+    setInterval(() => this._pulse(), PING_MS);
+  }
+
+  /** Connect now: at the start, and when the user asks. */
+  open() {
+    this._drop();
+    this._bye = null;
+    this._on.state(this._attempts ? "lost" : "connecting", this._attempts);
+    const { cols, rows, w, h } = this._size();
+    const url = new URL(this._address, location.href);
+    url.protocol = url.protocol === "https:" ? "wss:" : "ws:";
+    url.search = new URLSearchParams({ cols, rows, w, h });
+    const socket = new WebSocket(url);
+    socket.binaryType = "arraybuffer";
+    this._socket = socket;
+    this._greeted = false;
+    this._received = this._drawn = this._acknowledged = 0;
+    this._heard = this._begun = performance.now();
+    this._pings = new Map();
+    socket.onmessage = (event) => socket === this._socket && this._take(socket, event.data);
+    socket.onclose = () => socket === this._socket && this._closed();
+  }
+
+  get isOpen() {
+    return Boolean(this._greeted) && this._socket?.readyState === WebSocket.OPEN;
+  }
+
+  /** Send keys: text as the terminal sends it, or bytes. */
+  keys(data) {
+    if (!this.isOpen) return;
+    const bytes = typeof data === "string" ? this._encoder.encode(data) : data;
+    for (let start = 0; start < bytes.length; start += KEY_BYTES) {
+      this._socket.send(bytes.subarray(start, start + KEY_BYTES));
+    }
+  }
+
+  resized() {
+    const { cols, rows, w, h } = this._size();
+    this._tell({ t: "size", cols, rows, w, h });
+  }
+
+  _tell(message) {
+    if (this.isOpen) this._socket.send(JSON.stringify(message));
+  }
+
+  _take(socket, data) {
+    this._heard = performance.now();
+    if (typeof data !== "string") {
+      this._received += data.byteLength;
+      this._on.output(new Uint8Array(data), () => this._shown(socket, data.byteLength));
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.t === "hello") {
+      this._greeted = true;
+      this._attempts = 0;
+      this._on.hello(message);
+      this._on.state("open");
+      this.resized(); // it may have changed meanwhile
+      this._pulse();
+    } else if (message.t === "pong") {
+      this._measure(message.n);
+    } else if (message.t === "size") {
+      this._on.size(message.cols, message.rows);
+    } else if (message.t === "bye") {
+      this._bye = message.why;
+    }
+  }
+
+  /** Acknowledge in steps; what is less than a step never stops the server. */
+  _shown(socket, count) {
+    if (socket !== this._socket) return;
+    this._drawn += count;
+    if (this._drawn - this._acknowledged >= ACK_BYTES) {
+      this._acknowledged = this._drawn;
+      this._tell({ t: "ack", bytes: this._drawn });
+    }
+  }
+
+  _measure(n) {
+    const sent = this._pings.get(n);
+    if (sent === undefined) return;
+    this._pings.clear();
+    this._latencies = [...this._latencies, performance.now() - sent].slice(-LATENCIES);
+    this._on.latency(median(this._latencies));
+  }
+
+  _pulse() {
+    const now = performance.now();
+    if (!navigator.onLine && !this._local()) this._on.state("offline");
+    if (this._socket && !this._greeted && now - this._begun > SILENCE_MS) return this._closed();
+    if (!this.isOpen) return;
+    const asked = this._pings.size ? Math.min(...this._pings.values()) : Infinity;
+    if (now - asked > SILENCE_MS && now - this._heard > SILENCE_MS) return this._closed();
+    if (this._pings.size < 8) {
+      this._count = (this._count || 0) + 1;
+      this._pings.set(this._count, now);
+      this._tell({ t: "ping", n: this._count });
+    }
+  }
+
+  /** Whether the server is this machine, which needs no network. */
+  _local() {
+    return ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
+  }
+
+  /** The network is back, or somebody looks again: do not wait for the timer. */
+  _hurry() {
+    if (this.isOpen) this._pulse();
+    else if (this._timer) this.open();
+  }
+
+  _drop() {
+    clearTimeout(this._timer);
+    this._timer = 0;
+    const socket = this._socket;
+    this._socket = null;
+    if (socket && socket.readyState <= WebSocket.OPEN) socket.close();
+  }
+
+  async _closed() {
+    const greeted = this._greeted;
+    this._drop();
+    this._greeted = false;
+    if (!this._bye && !greeted && (await this._refused())) this._bye = "refused";
+    if (this._socket || this._timer) return; // somebody was quicker while we asked
+    if (FINAL.has(this._bye)) {
+      this._attempts = 0;
+      this._on.state(this._bye);
+      return;
+    }
+    this._attempts += 1;
+    const delay = this._bye === "full" ? FULL_RETRY_MS : retryDelay(this._attempts);
+    this._on.state(this._bye || "lost", this._attempts);
+    this._timer = setTimeout(() => this.open(), delay);
+  }
+
+  /** A browser hides why a WebSocket was refused; the page itself is refused for the same reason. */
+  async _refused() {
+    try {
+      const answer = await fetch(location.href, { method: "HEAD", cache: "no-store" });
+      return answer.status === 401 || answer.status === 403;
+    } catch {
+      return false; // no server at all
+    }
+  }
+}

@@ -1,0 +1,140 @@
+/** The terminal on the page: xterm.js with the addons the desktop needs, drawn by the graphics card where there is one. */
+
+import { Terminal } from "./vendor/xterm/xterm.mjs";
+import { FitAddon } from "./vendor/xterm/addon-fit.mjs";
+import { UnicodeGraphemesAddon } from "./vendor/xterm/addon-unicode-graphemes.mjs";
+import { ImageAddon } from "./vendor/xterm/addon-image.mjs";
+import { WebglAddon } from "./vendor/xterm/addon-webgl.mjs";
+import { ClipboardAddon } from "./vendor/xterm/addon-clipboard.mjs";
+
+/** Monospaced Latin first, then Chinese of the system; box and block characters are drawn, or come from the first of them. */
+export const FONTS = [
+  "Cascadia Mono", "JetBrains Mono", "DejaVu Sans Mono", "Menlo", "Consolas", "Noto Sans Mono", "Liberation Mono", "Roboto Mono",
+  "Noto Sans Mono CJK SC", "Noto Sans CJK SC", "PingFang SC", "Microsoft YaHei", "WenQuanYi Zen Hei Mono", "WenQuanYi Zen Hei",
+].map((name) => `"${name}"`).join(", ") + ", monospace";
+
+const LEAST = { cols: 20, rows: 5 };
+const MOST = { cols: 500, rows: 200 };
+const SMALLEST_LETTERS = 6;
+const LARGEST_LETTERS = 40;
+
+export function clamp(value, least, most) {
+  return Math.min(most, Math.max(least, value));
+}
+
+/** A graphics card, not a processor that pretends to be one. */
+function hasFastGraphics() {
+  const context = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
+
+/** What programs may do with the clipboard: fill it (OSC 52), never read it. */
+const CLIPBOARD = {
+  readText: () => "",
+  writeText: (_selection, text) => copyText(text),
+};
+
+/** Fill the clipboard. Where the page is not https and not this machine, browsers allow it only soon after a key or click. */
+export async function copyText(text) {
+  if (!text) return;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    const answer = (event) => {
+      event.preventDefault();
+      event.stopPropagation();
+      event.clipboardData.setData("text/plain", text);
+    };
+    document.addEventListener("copy", answer, { capture: true, once: true });
+    document.execCommand("copy");
+    document.removeEventListener("copy", answer, { capture: true });
+  }
+}
+
+/** Pasted text without control characters: it could hold the mark at its own end, or press keys. */
+export function harmless(text) {
+  return text.replace(/\r\n?/g, "\n").replace(/[\x00-\x08\x0b-\x1f\x7f-\x9f]/g, "");
+}
+
+export class Screen {
+  /** Opens a terminal in `place`; `changed()` is called when the number of cells changed. */
+  constructor(place, { fontSize, label, renderer = "auto", changed }) {
+    this._place = place;
+    this._changed = changed;
+    this.terminal = new Terminal({
+      allowProposedApi: true,
+      altClickMovesCursor: false,
+      cursorBlink: false,
+      customGlyphs: true,
+      fontFamily: FONTS,
+      fontSize,
+      logLevel: "off",
+      macOptionClickForcesSelection: true,
+      macOptionIsMeta: true,
+      rescaleOverlappingGlyphs: true,
+      scrollback: 0,
+      theme: { background: "#0c0c0c", foreground: "#d8d8d8" },
+    });
+    this._fit = new FitAddon();
+    this.terminal.loadAddon(this._fit);
+    this.terminal.loadAddon(new UnicodeGraphemesAddon());
+    this.terminal.loadAddon(new ClipboardAddon(undefined, CLIPBOARD));
+    this.terminal.open(place);
+    this.terminal.loadAddon(new ImageAddon({ storageLimit: 32, showPlaceholder: false, iipSupport: false }));
+    this.terminal.textarea.setAttribute("aria-label", label);
+    this._draw(renderer);
+    this.fit();
+    new ResizeObserver(() => this.fit()).observe(place);
+  }
+
+  _draw(renderer) {
+    this.renderer = "dom";
+    if (renderer === "dom" || (renderer === "auto" && !hasFastGraphics())) return;
+    try {
+      const webgl = new WebglAddon();
+      webgl.onContextLoss(() => {
+        webgl.dispose();
+        this.renderer = "dom";
+      });
+      this.terminal.loadAddon(webgl);
+      this.renderer = "webgl";
+    } catch (error) {
+      console.warn("drawing without WebGL:", error);
+    }
+  }
+
+  /** As many cells as there is room for. */
+  fit() {
+    const proposed = this._fit.proposeDimensions();
+    if (!proposed || !Number.isFinite(proposed.cols) || !Number.isFinite(proposed.rows)) return;
+    this.resize(clamp(proposed.cols, LEAST.cols, MOST.cols), clamp(proposed.rows, LEAST.rows, MOST.rows));
+  }
+
+  resize(cols, rows) {
+    const { terminal } = this;
+    if (terminal.cols === cols && terminal.rows === rows) return;
+    terminal.resize(cols, rows);
+    this._changed();
+  }
+
+  /** Cells and pixels. */
+  size() {
+    const area = this.terminal.element.querySelector(".xterm-screen").getBoundingClientRect();
+    return { cols: this.terminal.cols, rows: this.terminal.rows, w: Math.round(area.width), h: Math.round(area.height) };
+  }
+
+  get fontSize() {
+    return this.terminal.options.fontSize;
+  }
+
+  set fontSize(size) {
+    this.terminal.options.fontSize = clamp(size, SMALLEST_LETTERS, LARGEST_LETTERS);
+    this.fit();
+    this._changed();
+  }
+
+  paste(text) {
+    this.terminal.paste(harmless(text));
+  }
+}

@@ -1,0 +1,119 @@
+/** What the pages say, in Chinese and English. Text of ROS and of the desktop is never in here. */
+
+const ZH = {
+  "strip.connecting": "正在连接…",
+  "strip.lost": "连接断开，正在重新连接…（第 {count} 次）",
+  "strip.offline": "这台电脑没有网络，等网络恢复后自动连接…",
+  "strip.taken": "您的桌面已在另一个标签页或另一台设备上打开。",
+  "strip.ended": "桌面已结束，文件都还在。",
+  "strip.idle": "太久没有操作，桌面已结束，文件都还在。",
+  "strip.full": "服务器已满，请告诉老师。过一会儿会自动再试。",
+  "strip.server": "服务器正在停止。它一恢复就会自动连接…",
+  "strip.refused": "这个链接无效或已过期，请向老师要一个新的。",
+  "strip.too_old": "这个浏览器太旧，无法显示桌面。请使用较新的 Chrome、Edge、Firefox 或 Safari。",
+  "button.again": "现在再试",
+  "button.take": "在这里打开",
+  "button.start": "重新打开",
+  "bar.label": "页面工具",
+  "bar.watching": "只看，不能操作",
+  "bar.latency": "{ms} 毫秒",
+  "bar.latency.title": "按键到达服务器再返回所需的时间（中位数）",
+  "bar.smaller": "字小一点",
+  "bar.larger": "字大一点",
+  "bar.keys": "显示或隐藏按键行（Ctrl、Esc、F1–F12…）",
+  "bar.keyboard": "显示或隐藏屏幕键盘",
+  "bar.copy": "复制选中的文字",
+  "bar.paste": "粘贴",
+  "bar.full": "全屏（这时 Ctrl+W、Ctrl+T、Ctrl+N 也归桌面）",
+  "bar.help": "这个页面怎么用",
+  "screen.label": "day6 桌面（终端）",
+  "keys.label": "按键行",
+  "keys.left": "左", "keys.right": "右", "keys.up": "上", "keys.down": "下",
+  "paste.title": "把文字粘贴到下面，再按“发送”。",
+  "paste.send": "发送",
+  "paste.close": "取消",
+  "copied": "已复制",
+  "nothing_selected": "没有选中的文字。按住 Shift 再拖动鼠标可以选择。",
+  "help.title": "这个页面怎么用",
+  "help.close": "关闭",
+  "help.lines": [
+    "直接打字就行，不用先点一下。F1 到 F10 和大多数 Ctrl 键都会送到桌面。",
+    "Ctrl+W、Ctrl+T、Ctrl+N（有的浏览器还有 Ctrl+Q）由浏览器占用：请用按键行（⌨ 按钮）上的 ^W ^T ^N ^Q，或者先全屏。F11、F12 仍归浏览器。",
+    "选择文字：按住 Shift（Mac 上是 Option）再拖动鼠标。复制：Ctrl+Shift+C。粘贴：Ctrl+V 或 Ctrl+Shift+V。",
+    "字的大小：A− 和 A+，或浏览器的 Ctrl +/−。",
+    "关掉标签页、合上电脑都没关系：桌面继续运行，再打开同一个链接就回来。",
+    "触摸屏：用一根手指上下拖动来滚动，⌨ 旁边的按钮打开键盘；按键行上的 Ctrl 按一下，只对下一个键有效。",
+    "不用鼠标：Ctrl+Shift+K 跳到这一行按钮，Esc 回到桌面。",
+  ],
+};
+
+const EN = {
+  "strip.connecting": "Connecting…",
+  "strip.lost": "Connection lost, trying again… (attempt {count})",
+  "strip.offline": "This computer is offline. It connects by itself as soon as the network is back…",
+  "strip.taken": "Your desktop was opened in another tab or on another device.",
+  "strip.ended": "The desktop has ended. Your files are kept.",
+  "strip.idle": "Nothing happened for a long time, so the desktop was ended. Your files are kept.",
+  "strip.full": "The server is full. Please tell your teacher. It tries again by itself.",
+  "strip.server": "The server is stopping. This page connects by itself when it is back…",
+  "strip.refused": "This link is not valid any more. Please ask your teacher for a new one.",
+  "strip.too_old": "This browser is too old to show the desktop. Please use a recent Chrome, Edge, Firefox or Safari.",
+  "button.again": "Try now",
+  "button.take": "Take it here",
+  "button.start": "Open again",
+  "bar.label": "Tools of this page",
+  "bar.watching": "watching only",
+  "bar.latency": "{ms} ms",
+  "bar.latency.title": "Time for a key to reach the server and come back (median)",
+  "bar.smaller": "Smaller letters",
+  "bar.larger": "Larger letters",
+  "bar.keys": "Show or hide the key row (Ctrl, Esc, F1–F12 …)",
+  "bar.keyboard": "Show or hide the on-screen keyboard",
+  "bar.copy": "Copy the selected text",
+  "bar.paste": "Paste",
+  "bar.full": "Full screen (then Ctrl+W, Ctrl+T and Ctrl+N reach the desktop, too)",
+  "bar.help": "How to use this page",
+  "screen.label": "day6 desktop (terminal)",
+  "keys.label": "Key row",
+  "keys.left": "Left", "keys.right": "Right", "keys.up": "Up", "keys.down": "Down",
+  "paste.title": "Paste your text below, then press Send.",
+  "paste.send": "Send",
+  "paste.close": "Cancel",
+  "copied": "Copied",
+  "nothing_selected": "Nothing is selected. Hold Shift and drag with the mouse to select.",
+  "help.title": "How to use this page",
+  "help.close": "Close",
+  "help.lines": [
+    "Just type, no click needed. F1 to F10 and most Ctrl keys reach the desktop.",
+    "Ctrl+W, Ctrl+T, Ctrl+N (and Ctrl+Q in some browsers) belong to the browser: use ^W ^T ^N ^Q on the key row (the ⌨ button), or go full screen first. F11 and F12 stay with the browser.",
+    "Select text: hold Shift (Option on a Mac) and drag. Copy: Ctrl+Shift+C. Paste: Ctrl+V or Ctrl+Shift+V.",
+    "Size of the letters: A− and A+, or the browser's Ctrl +/−.",
+    "Close the tab or the laptop whenever you like: the desktop keeps running, and the same link brings it back.",
+    "Touch: drag with one finger to scroll; the button beside ⌨ opens the keyboard; Ctrl on the key row counts for the next key only.",
+    "Without a mouse: Ctrl+Shift+K goes to this row of buttons, Esc back to the desktop.",
+  ],
+};
+
+/** "zh" or "en" for a language as browsers and servers name it. */
+export function language(name) {
+  return String(name || "").toLowerCase().startsWith("zh") ? "zh" : "en";
+}
+
+/** The texts of one language: `say(key, {name: value})`. */
+export class Texts {
+  constructor(name) {
+    this.language = language(name);
+    this._table = this.language === "zh" ? ZH : EN;
+  }
+
+  say(key, values = {}) {
+    return this._table[key].replace(/\{(\w+)\}/g, (_, name) => String(values[name]));
+  }
+
+  lines(key) {
+    return this._table[key];
+  }
+}
+
+/** Every key of both tables, for the test that compares them. */
+export const KEYS = { zh: Object.keys(ZH), en: Object.keys(EN) };
