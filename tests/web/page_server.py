@@ -50,7 +50,7 @@ class PageServer:
         app.router.add_get("/below/class/ws", self._line)
         app.router.add_static("/below/static", STATIC)
         app.on_response_prepare.append(_with_policy)
-        self._runner = web.AppRunner(app)
+        self._runner = web.AppRunner(app, shutdown_timeout=0.1)
         await self._runner.setup()
         site = web.TCPSite(self._runner, "127.0.0.1", 0)
         await site.start()

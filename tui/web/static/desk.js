@@ -143,7 +143,10 @@ class Desk {
     const tools = {
       smaller: () => this._zoom(-1),
       larger: () => this._zoom(1),
-      "show-keys": () => this._showKeys(at("keys").hidden),
+      "show-keys": () => {
+        this._showKeys(at("keys").hidden);
+        memory.set("keys", at("keys").hidden ? "no" : "yes");
+      },
       keyboard: () => this._softKeyboard(),
       copy: () => this._copy(),
       paste: () => this._paste(),
@@ -171,7 +174,6 @@ class Desk {
   _showKeys(shown) {
     at("keys").hidden = !shown;
     at("show-keys").setAttribute("aria-pressed", String(shown));
-    memory.set("keys", shown ? "yes" : "no");
     this._screen.fit();
   }
 

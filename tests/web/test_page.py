@@ -1,0 +1,399 @@
+"""The page of a desktop, in a real browser: what a pupil does with it."""
+
+from __future__ import annotations
+
+import base64
+import json
+import time
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from background import Background
+    from chromium import Chromium, Page
+    from page_server import PageServer
+
+WIDE_AND_NARROW = (
+    "海龟",
+    "🐢",
+    "▀▄█░",
+    "┌─┐",
+    "👩‍💻",
+    "⚠️",
+    "❤️",
+    "🇨🇳",
+    "👍🏽",
+    "é",
+    "e\u0301",
+    "，。",
+    "…",
+    "→",
+    "①",
+    "⠿",
+    "한글",
+)
+MOUSE_ON = "\x1b[?1000h\x1b[?1003h\x1b[?1006h"
+
+
+class Desk:
+    """The page and the server behind it."""
+
+    def __init__(self, page: Page, server: PageServer) -> None:
+        self.page = page
+        self.server = server
+        self._drawn = 0
+
+    def open(self, **hello: Any) -> Desk:
+        """Load the page and wait until it is connected."""
+        self.server.hello = {"t": "hello", "name": "anna", "read_only": False, "lang": "en"} | hello
+        self.server.forget()
+        self.page.navigate(f"{self.server.address}/desk")
+        self.page.wait_for("Boolean(window.desk) && desk._connection.isOpen")
+        self.page.evaluate("desk._terminal.onTitleChange(title => { window.drawn = title })")
+        return self
+
+    def shows(self, text: str) -> None:
+        """Send output, and wait until it was drawn."""
+        self._drawn += 1
+        self.server.output(f"{text}\x1b]2;drawn {self._drawn}\x07")
+        self.page.wait_for(f"window.drawn === 'drawn {self._drawn}'")
+
+    def line(self, number: int) -> str:
+        return str(self.page.evaluate(f"desk._terminal.buffer.active.getLine({number}).translateToString(true)"))
+
+    def cell(self, column: int, row: int) -> tuple[float, float]:
+        """The middle of a cell, in pixels of the page."""
+        x, y, w, h = self.page.evaluate(
+            "(r => [r.x, r.y, r.width, r.height])(document.querySelector('.xterm-screen').getBoundingClientRect())"
+        )
+        cols, rows = self.page.evaluate("[desk._terminal.cols, desk._terminal.rows]")
+        return x + w * (column + 0.5) / cols, y + h * (row + 0.5) / rows
+
+    def strip(self) -> str:
+        return str(self.page.evaluate("document.getElementById('strip').dataset.state || ''"))
+
+
+@pytest.fixture(scope="module")
+def tab(chromium: Chromium) -> Iterator[Page]:
+    page = chromium.page()
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def desk(tab: Page, server: PageServer) -> Iterator[Desk]:
+    tab.device(1000, 600)
+    tab.troubles.clear()
+    tab.requests.clear()
+    yield Desk(tab, server)
+    tab.evaluate("localStorage.clear()")
+    tab.navigate("about:blank")
+
+
+def test_the_first_key_reaches_the_desktop_without_a_click(desk: Desk) -> None:
+    desk.open()
+    desk.page.press("a")
+    desk.server.wait_for_keys(b"a")
+
+
+def test_keys_that_browsers_know_reach_the_desktop(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("window.same = true")
+    keys = {
+        (("F1",), b"\x1bOP"),
+        (("F3",), b"\x1bOR"),
+        (("F5",), b"\x1b[15~"),
+        (("F6",), b"\x1b[17~"),
+        (("F10",), b"\x1b[21~"),
+        (("f", "ctrl"), b"\x06"),
+        (("p", "ctrl"), b"\x10"),
+        (("s", "ctrl"), b"\x13"),
+        (("c", "ctrl"), b"\x03"),
+        (("f", "ctrl", "shift"), b"\x1b[102;6u"),
+        (("ArrowLeft", "alt"), b"\x1b[1;3D"),
+        (("Tab",), b"\t"),
+        (("Escape",), b"\x1b"),
+    }
+    for (key, *held), sent in keys:
+        desk.server.forget()
+        desk.page.press(key, *held)
+        desk.server.wait_for_keys(sent)
+    assert desk.page.evaluate("window.same && document.activeElement === desk._terminal.textarea")
+
+
+def test_a_key_reaches_the_desktop_when_a_button_has_the_focus(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("document.getElementById('help').focus(); window.same = true")
+    desk.page.press("F5")
+    desk.page.press("x")
+    desk.server.wait_for_keys(b"x")
+    assert desk.page.evaluate("window.same")
+
+
+def test_chinese_is_typed_with_an_input_method(desk: Desk) -> None:
+    desk.open()
+    desk.page.compose("n", "ni", "nihao", result="你好")
+    desk.server.wait_for_keys("你好".encode())
+    time.sleep(0.05)  # what would come twice comes now
+    assert desk.server.keys == "你好".encode()
+
+
+def test_what_is_pasted_is_marked_and_cannot_press_keys(desk: Desk) -> None:
+    desk.open()
+    desk.shows("\x1b[?2004h")
+    desk.page.evaluate(
+        "(d => { d.setData('text/plain', 'ls\\n\\x1b[201~\\x03rm 文件'); desk._terminal.textarea.dispatchEvent("
+        "new ClipboardEvent('paste', {clipboardData: d, bubbles: true, cancelable: true})) })(new DataTransfer())"
+    )
+    desk.server.wait_for_keys(b"\x1b[201~")
+    assert desk.server.keys == "\x1b[200~ls\r[201~rm 文件\x1b[201~".encode()
+
+
+def test_clicks_and_the_wheel_reach_the_desktop(desk: Desk) -> None:
+    desk.open()
+    desk.shows(MOUSE_ON)
+    desk.page.click(*desk.cell(10, 4))
+    desk.server.wait_for_keys(b"\x1b[<0;11;5M")
+    desk.server.wait_for_keys(b"\x1b[<0;11;5m")
+    desk.page.mouse("mouseWheel", *desk.cell(10, 4), "none", deltaX=0, deltaY=120)
+    desk.server.wait_for_keys(b"\x1b[<65;11;5M")
+
+
+def test_text_is_selected_with_shift_and_copied(desk: Desk) -> None:
+    desk.open()
+    desk.shows(MOUSE_ON + "\x1b[2J\x1b[Hros2 话题 list")
+    desk.server.forget()
+    desk.page.evaluate("addEventListener('copy', e => { window.copied = e.clipboardData.getData('text/plain') })")
+    desk.page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text }")
+    x, y = desk.cell(0, 0)
+    desk.page.mouse("mousePressed", x - 3, y, "left", "shift")
+    desk.page.mouse("mouseMoved", *desk.cell(9, 0), "left", "shift")
+    desk.page.mouse("mouseReleased", *desk.cell(9, 0), "left", "shift")
+    desk.page.press("c", "ctrl", "shift")
+    assert str(desk.page.wait_for("window.copied")).startswith("ros2 话题")
+    assert b"\x03" not in desk.server.keys
+
+
+def test_a_program_may_fill_the_clipboard_but_not_read_it(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text }")
+    desk.page.evaluate("navigator.clipboard.readText = async () => { window.read = true; return 'secret' }")
+    desk.shows(f"\x1b]52;c;{base64.b64encode('/海龟'.encode()).decode()}\x07")
+    assert desk.page.wait_for("window.copied") == "/海龟"
+    desk.shows("\x1b]52;c;?\x07")
+    assert not desk.page.evaluate("Boolean(window.read)")
+    assert base64.b64encode(b"secret") not in desk.server.keys
+
+
+def test_the_desktop_is_told_the_size_and_follows_the_window(desk: Desk) -> None:
+    desk.open()
+    first = desk.server.connections[0]
+    assert int(first["cols"]) == desk.page.evaluate("desk._terminal.cols")
+    assert int(first["w"]) > 900
+    desk.page.device(700, 400)
+    desk.server.wait_for(lambda: desk.server.of_kind("size") and desk.server.of_kind("size")[-1]["w"] < 700)
+    assert desk.server.of_kind("size")[-1]["cols"] < int(first["cols"])
+
+
+def test_larger_letters_mean_fewer_cells_and_are_remembered(desk: Desk) -> None:
+    desk.open()
+    before = desk.page.evaluate("desk._terminal.cols")
+    for _ in range(4):
+        desk.page.click_on("#larger")
+    desk.server.wait_for(lambda: any(size["cols"] < before * 0.85 for size in desk.server.of_kind("size")))
+    after = desk.page.evaluate("desk._terminal.cols")
+    desk.open()
+    assert desk.page.evaluate("desk._terminal.cols") == after
+
+
+def test_the_size_the_server_allows_is_taken(desk: Desk) -> None:
+    desk.open()
+    desk.server.say({"t": "size", "cols": 60, "rows": 20})
+    assert desk.page.wait_for("desk._terminal.cols === 60 && desk._terminal.rows === 20")
+
+
+def test_what_was_drawn_is_acknowledged(desk: Desk) -> None:
+    desk.open()
+    for _ in range(5):
+        desk.server.output(b"x" * 40_000)
+    desk.server.wait_for(lambda: any(ack["bytes"] == 200_000 for ack in desk.server.of_kind("ack")))
+
+
+def test_pictures_of_real_pixels_are_drawn(desk: Desk) -> None:
+    desk.open()
+    desk.shows("\x1b[c\x1b[16t\x1b[14t")
+    desk.server.wait_for_keys(b"\x1b[?62;4;9;22c")
+    desk.server.wait_for_keys(b"\x1b[4;")
+    desk.shows('\x1b[2;2H\x1bP0;1;0q"1;1;40;40#1;2;100;0;0' + "-".join(["#1!40~"] * 6) + "\x1b\\")
+    pixel = (
+        "(c => c && [...c.getContext('2d').getImageData(c.width * 0.03, c.height * 0.06, 1, 1).data])"
+        "(document.querySelector('.xterm-image-layer'))"
+    )
+    assert desk.page.wait_for(pixel) == [255, 0, 0, 255]
+
+
+def test_block_characters_meet_without_gaps(desk: Desk) -> None:
+    desk.open()
+    desk.shows("\x1b[2J\x1b[?25l\x1b[31m" + "".join(f"\x1b[{row};1H{'█' * 20}" for row in range(1, 6)))
+    (left, top), (right, bottom) = desk.cell(0, 0), desk.cell(19, 4)
+    clip = {"x": left, "y": top, "width": right - left, "height": bottom - top, "scale": 1}
+    desk.page.wait_for("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+    colours = _colours(desk.page.ask("Page.captureScreenshot", format="png", clip=clip)["data"])
+    assert len(colours) == 1, colours
+
+
+def _colours(png: str) -> set[tuple[int, ...]]:
+    from io import BytesIO
+
+    from PIL import Image
+
+    picture = Image.open(BytesIO(base64.b64decode(png))).convert("RGB")
+    found = picture.getcolors(256 * 256) or []
+    return {colour for _, colour in found}  # type: ignore[misc]
+
+
+def test_a_watcher_sends_nothing_and_is_told_so(desk: Desk) -> None:
+    desk.open(read_only=True)
+    desk.page.press("a")
+    desk.shows(MOUSE_ON + "\x1b[c")
+    desk.page.click(*desk.cell(3, 3))
+    assert desk.page.evaluate("document.getElementById('watching').getBoundingClientRect().width > 20")
+    desk.server.wait_for(lambda: desk.server.of_kind("ping"))
+    assert desk.server.keys == b""
+
+
+def test_the_page_speaks_the_language_of_the_desktop(desk: Desk) -> None:
+    desk.open(lang="zh")
+    assert desk.page.evaluate("document.documentElement.lang") == "zh-CN"
+    assert desk.page.evaluate("document.getElementById('larger').title") == "字大一点"
+
+
+def test_both_languages_have_every_text(desk: Desk) -> None:
+    desk.open()
+    keys = json.loads(desk.page.evaluate("import('./static/texts.js').then(m => JSON.stringify(m.KEYS))"))
+    assert sorted(keys["zh"]) == sorted(keys["en"])
+
+
+def test_latency_is_measured_and_shown(desk: Desk) -> None:
+    desk.open()
+    assert desk.page.wait_for("/^[0-9]+ ms$/.test(document.getElementById('latency').textContent)")
+
+
+def test_a_lost_connection_comes_back_and_begins_with_an_empty_screen(desk: Desk) -> None:
+    desk.open()
+    desk.shows("old text")
+    desk.server.hang_up()
+    desk.server.wait_for(lambda: len(desk.server.connections) == 2)
+    desk.page.wait_for("desk._connection.isOpen")
+    assert desk.line(0) == ""
+    desk.page.press("b")
+    desk.server.wait_for_keys(b"b")
+
+
+def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
+    desk.open()
+    desk.server.farewell = "server"
+    desk.server.hang_up()
+    desk.page.wait_for("document.getElementById('strip').dataset.state === 'server'")
+    tried = len(desk.server.connections)
+    desk.server.farewell = None
+    desk.page.evaluate("dispatchEvent(new Event('online'))")
+    desk.page.wait_for("desk._connection.isOpen")
+    assert len(desk.server.connections) == tried + 1
+    assert desk.page.evaluate("document.getElementById('strip').hidden")
+
+
+def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> None:
+    desk.open()
+    desk.server.say({"t": "bye", "why": "taken"})
+    desk.server.hang_up()
+    desk.page.wait_for("document.getElementById('strip').dataset.state === 'taken'")
+    desk.page.evaluate("dispatchEvent(new Event('online'))")
+    assert len(desk.server.connections) == 1
+    desk.page.click_on("#strip button")
+    desk.page.wait_for("desk._connection.isOpen")
+    assert len(desk.server.connections) == 2
+
+
+@pytest.mark.parametrize("why", ["ended", "idle"])
+def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -> None:
+    desk.open()
+    desk.server.say({"t": "bye", "why": why})
+    desk.server.hang_up()
+    desk.page.wait_for(f"document.getElementById('strip').dataset.state === '{why}'")
+    assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
+
+
+def test_a_link_that_is_no_longer_valid_is_told(desk: Desk) -> None:
+    desk.open()
+    desk.server.refuses = True
+    desk.server.hang_up()
+    desk.page.wait_for("document.getElementById('strip').dataset.state === 'refused'")
+
+
+def test_retries_wait_longer_and_never_over_five_seconds(desk: Desk) -> None:
+    desk.open()
+    delays = desk.page.evaluate(
+        "import('./static/connection.js').then(m => [1,2,3,4,5,6,30,2000].map(n => m.retryDelay(n, 1)))"
+    )
+    assert delays == [250, 500, 1000, 2000, 4000, 5000, 5000, 5000]
+
+
+def test_a_phone_has_the_keys_it_lacks(desk: Desk) -> None:
+    desk.page.device(390, 844, mobile=True, scale=2)
+    desk.open()
+    assert desk.page.evaluate("document.documentElement.scrollWidth") <= 390
+    assert desk.page.evaluate("desk._terminal.cols") >= 50
+    desk.page.evaluate("[...document.querySelectorAll('#keys button')].find(b => b.textContent === 'Ctrl').click()")
+    desk.page.ask("Input.insertText", text="c")
+    desk.server.wait_for_keys(b"\x03")
+    desk.page.ask("Input.insertText", text="d")
+    desk.server.wait_for_keys(b"\x03d")
+    desk.shows("\x1b[?1h")
+    desk.page.evaluate("[...document.querySelectorAll('#keys button')].find(b => b.textContent === '↑').click()")
+    desk.server.wait_for_keys(b"\x1bOA")
+
+
+def test_a_finger_scrolls(desk: Desk) -> None:
+    desk.page.device(390, 844, mobile=True, scale=2)
+    desk.open()
+    desk.shows(MOUSE_ON)
+    desk.page.swipe((200, 500), (200, 300))
+    desk.server.wait_for(lambda: desk.server.keys.count(b"\x1b[<65;") >= 8)
+    assert b"\x1b[<64;" not in desk.server.keys
+
+
+def test_nothing_is_asked_of_any_other_machine_and_nothing_fails(desk: Desk) -> None:
+    desk.open()
+    desk.shows("海龟 ▀▄█ 🐢")
+    desk.page.wait_for("document.getElementById('latency').textContent")
+    home = desk.server.address.split("//")[1]
+    assert [
+        address for address in desk.page.requests if home not in address and not address.startswith(("data:", "blob:"))
+    ] == []
+    assert len(desk.page.requests) > 10
+    assert desk.page.troubles == []
+
+
+@pytest.mark.parametrize("text", WIDE_AND_NARROW)
+def test_characters_are_as_wide_as_the_desktop_thinks(widths: dict[str, int], text: str) -> None:
+    from day6_tui.tui.cells import cell_len
+
+    assert widths[text] == cell_len(text)
+
+
+@pytest.fixture(scope="module")
+def widths(chromium: Chromium, background: Background, tab: Page) -> dict[str, int]:
+    """The cells each text took on the page."""
+    from page_server import PageServer
+
+    texts = WIDE_AND_NARROW
+    server = PageServer(background)
+    try:
+        desk = Desk(tab, server).open()
+        measure = "t => new Promise(r => desk._terminal.write('\\r\\x1b[2K' + t, () => r(desk._terminal.buffer.active.cursorX)))"
+        return {text: desk.page.evaluate(f"({measure})({json.dumps(text)})") for text in texts}
+    finally:
+        server.close()
