@@ -20,7 +20,7 @@ WIDE_AND_NARROW = (
     "🐢",
     "▀▄█░",
     "┌─┐",
-    "👩‍💻",
+    "👩\u200d💻",
     "⚠️",
     "❤️",
     "🇨🇳",
@@ -212,6 +212,30 @@ def test_the_size_the_server_allows_is_taken(desk: Desk) -> None:
     desk.open()
     desk.server.say({"t": "size", "cols": 60, "rows": 20})
     assert desk.page.wait_for("desk._terminal.cols === 60 && desk._terminal.rows === 20")
+
+
+def test_an_answer_that_comes_late_does_not_undo_the_next_size(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("desk._screen.resize(80, 24); desk._screen.resize(90, 30)")
+    sizes = desk.server.wait_for(
+        lambda: desk.server.of_kind("size")[-2:] if len(desk.server.of_kind("size")) > 2 else None
+    )
+    assert [(size["cols"], size["rows"]) for size in sizes] == [(80, 24), (90, 30)]
+    for size in sizes:
+        desk.server.say(size)
+    desk.shows("")
+    assert desk.page.evaluate("[desk._terminal.cols, desk._terminal.rows]") == [90, 30]
+    assert len(desk.server.of_kind("size")) == 3
+
+
+def test_a_watcher_sees_a_large_screen_whole(desk: Desk) -> None:
+    desk.open(read_only=True)
+    desk.server.say({"t": "size", "cols": 200, "rows": 60})
+    desk.page.wait_for("desk._terminal.cols === 200")
+    assert desk.page.wait_for(
+        "(r => r.width <= 1000.5 && r.height <= 572.5 && (r.width > 990 || r.height > 560))"
+        "(document.querySelector('.xterm-screen').getBoundingClientRect())"
+    )
 
 
 def test_what_was_drawn_is_acknowledged(desk: Desk) -> None:

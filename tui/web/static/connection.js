@@ -29,7 +29,8 @@ export function median(values) {
 
 export class Connection {
   /**
-   * `size()` gives {cols, rows, w, h}. `on` has hello(message), output(bytes, done), size(cols, rows), latency(ms) and
+   * `size()` gives {cols, rows, w, h}. `on` has hello(message), output(bytes, done), size(cols, rows) for a size the server wants
+   * although nobody here asked for it, latency(ms) and
    * state(name, detail): connecting | open | lost (attempt number) | offline | a goodbye.
    */
   constructor(address, size, on) {
@@ -53,7 +54,8 @@ export class Connection {
     this._drop();
     this._bye = null;
     this._on.state(this._attempts ? "lost" : "connecting", this._attempts);
-    const { cols, rows, w, h } = this._size();
+    this._asked = [];
+    const { cols, rows, w, h } = this._ask();
     const url = new URL(this._address, location.href);
     url.protocol = url.protocol === "https:" ? "wss:" : "ws:";
     url.search = new URLSearchParams({ cols, rows, w, h });
@@ -61,7 +63,7 @@ export class Connection {
     socket.binaryType = "arraybuffer";
     this._socket = socket;
     this._greeted = false;
-    this._received = this._drawn = this._acknowledged = 0;
+    this._drawn = this._acknowledged = 0;
     this._heard = this._begun = performance.now();
     this._pings = new Map();
     socket.onmessage = (event) => socket === this._socket && this._take(socket, event.data);
@@ -82,8 +84,21 @@ export class Connection {
   }
 
   resized() {
+    if (this.isOpen) this._tell({ t: "size", ...this._ask() });
+  }
+
+  /** The size as it is now; the server's answer to it will be no news. */
+  _ask() {
     const { cols, rows, w, h } = this._size();
-    this._tell({ t: "size", cols, rows, w, h });
+    this._asked.push(`${cols}x${rows}`);
+    return { cols, rows, w, h };
+  }
+
+  /** What is no answer to a question of ours is the server's own decision. */
+  _sized({ cols, rows }) {
+    const place = this._asked.indexOf(`${cols}x${rows}`);
+    if (place >= 0) this._asked.splice(0, place + 1);
+    else this._on.size(cols, rows);
   }
 
   _tell(message) {
@@ -93,14 +108,13 @@ export class Connection {
   _take(socket, data) {
     this._heard = performance.now();
     if (typeof data !== "string") {
-      this._received += data.byteLength;
+      this._attempts = 0; // a greeting alone may be followed by a goodbye
       this._on.output(new Uint8Array(data), () => this._shown(socket, data.byteLength));
       return;
     }
     const message = JSON.parse(data);
     if (message.t === "hello") {
       this._greeted = true;
-      this._attempts = 0;
       this._on.hello(message);
       this._on.state("open");
       this.resized(); // it may have changed meanwhile
@@ -108,7 +122,7 @@ export class Connection {
     } else if (message.t === "pong") {
       this._measure(message.n);
     } else if (message.t === "size") {
-      this._on.size(message.cols, message.rows);
+      this._sized(message);
     } else if (message.t === "bye") {
       this._bye = message.why;
     }

@@ -43,7 +43,7 @@ class Desk {
     this._connection = new Connection("ws", () => this._screen.size(), {
       hello: (message) => this._hello(message),
       output: (bytes, done) => this._terminal.write(bytes, done),
-      size: (cols, rows) => this._screen.resize(cols, rows),
+      size: (cols, rows) => this._screen.show(cols, rows, this._readOnly),
       latency: (ms) => this._showLatency(ms),
       state: (name, count) => this._strip.show(name, count, this._texts),
     });

@@ -17,6 +17,7 @@ const LEAST = { cols: 20, rows: 5 };
 const MOST = { cols: 500, rows: 200 };
 const SMALLEST_LETTERS = 6;
 const LARGEST_LETTERS = 40;
+const LARGEST_SCALE = 2;
 
 export function clamp(value, least, most) {
   return Math.min(most, Math.max(least, value));
@@ -62,6 +63,7 @@ export class Screen {
   constructor(place, { fontSize, label, renderer = "auto", changed }) {
     this._place = place;
     this._changed = changed;
+    this._whole = false;
     this.terminal = new Terminal({
       allowProposedApi: true,
       altClickMovesCursor: false,
@@ -83,9 +85,11 @@ export class Screen {
     this.terminal.open(place);
     this.terminal.loadAddon(new ImageAddon({ storageLimit: 32, showPlaceholder: false, iipSupport: false }));
     this.terminal.textarea.setAttribute("aria-label", label);
+    this._area = this.terminal.element.querySelector(".xterm-screen");
     this._draw(renderer);
     this.fit();
     new ResizeObserver(() => this.fit()).observe(place);
+    new ResizeObserver(() => this._whole && this._shrink()).observe(this._area);
   }
 
   _draw(renderer) {
@@ -104,8 +108,12 @@ export class Screen {
     }
   }
 
-  /** As many cells as there is room for. */
+  /** As many cells as there is room for; a screen of somebody else is made to fit as a picture. */
   fit() {
+    if (this._whole) {
+      this._shrink();
+      return;
+    }
     const proposed = this._fit.proposeDimensions();
     if (!proposed || !Number.isFinite(proposed.cols) || !Number.isFinite(proposed.rows)) return;
     this.resize(clamp(proposed.cols, LEAST.cols, MOST.cols), clamp(proposed.rows, LEAST.rows, MOST.rows));
@@ -118,10 +126,26 @@ export class Screen {
     this._changed();
   }
 
+  /** Show so many cells, whatever the room; `whole`: as small as it has to be, for somebody else's screen. */
+  show(cols, rows, whole) {
+    this.terminal.resize(clamp(cols, 1, MOST.cols), clamp(rows, 1, MOST.rows));
+    this._whole = whole;
+    if (whole) this._shrink();
+  }
+
+  _shrink() {
+    const { w, h } = this.size();
+    const { clientWidth, clientHeight } = this._place;
+    if (!w || !h) return;
+    const { style } = this.terminal.element;
+    style.transformOrigin = "0 0";
+    style.transform = `scale(${Math.min(clientWidth / w, clientHeight / h, LARGEST_SCALE)})`;
+  }
+
   /** Cells and pixels. */
   size() {
-    const area = this.terminal.element.querySelector(".xterm-screen").getBoundingClientRect();
-    return { cols: this.terminal.cols, rows: this.terminal.rows, w: Math.round(area.width), h: Math.round(area.height) };
+    const { offsetWidth, offsetHeight } = this._area;
+    return { cols: this.terminal.cols, rows: this.terminal.rows, w: offsetWidth, h: offsetHeight };
   }
 
   get fontSize() {
