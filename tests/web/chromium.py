@@ -33,10 +33,12 @@ SWITCHES = (
     "--disable-default-apps",
     "--disable-dev-shm-usage",
     "--disable-extensions",
+    "--disable-features=SpareRendererForSitePerProcess,BackForwardCache",
     "--disable-sync",
     "--mute-audio",
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
     "--remote-debugging-port=0",
+    "--renderer-process-limit=1",
     "--lang=en-US",
 )
 START_SECONDS = 20.0

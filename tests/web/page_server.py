@@ -32,15 +32,16 @@ class PageServer:
         """Why a new connection is said goodbye to at once; None: it is not."""
         self.refuses = False
         self.pongs = True
+        self.connections: list[Mapping[str, str]] = []
+        """What the addresses of the WebSockets said."""
         self.forget()
         self._socket: web.WebSocketResponse | None = None
         self.address = background.run(self._start())
 
     def forget(self) -> None:
-        """As new."""
+        """Begin anew with what the page sends."""
         self.keys = b""
         self.messages: list[dict[str, Any]] = []
-        self.connections: list[Mapping[str, str]] = []
 
     async def _start(self) -> str:
         app = web.Application()

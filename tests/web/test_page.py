@@ -43,16 +43,30 @@ class Desk:
     def __init__(self, page: Page, server: PageServer) -> None:
         self.page = page
         self.server = server
+        self.is_fresh = False
+        """Whether the page is loaded, and nobody changed anything that stays."""
         self._drawn = 0
 
     def open(self, **hello: Any) -> Desk:
-        """Load the page and wait until it is connected."""
-        self.server.hello = {"t": "hello", "name": "anna", "read_only": False, "lang": "en"} | hello
+        """Load the page and wait until it is connected; one that is as asked for and undamaged is only emptied."""
+        wanted = {"t": "hello", "name": "anna", "read_only": False, "lang": "en"} | hello
+        if self.is_fresh and self.server.hello == wanted and self.page.evaluate("desk._connection.isOpen"):
+            self.page.evaluate("desk._terminal.reset(); desk._terminal.focus()")
+            self.server.forget()
+            return self
+        self.server.hello = wanted
         self.server.forget()
+        self.server.connections.clear()
         self.page.navigate(f"{self.server.address}/desk")
         self.page.wait_for("Boolean(window.desk) && desk._connection.isOpen")
         self.page.evaluate("desk._terminal.onTitleChange(title => { window.drawn = title })")
+        self.is_fresh = True
         return self
+
+    def device(self, width: int, height: int, *, mobile: bool = False) -> None:
+        """Take another device for this test."""
+        self.is_fresh = False
+        self.page.device(width, height, mobile=mobile)
 
     def shows(self, text: str) -> None:
         """Send output, and wait until it was drawn."""
@@ -76,20 +90,35 @@ class Desk:
 
 
 @pytest.fixture(scope="module")
-def tab(chromium: Chromium) -> Iterator[Page]:
-    page = chromium.page()
-    yield page
+def whole_desk(chromium: Chromium, background: Background) -> Iterator[Desk]:
+    """One tab and one server for all tests of this file."""
+    from page_server import PageServer
+
+    page, server = chromium.page(), PageServer(background)
+    yield Desk(page, server)
     page.close()
+    server.close()
 
 
 @pytest.fixture
-def desk(tab: Page, server: PageServer) -> Iterator[Desk]:
-    tab.device(1000, 600)
-    tab.troubles.clear()
-    tab.requests.clear()
-    yield Desk(tab, server)
-    tab.evaluate("localStorage.clear()")
-    tab.navigate("about:blank")
+def desk(whole_desk: Desk) -> Desk:
+    if not whole_desk.is_fresh:
+        whole_desk.page.device(1000, 600)
+    return whole_desk
+
+
+@pytest.fixture
+def loaded_anew(whole_desk: Desk) -> Iterator[None]:
+    whole_desk.is_fresh = False
+    whole_desk.page.troubles.clear()
+    yield
+    whole_desk.is_fresh = False
+    whole_desk.server.farewell, whole_desk.server.refuses = None, False
+    whole_desk.page.evaluate("localStorage.clear()")
+
+
+anew = pytest.mark.usefixtures("loaded_anew")
+"""For tests that need a page of their own, or leave one that nobody else can use."""
 
 
 def test_the_first_key_reaches_the_desktop_without_a_click(desk: Desk) -> None:
@@ -161,6 +190,7 @@ def test_clicks_and_the_wheel_reach_the_desktop(desk: Desk) -> None:
     desk.server.wait_for_keys(b"\x1b[<65;11;5M")
 
 
+@anew
 def test_text_is_selected_with_shift_and_copied(desk: Desk) -> None:
     desk.open()
     desk.shows(MOUSE_ON + "\x1b[2J\x1b[Hros2 话题 list")
@@ -176,6 +206,7 @@ def test_text_is_selected_with_shift_and_copied(desk: Desk) -> None:
     assert b"\x03" not in desk.server.keys
 
 
+@anew
 def test_a_program_may_fill_the_clipboard_but_not_read_it(desk: Desk) -> None:
     desk.open()
     desk.page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text }")
@@ -187,6 +218,7 @@ def test_a_program_may_fill_the_clipboard_but_not_read_it(desk: Desk) -> None:
     assert base64.b64encode(b"secret") not in desk.server.keys
 
 
+@anew
 def test_the_desktop_is_told_the_size_and_follows_the_window(desk: Desk) -> None:
     desk.open()
     first = desk.server.connections[0]
@@ -197,6 +229,7 @@ def test_the_desktop_is_told_the_size_and_follows_the_window(desk: Desk) -> None
     assert desk.server.of_kind("size")[-1]["cols"] < int(first["cols"])
 
 
+@anew
 def test_larger_letters_mean_fewer_cells_and_are_remembered(desk: Desk) -> None:
     desk.open()
     before = desk.page.evaluate("desk._terminal.cols")
@@ -208,12 +241,14 @@ def test_larger_letters_mean_fewer_cells_and_are_remembered(desk: Desk) -> None:
     assert desk.page.evaluate("desk._terminal.cols") == after
 
 
+@anew
 def test_the_size_the_server_allows_is_taken(desk: Desk) -> None:
     desk.open()
     desk.server.say({"t": "size", "cols": 60, "rows": 20})
     assert desk.page.wait_for("desk._terminal.cols === 60 && desk._terminal.rows === 20")
 
 
+@anew
 def test_an_answer_that_comes_late_does_not_undo_the_next_size(desk: Desk) -> None:
     desk.open()
     desk.page.evaluate("desk._screen.resize(80, 24); desk._screen.resize(90, 30)")
@@ -228,6 +263,7 @@ def test_an_answer_that_comes_late_does_not_undo_the_next_size(desk: Desk) -> No
     assert len(desk.server.of_kind("size")) == 3
 
 
+@anew
 def test_a_watcher_sees_a_large_screen_whole(desk: Desk) -> None:
     desk.open(read_only=True)
     desk.server.say({"t": "size", "cols": 200, "rows": 60})
@@ -278,6 +314,7 @@ def _colours(png: str) -> set[tuple[int, ...]]:
     return {colour for _, colour in found}  # type: ignore[misc]
 
 
+@anew
 def test_a_watcher_sends_nothing_and_is_told_so(desk: Desk) -> None:
     desk.open(read_only=True)
     desk.page.press("a")
@@ -288,6 +325,7 @@ def test_a_watcher_sends_nothing_and_is_told_so(desk: Desk) -> None:
     assert desk.server.keys == b""
 
 
+@anew
 def test_the_page_speaks_the_language_of_the_desktop(desk: Desk) -> None:
     desk.open(lang="zh")
     assert desk.page.evaluate("document.documentElement.lang") == "zh-CN"
@@ -305,6 +343,7 @@ def test_latency_is_measured_and_shown(desk: Desk) -> None:
     assert desk.page.wait_for("/^[0-9]+ ms$/.test(document.getElementById('latency').textContent)")
 
 
+@anew
 def test_a_lost_connection_comes_back_and_begins_with_an_empty_screen(desk: Desk) -> None:
     desk.open()
     desk.shows("old text")
@@ -316,6 +355,7 @@ def test_a_lost_connection_comes_back_and_begins_with_an_empty_screen(desk: Desk
     desk.server.wait_for_keys(b"b")
 
 
+@anew
 def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
     desk.open()
     desk.server.farewell = "server"
@@ -329,6 +369,7 @@ def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
     assert desk.page.evaluate("document.getElementById('strip').hidden")
 
 
+@anew
 def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> None:
     desk.open()
     desk.server.say({"t": "bye", "why": "taken"})
@@ -341,6 +382,7 @@ def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> Non
     assert len(desk.server.connections) == 2
 
 
+@anew
 @pytest.mark.parametrize("why", ["ended", "idle"])
 def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -> None:
     desk.open()
@@ -350,6 +392,7 @@ def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -
     assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
 
 
+@anew
 def test_a_link_that_is_no_longer_valid_is_told(desk: Desk) -> None:
     desk.open()
     desk.server.refuses = True
@@ -365,8 +408,9 @@ def test_retries_wait_longer_and_never_over_five_seconds(desk: Desk) -> None:
     assert delays == [250, 500, 1000, 2000, 4000, 5000, 5000, 5000]
 
 
+@anew
 def test_a_phone_has_the_keys_it_lacks(desk: Desk) -> None:
-    desk.page.device(390, 844, mobile=True, scale=2)
+    desk.device(390, 844, mobile=True)
     desk.open()
     assert desk.page.evaluate("document.documentElement.scrollWidth") <= 390
     assert desk.page.evaluate("desk._terminal.cols") >= 50
@@ -380,8 +424,9 @@ def test_a_phone_has_the_keys_it_lacks(desk: Desk) -> None:
     desk.server.wait_for_keys(b"\x1bOA")
 
 
+@anew
 def test_a_finger_scrolls(desk: Desk) -> None:
-    desk.page.device(390, 844, mobile=True, scale=2)
+    desk.device(390, 844, mobile=True)
     desk.open()
     desk.shows(MOUSE_ON)
     desk.page.swipe((200, 500), (200, 300))
@@ -389,6 +434,7 @@ def test_a_finger_scrolls(desk: Desk) -> None:
     assert b"\x1b[<64;" not in desk.server.keys
 
 
+@anew
 def test_nothing_is_asked_of_any_other_machine_and_nothing_fails(desk: Desk) -> None:
     desk.open()
     desk.shows("海龟 ▀▄█ 🐢")
@@ -409,15 +455,10 @@ def test_characters_are_as_wide_as_the_desktop_thinks(widths: dict[str, int], te
 
 
 @pytest.fixture(scope="module")
-def widths(chromium: Chromium, background: Background, tab: Page) -> dict[str, int]:
+def widths(whole_desk: Desk) -> dict[str, int]:
     """The cells each text took on the page."""
-    from page_server import PageServer
-
-    texts = WIDE_AND_NARROW
-    server = PageServer(background)
-    try:
-        desk = Desk(tab, server).open()
-        measure = "t => new Promise(r => desk._terminal.write('\\r\\x1b[2K' + t, () => r(desk._terminal.buffer.active.cursorX)))"
-        return {text: desk.page.evaluate(f"({measure})({json.dumps(text)})") for text in texts}
-    finally:
-        server.close()
+    whole_desk.open()
+    measure = (
+        "t => new Promise(r => desk._terminal.write('\\r\\x1b[2K' + t, () => r(desk._terminal.buffer.active.cursorX)))"
+    )
+    return {text: whole_desk.page.evaluate(f"({measure})({json.dumps(text)})") for text in WIDE_AND_NARROW}
