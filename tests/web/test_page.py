@@ -274,6 +274,7 @@ def test_a_watcher_sees_a_large_screen_whole(desk: Desk) -> None:
     )
 
 
+@anew
 def test_what_was_drawn_is_acknowledged(desk: Desk) -> None:
     desk.open()
     for _ in range(5):

@@ -29,8 +29,8 @@ export function median(values) {
 
 export class Connection {
   /**
-   * `size()` gives {cols, rows, w, h}. `on` has hello(message), output(bytes, done), size(cols, rows) for a size the server wants
-   * although nobody here asked for it, latency(ms) and
+   * `size()` gives {cols, rows, w, h}; null where there is no terminal. `on` has hello(message), output(bytes, done), message(other),
+   * size(cols, rows) for a size the server wants although nobody here asked for it, latency(ms) and
    * state(name, detail): connecting | open | lost (attempt number) | offline | a goodbye.
    */
   constructor(address, size, on) {
@@ -55,10 +55,9 @@ export class Connection {
     this._bye = null;
     this._on.state(this._attempts ? "lost" : "connecting", this._attempts);
     this._asked = [];
-    const { cols, rows, w, h } = this._ask();
     const url = new URL(this._address, location.href);
     url.protocol = url.protocol === "https:" ? "wss:" : "ws:";
-    url.search = new URLSearchParams({ cols, rows, w, h });
+    if (this._size) url.search = new URLSearchParams(this._ask());
     const socket = new WebSocket(url);
     socket.binaryType = "arraybuffer";
     this._socket = socket;
@@ -84,7 +83,7 @@ export class Connection {
   }
 
   resized() {
-    if (this.isOpen) this._tell({ t: "size", ...this._ask() });
+    if (this.isOpen && this._size) this.tell({ t: "size", ...this._ask() });
   }
 
   /** The size as it is now; the server's answer to it will be no news. */
@@ -101,7 +100,8 @@ export class Connection {
     else this._on.size(cols, rows);
   }
 
-  _tell(message) {
+  /** Send a message of the protocol, if anybody hears it. */
+  tell(message) {
     if (this.isOpen) this._socket.send(JSON.stringify(message));
   }
 
@@ -113,19 +113,27 @@ export class Connection {
       return;
     }
     const message = JSON.parse(data);
-    if (message.t === "hello") {
-      this._greeted = true;
-      this._on.hello(message);
-      this._on.state("open");
-      this.resized(); // it may have changed meanwhile
-      this._pulse();
-    } else if (message.t === "pong") {
-      this._measure(message.n);
-    } else if (message.t === "size") {
-      this._sized(message);
-    } else if (message.t === "bye") {
+    if (message.t === "bye") {
       this._bye = message.why;
+      return;
     }
+    if (!this._greeted) this._greet(message);
+    if (message.t === "pong") this._measure(message.n);
+    else if (message.t === "size") this._sized(message);
+    else if (message.t !== "hello") {
+      this._attempts = 0;
+      this._on.message?.(message);
+    }
+  }
+
+  /** The first message is the greeting, whatever it says. */
+  _greet(message) {
+    this._greeted = true;
+    this._answers = message.t === "hello"; // who says hello answers pings
+    this._on.hello?.(message);
+    this._on.state("open");
+    this.resized(); // it may have changed meanwhile
+    this._pulse();
   }
 
   /** Acknowledge in steps; what is less than a step never stops the server. */
@@ -134,7 +142,7 @@ export class Connection {
     this._drawn += count;
     if (this._drawn - this._acknowledged >= ACK_BYTES) {
       this._acknowledged = this._drawn;
-      this._tell({ t: "ack", bytes: this._drawn });
+      this.tell({ t: "ack", bytes: this._drawn });
     }
   }
 
@@ -143,7 +151,7 @@ export class Connection {
     if (sent === undefined) return;
     this._pings.clear();
     this._latencies = [...this._latencies, performance.now() - sent].slice(-LATENCIES);
-    this._on.latency(median(this._latencies));
+    this._on.latency?.(median(this._latencies));
   }
 
   _pulse() {
@@ -153,10 +161,10 @@ export class Connection {
     if (!this.isOpen) return;
     const asked = this._pings.size ? Math.min(...this._pings.values()) : Infinity;
     if (now - asked > SILENCE_MS && now - this._heard > SILENCE_MS) return this._closed();
-    if (this._pings.size < 8) {
+    if (this._answers && this._pings.size < 8) {
       this._count = (this._count || 0) + 1;
       this._pings.set(this._count, now);
-      this._tell({ t: "ping", n: this._count });
+      this.tell({ t: "ping", n: this._count });
     }
   }
 

@@ -211,12 +211,7 @@ class Desk {
   /** Everything that is written on the page, in its language. */
   _write() {
     const texts = this._texts;
-    document.documentElement.lang = texts.language === "zh" ? "zh-CN" : "en";
-    for (const element of document.querySelectorAll("[data-text]")) element.textContent = texts.say(element.dataset.text);
-    for (const element of document.querySelectorAll("[data-label]")) {
-      element.setAttribute("aria-label", texts.say(element.dataset.label));
-      if (element.tagName === "BUTTON" || element.id === "latency") element.title = texts.say(element.dataset.label);
-    }
+    texts.write(document);
     this._terminal.textarea.setAttribute("aria-label", texts.say("screen.label"));
     const lines = texts.lines("help.lines").map((line) => {
       const item = document.createElement("li");

@@ -1,17 +1,12 @@
 /** The terminal on the page: xterm.js with the addons the desktop needs, drawn by the graphics card where there is one. */
 
+import { FONTS } from "./fonts.js";
 import { Terminal } from "./vendor/xterm/xterm.mjs";
 import { FitAddon } from "./vendor/xterm/addon-fit.mjs";
 import { UnicodeGraphemesAddon } from "./vendor/xterm/addon-unicode-graphemes.mjs";
 import { ImageAddon } from "./vendor/xterm/addon-image.mjs";
 import { WebglAddon } from "./vendor/xterm/addon-webgl.mjs";
 import { ClipboardAddon } from "./vendor/xterm/addon-clipboard.mjs";
-
-/** Monospaced Latin first, then Chinese of the system; box and block characters are drawn, or come from the first of them. */
-export const FONTS = [
-  "Cascadia Mono", "JetBrains Mono", "DejaVu Sans Mono", "Menlo", "Consolas", "Noto Sans Mono", "Liberation Mono", "Roboto Mono",
-  "Noto Sans Mono CJK SC", "Noto Sans CJK SC", "PingFang SC", "Microsoft YaHei", "WenQuanYi Zen Hei Mono", "WenQuanYi Zen Hei",
-].map((name) => `"${name}"`).join(", ") + ", monospace";
 
 const LEAST = { cols: 20, rows: 5 };
 const MOST = { cols: 500, rows: 200 };

@@ -99,11 +99,11 @@ export function language(name) {
   return String(name || "").toLowerCase().startsWith("zh") ? "zh" : "en";
 }
 
-/** The texts of one language: `say(key, {name: value})`. */
+/** The texts of one language: `say(key, {name: value})`; `more` is a further table for each language. */
 export class Texts {
-  constructor(name) {
+  constructor(name, more = { zh: {}, en: {} }) {
     this.language = language(name);
-    this._table = this.language === "zh" ? ZH : EN;
+    this._table = { ...(this.language === "zh" ? ZH : EN), ...more[this.language] };
   }
 
   say(key, values = {}) {
@@ -112,6 +112,18 @@ export class Texts {
 
   lines(key) {
     return this._table[key];
+  }
+
+  /** Write everything below `root` that names its text in data-text (its content) or data-label (for screen readers). */
+  write(root) {
+    if (root === document) document.documentElement.lang = this.language === "zh" ? "zh-CN" : "en";
+    for (const element of root.querySelectorAll("[data-text]")) element.textContent = this.say(element.dataset.text);
+    for (const element of root.querySelectorAll("[data-label]")) {
+      const label = this.say(element.dataset.label);
+      element.setAttribute("aria-label", label);
+      if (element.matches("button, [data-hover]")) element.title = label;
+      if (element.matches("input")) element.placeholder = label;
+    }
   }
 }
 

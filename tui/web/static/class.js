@@ -1,0 +1,224 @@
+/** The teacher's page: who is where, who needs help; and what is said or started for all. */
+
+import { CLASS_TEXTS } from "./class_texts.js";
+import { Connection } from "./connection.js";
+import { PupilCard } from "./pupil_card.js";
+import { PupilPane } from "./pupil_pane.js";
+import { line, ordered, report, shownRow } from "./rows.js";
+import { Strip } from "./strip.js";
+import { Texts } from "./texts.js";
+
+const WATCH_SECONDS = 10;
+const WATCH_AGAIN_MS = 4000;
+const NOTICE_MS = 3000;
+const SCENES = ["turtle", "car", "world", "empty"];
+const SIDE_BY_SIDE = 2;
+
+const at = (id) => document.getElementById(id);
+
+class Class {
+  constructor() {
+    this._texts = new Texts(new URLSearchParams(location.search).get("lang") || navigator.language, CLASS_TEXTS);
+    this._rows = [];
+    this._cards = new Map();
+    this._panes = [];
+    this._lessons = [];
+    this._strip = new Strip(at("strip"), () => this._connection.open());
+    this._seen = new Set(); // names of cards that are scrolled into view
+    this._sight = new IntersectionObserver((entries) => this._noteSight(entries));
+    this._write();
+    this._tools();
+    this._connection = new Connection("class/ws", null, {
+      hello: (message) => this._hello(message),
+      message: (message) => message.t === "rows" && this._take(message),
+      state: (name, count) => this._strip.show(name, count, this._texts),
+    });
+    setInterval(() => this._watch(), WATCH_AGAIN_MS);
+    this._connection.open();
+  }
+
+  /** The first message may say the language and what lessons there are. */
+  _hello(message) {
+    if (message.lang && new Texts(message.lang).language !== this._texts.language) {
+      this._texts = new Texts(message.lang, CLASS_TEXTS);
+      this._write();
+      for (const card of this._cards.values()) card.close();
+      this._cards.clear();
+    }
+    if (Array.isArray(message.lessons)) this._lessons = message.lessons;
+    this._fillStart(at("start"), (order) => this._orderAll(order, true));
+    if (message.t === "rows") this._take(message);
+  }
+
+  _take({ rows, lessons }) {
+    if (Array.isArray(lessons)) {
+      this._lessons = lessons;
+      this._fillStart(at("start"), (order) => this._orderAll(order, true));
+    }
+    this._rows = ordered(rows.map((row) => shownRow(row, this._texts.language)));
+    this._show();
+  }
+
+  _show() {
+    const rows = this._rows;
+    const here = rows.filter((row) => row.state !== "gone").length;
+    const hands = rows.filter((row) => row.hand).length;
+    at("here").textContent = this._texts.say("class.here", { here, all: rows.length });
+    at("hands").textContent = hands ? this._texts.say("class.hands", { count: hands }) : "";
+    document.title = hands ? `✋ ${hands} · ${this._texts.say("class.title")}` : `${this._texts.say("class.title")} · day6`;
+    at("empty").hidden = rows.length > 0;
+    const names = new Set(rows.map((row) => row.name));
+    for (const [name, card] of this._cards) {
+      if (!names.has(name)) this._remove(name, card);
+    }
+    rows.forEach((row, place) => this._showCard(row, place));
+    for (const pane of this._panes) {
+      const row = rows.find((other) => other.name === pane.name);
+      if (row) pane.show(row, rows);
+    }
+  }
+
+  _remove(name, card) {
+    this._sight.unobserve(card.element);
+    this._seen.delete(name);
+    card.close();
+    this._cards.delete(name);
+  }
+
+  _showCard(row, place) {
+    let card = this._cards.get(row.name);
+    if (!card) {
+      card = new PupilCard(this._texts, () => this._open(row.name));
+      card.element.dataset.key = row.name;
+      this._cards.set(row.name, card);
+      this._sight.observe(card.element);
+    }
+    const grid = at("grid");
+    if (grid.children[place] !== card.element) grid.insertBefore(card.element, grid.children[place] || null);
+    card.show(row, at("screens").checked);
+  }
+
+  _noteSight(entries) {
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) this._seen.add(target.dataset.key);
+      else this._seen.delete(target.dataset.key);
+    }
+  }
+
+  // -- watching ------------------------------------------------------------------------------------------------------
+
+  /** Whose screens are looked at: the large ones, and the small ones in view. Nobody's while the page is hidden. */
+  _watchedNames() {
+    if (document.hidden) return [];
+    const small = at("screens").checked && at("large").hidden ? [...this._seen] : [];
+    return [...new Set([...this._panes.map((pane) => pane.name), ...small])];
+  }
+
+  _watch() {
+    for (const name of this._watchedNames()) this._order(name, { do: "watch", seconds: WATCH_SECONDS });
+  }
+
+  _open(name) {
+    if (this._panes.some((pane) => pane.name === name)) return;
+    while (this._panes.length >= SIDE_BY_SIDE) this._close(this._panes[SIDE_BY_SIDE - 1]);
+    const pane = new PupilPane(name, this._texts, {
+      order: (order) => this._order(name, order),
+      close: () => this._close(pane),
+      beside: (other) => this._open(other),
+      fillStart: (select, order) => this._fillStart(select, order),
+    });
+    this._panes.push(pane);
+    at("panes").append(pane.element);
+    at("large").hidden = false;
+    this._order(name, { do: "watch", seconds: WATCH_SECONDS });
+    this._show();
+    pane.element.querySelector(".close").focus();
+  }
+
+  _close(pane) {
+    this._order(pane.name, { do: "unwatch" });
+    this._panes = this._panes.filter((other) => other !== pane);
+    pane.close();
+    at("large").hidden = this._panes.length === 0;
+    this._cards.get(pane.name)?.element.querySelector(".open").focus();
+  }
+
+  // -- orders --------------------------------------------------------------------------------------------------------
+
+  _order(name, order) {
+    this._connection.tell({ t: "order", name, order });
+  }
+
+  _orderAll(order, asks = false) {
+    if (asks && !confirm(this._texts.say("class.confirm", { what: order.shown }))) return;
+    delete order.shown;
+    this._order("all", order);
+    const count = this._rows.filter((row) => row.state !== "gone").length;
+    at("notice").textContent = this._texts.say("class.sent", { count });
+    clearTimeout(this._noticeTimer);
+    this._noticeTimer = setTimeout(() => { at("notice").textContent = ""; }, NOTICE_MS);
+  }
+
+  /** Scenes, and lessons where the server told which there are. */
+  _fillStart(select, give) {
+    const texts = this._texts;
+    const group = (label, options) => {
+      const made = document.createElement("optgroup");
+      made.label = label;
+      made.append(...options);
+      return made;
+    };
+    const scenes = SCENES.map((name) => new Option(texts.say(`scene.${name}`), JSON.stringify({ do: "scene", name })));
+    const lessons = this._lessons.map((lesson) => {
+      const title = line(lesson.title?.[texts.language] ?? lesson.title?.en ?? lesson.name);
+      return new Option(title, JSON.stringify({ do: "lesson", name: String(lesson.name) }));
+    });
+    const groups = [group(texts.say("class.start.scenes"), scenes)];
+    if (lessons.length) groups.push(group(texts.say("class.start.lessons"), lessons));
+    const first = new Option(select.id ? texts.say("class.start") : texts.say("large.start"), "");
+    select.replaceChildren(first, ...groups);
+    select.onchange = () => {
+      const order = JSON.parse(select.value || "null");
+      const shown = select.selectedOptions[0].textContent;
+      select.value = "";
+      if (order) give(select.id ? { ...order, shown } : order);
+    };
+  }
+
+  _tools() {
+    at("say").addEventListener("submit", (event) => {
+      event.preventDefault();
+      const text = at("say-text").value.trim();
+      if (text) this._orderAll({ do: "say", text });
+      at("say-text").value = "";
+    });
+    at("freeze").addEventListener("click", () => this._orderAll({ do: "freeze", on: true }));
+    at("unfreeze").addEventListener("click", () => this._orderAll({ do: "freeze", on: false }));
+    at("screens").addEventListener("change", () => {
+      if (at("screens").checked) this._watch();
+      else for (const name of this._seen) this._order(name, { do: "unwatch" });
+      this._show();
+    });
+    at("report").addEventListener("click", () => this._export());
+    document.addEventListener("keydown", (event) => {
+      const last = this._panes.at(-1);
+      if (event.key === "Escape" && last && !event.target.closest(".mirror")) this._close(last);
+    });
+    document.addEventListener("visibilitychange", () => this._watch());
+  }
+
+  _export() {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([report(this._rows, this._texts)], { type: "text/csv" }));
+    link.download = `${this._texts.say("report.file")} ${new Date().toISOString().slice(0, 16).replace(/[T:]/g, "-")}.csv`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  }
+
+  _write() {
+    this._texts.write(document);
+    this._fillStart(at("start"), (order) => this._orderAll(order, true));
+  }
+}
+
+window.classPage = new Class(); // named for whoever looks with the browser's own tools, and for the tests

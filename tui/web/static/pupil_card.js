@@ -1,0 +1,74 @@
+/** One pupil in the grid: what he does, and his screen in small. */
+
+import { Mirror } from "./mirror.js";
+
+const IDLE_SECONDS = 120; // less is reading
+
+/** A copy of a template's element, with its texts. */
+export function fromTemplate(id, texts) {
+  const element = document.getElementById(id).content.firstElementChild.cloneNode(true);
+  texts.write(element);
+  return element;
+}
+
+function put(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export class PupilCard {
+  constructor(texts, open) {
+    this.element = fromTemplate("pupil", texts);
+    this._texts = texts;
+    this._mirror = null;
+    this._find = (name) => this.element.querySelector(`.${name}`);
+    this._find("open").addEventListener("click", open);
+    this._find("small-screen").addEventListener("click", open);
+  }
+
+  /** Show a row (`rows.js`); with `screens` its screen, too. */
+  show(row, screens) {
+    const { _find: find, _texts: texts } = this;
+    this.element.dataset.state = row.state;
+    this.element.classList.toggle("hand-up", row.hand);
+    put(find("name"), row.shownName);
+    put(find("state"), texts.say(`state.${row.state}`));
+    for (const badge of ["hand", "watched", "frozen"]) find(badge).hidden = !row[badge];
+    this._showLesson(row.lesson);
+    find("card").hidden = !row.card;
+    if (row.card) put(find("card"), [`${row.card.number} ${row.card.title}`.trim(), row.card.line].filter(Boolean).join(" — "));
+    const nodes = row.nodes.length ? texts.say("pupil.nodes", { nodes: row.nodes.join(" ") }) : texts.say("pupil.no_nodes");
+    put(find("nodes"), nodes);
+    find("idle").hidden = row.idle < IDLE_SECONDS;
+    put(find("idle"), texts.say("pupil.idle", { minutes: Math.floor(row.idle / 60) }));
+    find("open").setAttribute("aria-label", `${texts.say("pupil.open")}: ${row.shownName}`);
+    this._showScreen(screens ? row.screen : null);
+  }
+
+  _showLesson(lesson) {
+    const { _find: find, _texts: texts } = this;
+    const bar = this.element.querySelector("progress");
+    put(find("title"), lesson ? lesson.title : texts.say("pupil.no_lesson"));
+    put(find("step"), lesson ? texts.say("pupil.step", lesson) : "");
+    put(find("done"), lesson ? texts.say("pupil.progress", lesson) : "");
+    bar.hidden = !lesson;
+    if (lesson) bar.value = lesson.all ? Math.min(1, lesson.step / lesson.all) : 0;
+  }
+
+  _showScreen(screen) {
+    const place = this._find("small-screen");
+    place.hidden = !screen;
+    if (!screen) {
+      this._mirror?.close();
+      this._mirror = null;
+      return;
+    }
+    place.style.aspectRatio = `${screen.cols} / ${screen.rows * 2}`;
+    this._mirror ??= new Mirror(place);
+    this._mirror.show(screen);
+  }
+
+  close() {
+    this._mirror?.close();
+    this.element.remove();
+  }
+}

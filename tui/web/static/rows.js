@@ -1,0 +1,93 @@
+/**
+ * What the server tells about pupils, made safe to show. All of it comes from the pupils' machines and programs: every value is
+ * checked for its kind and clipped here, and goes onto the page as text only.
+ */
+
+const LONGEST_TEXT = 120;
+const MOST_NODES = 40;
+const LONGEST_SCREEN = 200_000;
+const MOST_COLUMNS = 500;
+const MOST_ROWS = 200;
+
+/** One line of readable text; "" for anything else. */
+export function line(value, longest = LONGEST_TEXT) {
+  if (typeof value !== "string") return "";
+  const clean = value.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, " ").trim();
+  const characters = [...clean];
+  return characters.length > longest ? characters.slice(0, longest - 1).join("") + "…" : clean;
+}
+
+function whole(value) {
+  return Number.isFinite(value) ? Math.max(0, Math.trunc(value)) : 0;
+}
+
+/** A text that comes in several languages. */
+function titled(value, language) {
+  return typeof value === "string" ? line(value) : line(value?.[language]) || line(value?.en) || line(value?.zh);
+}
+
+function lessonOf(value, language) {
+  if (!value || typeof value !== "object") return null;
+  const { step, all, solved, hints } = value;
+  const title = titled(value.title, language) || line(value.name);
+  return { title, step: whole(step), all: whole(all), solved: Array.isArray(solved) ? solved.length : whole(solved), hints: whole(hints) };
+}
+
+function cardOf(value, language) {
+  if (!value || typeof value !== "object") return null;
+  return { number: line(String(value.number ?? ""), 12), title: titled(value.title, language), line: line(value.line, 200) };
+}
+
+/** Colours stay, everything else that could act on a terminal goes. */
+export function harmlessScreen(text) {
+  return text.replace(/\x1b(?!\[[0-9;:]*m)/g, "").replace(/[\x00-\x09\x0b-\x1a\x1c-\x1f\x7f-\x9f]/g, "");
+}
+
+function screenOf(value) {
+  if (!value || typeof value.ansi !== "string" || value.ansi.length > LONGEST_SCREEN) return null;
+  const cols = Math.min(MOST_COLUMNS, whole(value.cols));
+  const rows = Math.min(MOST_ROWS, whole(value.rows));
+  return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi) } : null;
+}
+
+/** A row as the page shows it. `name` stays as it is: orders go to it. */
+export function shownRow(row, language) {
+  const nodes = Array.isArray(row.nodes) ? row.nodes : [];
+  return {
+    name: String(row.name),
+    shownName: line(String(row.name), 60),
+    state: ["here", "away", "gone"].includes(row.state) ? row.state : row.state ? "here" : "gone",
+    lesson: lessonOf(row.lesson, language),
+    card: cardOf(row.card, language),
+    nodes: nodes.slice(0, MOST_NODES).map((node) => line(node, 80)).filter(Boolean),
+    hand: row.hand === true,
+    idle: whole(row.idle),
+    watched: row.watched === true,
+    frozen: row.frozen === true,
+    typing: row.typing === true,
+    screen: screenOf(row.screen),
+  };
+}
+
+/** Raised hands first, then who has an error, then who is here, each by name. */
+export function ordered(rows) {
+  const rank = (row) => (row.hand ? 0 : row.state === "gone" ? 3 : row.card ? 1 : 2);
+  return [...rows].sort((a, b) => rank(a) - rank(b) || a.shownName.localeCompare(b.shownName, undefined, { numeric: true }));
+}
+
+/** One cell of a CSV file; a spreadsheet must not take it for a formula. */
+function csvCell(value) {
+  const text = String(value);
+  const plain = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+  return `"${plain.replaceAll('"', '""')}"`;
+}
+
+/** The class as a CSV file that Excel opens, too. */
+export function report(rows, texts) {
+  const lines = rows.map((row) => [
+    row.shownName, texts.say(`state.${row.state}`), row.lesson?.title ?? "", row.lesson?.step ?? "", row.lesson?.all ?? "",
+    row.lesson?.solved ?? "", row.lesson?.hints ?? "", row.card ? `${row.card.number} ${row.card.title}`.trim() : "",
+    row.card?.line ?? "", row.idle, row.hand ? 1 : 0, row.nodes.join(" "),
+  ]);
+  return "\ufeff" + [texts.lines("report.columns"), ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
+}
