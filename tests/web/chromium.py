@@ -56,6 +56,7 @@ CODES = {
     "ArrowDown": 40,
 }
 CODES |= {f"F{number}": 111 + number for number in range(1, 13)}
+CODES |= {"\\": 220, "-": 189, "=": 187, "/": 191, ".": 190, ",": 188}
 TEXTS = {"Enter": "\r"}
 MODIFIERS = {"alt": 1, "ctrl": 2, "meta": 4, "shift": 8}
 

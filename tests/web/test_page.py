@@ -142,6 +142,10 @@ def test_keys_that_browsers_know_reach_the_desktop(desk: Desk) -> None:
         (("c", "ctrl"), b"\x03"),
         (("f", "ctrl", "shift"), b"\x1b[102;6u"),
         (("ArrowLeft", "alt"), b"\x1b[1;3D"),
+        (("\\", "alt"), b"\x1b\\"),
+        (("-", "alt"), b"\x1b-"),
+        (("1", "alt"), b"\x1b1"),
+        (("F3", "shift"), b"\x1b[1;2R"),
         (("Tab",), b"\t"),
         (("Escape",), b"\x1b"),
     }
