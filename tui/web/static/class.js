@@ -88,7 +88,10 @@ class Class {
   _showCard(row, place) {
     let card = this._cards.get(row.name);
     if (!card) {
-      card = new PupilCard(this._texts, () => this._open(row.name));
+      card = new PupilCard(this._texts, {
+        open: () => this._open(row.name),
+        lower: () => this._order(row.name, { do: "lower_hand" }),
+      });
       card.element.dataset.key = row.name;
       this._cards.set(row.name, card);
       this._sight.observe(card.element);
@@ -168,10 +171,10 @@ class Class {
       made.append(...options);
       return made;
     };
-    const scenes = SCENES.map((name) => new Option(texts.say(`scene.${name}`), JSON.stringify({ do: "scene", name })));
+    const scenes = SCENES.map((name) => new Option(texts.say(`scene.${name}`), JSON.stringify({ do: "scene", text: name })));
     const lessons = this._lessons.map((lesson) => {
       const title = line(lesson.title?.[texts.language] ?? lesson.title?.en ?? lesson.name);
-      return new Option(title, JSON.stringify({ do: "lesson", name: String(lesson.name) }));
+      return new Option(title, JSON.stringify({ do: "lesson", text: String(lesson.name) }));
     });
     const groups = [group(texts.say("class.start.scenes"), scenes)];
     if (lessons.length) groups.push(group(texts.say("class.start.lessons"), lessons));

@@ -16,26 +16,29 @@ function put(element, text) {
 }
 
 export class PupilCard {
-  constructor(texts, open) {
+  /** `open()` is for looking at the screen, `lower()` for taking the hand down. */
+  constructor(texts, { open, lower }) {
     this.element = fromTemplate("pupil", texts);
     this._texts = texts;
     this._mirror = null;
     this._find = (name) => this.element.querySelector(`.${name}`);
     this._find("open").addEventListener("click", open);
     this._find("small-screen").addEventListener("click", open);
+    this._find("hand").addEventListener("click", lower);
   }
 
   /** Show a row (`rows.js`); with `screens` its screen, too. */
   show(row, screens) {
     const { _find: find, _texts: texts } = this;
     this.element.dataset.state = row.state;
-    this.element.classList.toggle("hand-up", row.hand);
+    this.element.classList.toggle("hand-up", row.hand && row.state !== "gone");
     put(find("name"), row.shownName);
     put(find("state"), texts.say(`state.${row.state}`));
-    for (const badge of ["hand", "watched", "frozen"]) find(badge).hidden = !row[badge];
+    for (const badge of ["hand", "watched", "frozen"]) find(badge).hidden = !row[badge] || row.state === "gone";
     this._showLesson(row.lesson);
-    find("card").hidden = !row.card;
-    if (row.card) put(find("card"), [`${row.card.number} ${row.card.title}`.trim(), row.card.line].filter(Boolean).join(" — "));
+    find("hand").title = texts.say("pupil.lower", { name: row.shownName });
+    find("trouble").hidden = !row.trouble;
+    if (row.trouble) put(find("trouble"), [row.trouble.title, row.trouble.line].filter(Boolean).join(" — "));
     const nodes = row.nodes.length ? texts.say("pupil.nodes", { nodes: row.nodes.join(" ") }) : texts.say("pupil.no_nodes");
     put(find("nodes"), nodes);
     find("idle").hidden = row.idle < IDLE_SECONDS;
@@ -48,8 +51,9 @@ export class PupilCard {
     const { _find: find, _texts: texts } = this;
     const bar = this.element.querySelector("progress");
     put(find("title"), lesson ? lesson.title : texts.say("pupil.no_lesson"));
-    put(find("step"), lesson ? texts.say("pupil.step", lesson) : "");
-    put(find("done"), lesson ? texts.say("pupil.progress", lesson) : "");
+    put(find("step"), lesson ? texts.say(lesson.solved ? "pupil.solved" : "pupil.step", lesson) : "");
+    find("hints").hidden = !lesson?.hints;
+    if (lesson) put(find("hints"), texts.say("pupil.hints", lesson));
     bar.hidden = !lesson;
     if (lesson) bar.value = lesson.all ? Math.min(1, lesson.step / lesson.all) : 0;
   }

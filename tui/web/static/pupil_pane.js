@@ -14,7 +14,7 @@ export class PupilPane {
     this._typing = false;
     this._others = "";
     this._find = (what) => this.element.querySelector(`.${what}`);
-    this._mirror = new Mirror(this._find("mirror"), (keys) => this._typing && order({ do: "type", keys }));
+    this._mirror = new Mirror(this._find("mirror"), (keys) => this._typing && order({ do: "type", text: keys }));
     const acts = {
       close,
       freeze: () => order({ do: "freeze", on: true }),
@@ -24,6 +24,7 @@ export class PupilPane {
         this._asked = true;
         this._hint();
       },
+      stop: () => order({ do: "stop_typing" }),
       end: () => {
         if (confirm(texts.say("large.end.confirm", { name: this._shownName }))) order({ do: "end" });
       },
@@ -50,15 +51,18 @@ export class PupilPane {
     field.setAttribute("aria-label", field.placeholder);
     this._offerOthers(rows.filter((other) => other.name !== row.name));
     if (row.screen) this._mirror.show(row.screen);
-    if (row.typing && !this._typing) this._asked = false;
-    this._typing = row.typing;
+    if (row.mayType || row.refused) this._asked = false;
+    this._typing = row.mayType;
+    this._refused = row.refused;
+    this._find("ask").hidden = row.mayType;
+    this._find("stop").hidden = !row.mayType;
     this._waits = !row.screen;
     this._hint();
   }
 
   _hint() {
     const key = this._typing ? "large.typing" : this._asked ? "large.asked" : this._waits ? "large.waiting" : "";
-    this._find("hint").textContent = key ? this._texts.say(key, { name: this._shownName }) : "";
+    this._find("hint").textContent = key ? this._texts.say(key, { name: this._shownName }) : this._refused || "";
   }
 
   /** The choice of a second pupil; made anew only when the class changed, so that it can be used. */

@@ -28,14 +28,13 @@ function titled(value, language) {
 
 function lessonOf(value, language) {
   if (!value || typeof value !== "object") return null;
-  const { step, all, solved, hints } = value;
   const title = titled(value.title, language) || line(value.name);
-  return { title, step: whole(step), all: whole(all), solved: Array.isArray(solved) ? solved.length : whole(solved), hints: whole(hints) };
+  return { title, step: whole(value.step), all: whole(value.all), solved: value.solved === true, hints: whole(value.hints) };
 }
 
-function cardOf(value, language) {
+function troubleOf(value, language) {
   if (!value || typeof value !== "object") return null;
-  return { number: line(String(value.number ?? ""), 12), title: titled(value.title, language), line: line(value.line, 200) };
+  return { title: titled(value.title, language), line: line(value.line, 200) };
 }
 
 /** Colours stay, everything else that could act on a terminal goes. */
@@ -45,7 +44,7 @@ export function harmlessScreen(text) {
 
 function screenOf(value) {
   if (!value || typeof value.ansi !== "string" || value.ansi.length > LONGEST_SCREEN) return null;
-  const cols = Math.min(MOST_COLUMNS, whole(value.cols));
+  const cols = Math.min(MOST_COLUMNS, whole(value.columns));
   const rows = Math.min(MOST_ROWS, whole(value.rows));
   return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi) } : null;
 }
@@ -56,23 +55,24 @@ export function shownRow(row, language) {
   return {
     name: String(row.name),
     shownName: line(String(row.name), 60),
-    state: ["here", "away", "gone"].includes(row.state) ? row.state : row.state ? "here" : "gone",
+    state: ["here", "away", "gone"].includes(row.state) ? row.state : "gone",
     lesson: lessonOf(row.lesson, language),
-    card: cardOf(row.card, language),
+    trouble: troubleOf(row.trouble, language),
     nodes: nodes.slice(0, MOST_NODES).map((node) => line(node, 80)).filter(Boolean),
     hand: row.hand === true,
     idle: whole(row.idle),
     watched: row.watched === true,
     frozen: row.frozen === true,
-    typing: row.typing === true,
+    mayType: row.may_type === true,
+    refused: line(row.refused),
     screen: screenOf(row.screen),
   };
 }
 
-/** Raised hands first, then who has an error, then who is here, each by name. */
+/** Raised hands first, who is gone last; otherwise as the server has them. */
 export function ordered(rows) {
-  const rank = (row) => (row.hand ? 0 : row.state === "gone" ? 3 : row.card ? 1 : 2);
-  return [...rows].sort((a, b) => rank(a) - rank(b) || a.shownName.localeCompare(b.shownName, undefined, { numeric: true }));
+  const rank = (row) => (row.state === "gone" ? 2 : row.hand ? 0 : 1);
+  return [...rows].sort((a, b) => rank(a) - rank(b));
 }
 
 /** One cell of a CSV file; a spreadsheet must not take it for a formula. */
@@ -86,8 +86,8 @@ function csvCell(value) {
 export function report(rows, texts) {
   const lines = rows.map((row) => [
     row.shownName, texts.say(`state.${row.state}`), row.lesson?.title ?? "", row.lesson?.step ?? "", row.lesson?.all ?? "",
-    row.lesson?.solved ?? "", row.lesson?.hints ?? "", row.card ? `${row.card.number} ${row.card.title}`.trim() : "",
-    row.card?.line ?? "", row.idle, row.hand ? 1 : 0, row.nodes.join(" "),
+    row.lesson ? Number(row.lesson.solved) : "", row.lesson?.hints ?? "", row.trouble?.title ?? "",
+    row.trouble?.line ?? "", row.idle, row.hand ? 1 : 0, row.nodes.join(" "),
   ]);
   return "\ufeff" + [texts.lines("report.columns"), ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
 }
