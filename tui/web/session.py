@@ -79,6 +79,7 @@ class Session:
         self._send(
             wire.HELLO, json.dumps({"size": [rows, columns, width, height], "environ": starting.TERMINAL}).encode()
         )
+        self._tell_watchers()
 
     def type(self, keys: bytes) -> None:
         """Keys of the tab that types. Raises BlockingIOError if the desktop has not taken the last ones by far."""
@@ -92,9 +93,15 @@ class Session:
             self._early += keys
 
     def resize(self) -> None:
-        """The tab that types has another size."""
+        """The tab that types, or the first that watches where none does, has another size."""
         columns, rows, width, height = self.size
         self._send(wire.SIZE, struct.pack("HHHH", rows, columns, width, height))
+        self._tell_watchers()
+
+    def _tell_watchers(self) -> None:
+        columns, rows, _, _ = self.size
+        for watcher in self.watchers:
+            watcher.follow(columns, rows)
 
     def say_bye(self, why: str) -> None:
         """To all tabs."""

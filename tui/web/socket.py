@@ -138,8 +138,9 @@ async def _obey(found: dict[str, Any], viewer: Viewer, session: Session) -> None
         await viewer.say(t="pong", n=_number(found, "n"))
     elif what == "size":
         viewer.size = clamped(*(_number(found, key) for key in ("cols", "rows", "w", "h")))
-        await viewer.say(t="size", cols=viewer.size[0], rows=viewer.size[1])
-        if session.writer is viewer:
+        if not viewer.read_only:
+            await viewer.say(t="size", cols=viewer.size[0], rows=viewer.size[1])
+        if session.writer is viewer or (session.writer is None and session.watchers[:1] == [viewer]):
             session.resize()
     else:
         raise Nonsense("unknown message")

@@ -30,6 +30,8 @@ class Viewer:
         self._sent = 0
         self._acknowledged = 0
         self._wakes = asyncio.Event()
+        self._follows: tuple[int, int] | None = None
+        """Columns and rows that it has yet to be told of."""
         self._last: dict[str, Any] | None = None
         """The last words; set when it is over."""
         self.on_room: Callable[[], None] | None = None
@@ -56,6 +58,11 @@ class Viewer:
             self._waiting += data
             self._wakes.set()
 
+    def follow(self, columns: int, rows: int) -> None:
+        """The screen it watches has this size."""
+        self._follows = columns, rows
+        self._wakes.set()
+
     def acknowledge(self, total: int) -> None:
         """The browser has shown so many bytes."""
         if self._acknowledged < total <= self._sent:
@@ -77,6 +84,9 @@ class Viewer:
     async def run(self) -> str:
         """Send until it is over, and return why it is. Closing is left to whoever reads from the socket."""
         while self._last is None:
+            if self._follows is not None:
+                (columns, rows), self._follows = self._follows, None
+                await self.say(t="size", cols=columns, rows=rows)
             room = MOST_UNACKNOWLEDGED - (self._sent - self._acknowledged)
             piece = bytes(self._waiting[: min(PIECE, room)]) if room > 0 else b""
             if piece:

@@ -83,7 +83,7 @@ export class Connection {
   }
 
   resized() {
-    if (this.isOpen && this._size) this.tell({ t: "size", ...this._ask() });
+    if (this.isOpen && this._size && !this._watches) this.tell({ t: "size", ...this._ask() });
   }
 
   /** The size as it is now; the server's answer to it will be no news. */
@@ -93,9 +93,9 @@ export class Connection {
     return { cols, rows, w, h };
   }
 
-  /** What is no answer to a question of ours is the server's own decision. */
+  /** What is no answer to a question of ours is the server's own decision; who watches asks nothing. */
   _sized({ cols, rows }) {
-    const place = this._asked.indexOf(`${cols}x${rows}`);
+    const place = this._watches ? -1 : this._asked.indexOf(`${cols}x${rows}`);
     if (place >= 0) this._asked.splice(0, place + 1);
     else this._on.size(cols, rows);
   }
@@ -129,6 +129,7 @@ export class Connection {
   /** The first message is the greeting, whatever it says. */
   _greet(message) {
     this._greeted = true;
+    this._watches = message.read_only === true;
     this._answers = message.t === "hello"; // who says hello answers pings
     this._on.hello?.(message);
     this._on.state("open");
