@@ -30,7 +30,8 @@ def page(
     text = (
         f'<!doctype html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f'<title>day6-tui</title>\n<link rel="stylesheet" href="{up}static/pages.css">\n{head}</head>\n'
+        f'<title>day6-tui</title>\n<link rel="icon" href="{up}static/icon.svg" type="image/svg+xml">\n'
+        f'<link rel="stylesheet" href="{up}static/pages.css">\n{head}</head>\n'
         f"<body>\n<main{kind}>\n<h1>day6-tui</h1>\n{body}\n</main>\n</body>\n</html>\n"
     )
     return web.Response(text=text, content_type="text/html", status=status)
