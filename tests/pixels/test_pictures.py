@@ -341,6 +341,21 @@ def test_letters_of_another_size_leave_no_old_image_and_no_choice_undone(monkeyp
     play(KITTY, monkeypatch, scenes)
 
 
+def test_letters_that_change_twice_before_the_terminal_answers_are_measured_as_they_are_last(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async def scenes(stage: Stage) -> None:
+        stage.deaf = True
+        stage.pictures.ask((100, 30))
+        stage.pictures.ask((90, 27))
+        for height, width in ((20, 10), (21, 11)):
+            for answer in (f"\x1b[6;{height};{width}t", "\x1b[?62;4c"):
+                stage.pictures.take(answer)
+        assert stage.pictures.ability == Ability(SIXEL, (11, 21))
+
+    play(SIXEL, monkeypatch, scenes)
+
+
 def test_leaving_removes_every_image(monkeypatch: pytest.MonkeyPatch) -> None:
     async def scenes(stage: Stage) -> None:
         assert stage.terminal.images

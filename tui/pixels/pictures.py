@@ -91,6 +91,9 @@ class Pictures:
         """Called when the terminal is too slow for pictures."""
         self._clock = clock
         self._inquiry: Inquiry | None = None
+        self._inquired_at = 0.0
+        self._ask_next: tuple[tuple[int, int], tuple[int, int]] | None = None
+        """The sizes to ask with when the present inquiry is over: answers do not say to which of two they belong."""
         self.ability: Ability | None = None
         self.wanted = False
         """Whether pixels are chosen as soon as the terminal is known to show them."""
@@ -108,6 +111,10 @@ class Pictures:
 
     def ask(self, size: tuple[int, int], pixels: tuple[int, int] = (0, 0)) -> None:
         """Ask what the terminal can; `size` of the screen in cells, `pixels` if the system knows them."""
+        if self._inquiry is not None and self._clock() - self._inquired_at < LOST_SECONDS:
+            self._ask_next = size, pixels
+            return
+        self._ask_next, self._inquired_at = None, self._clock()
         self._inquiry = Inquiry(self._environ, size, pixels)
         self._put(FIRST)
 
@@ -138,7 +145,9 @@ class Pictures:
                 self._put(question)
             elif self._inquiry.done:
                 ability, self._inquiry = self._inquiry.ability, None
-                if ability is not None and ability != self.ability:
+                if self._ask_next is not None:
+                    self.ask(*self._ask_next)
+                elif ability is not None and ability != self.ability:
                     self.use(ability)
 
     @property
