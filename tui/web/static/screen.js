@@ -148,9 +148,10 @@ export class Screen {
   }
 
   set fontSize(size) {
+    const { cols, rows } = this.terminal;
     this.terminal.options.fontSize = clamp(size, SMALLEST_LETTERS, LARGEST_LETTERS);
     this.fit();
-    this._changed();
+    if (this.terminal.cols === cols && this.terminal.rows === rows) this._changed(); // other pixels, all the same
   }
 
   paste(text) {
