@@ -211,14 +211,23 @@ class Page:
             time.sleep(0.02)
         raise TimeoutError(f"never true: {expression} (last {value!r}; {self.troubles})")
 
-    def press(self, key: str, *held: str) -> None:
-        """Press and release a key, named as in KeyboardEvent.key, with `held` of alt, ctrl, meta, shift."""
+    def press(self, key: str, *held: str, command: str = "") -> None:
+        """Press and release a key, named as in KeyboardEvent.key, with `held` of alt, ctrl, meta, shift.
+
+        `command` is what the browser would do with it, such as "paste": without a window it knows no shortcuts.
+        """
         modifiers = sum(MODIFIERS[name] for name in held)
         code = CODES.get(key) or ord(key.upper())
         single = len(key) == 1
         text = TEXTS.get(key, key if single else "") if not modifiers & 3 else ""
         event = {"key": key, "modifiers": modifiers, "windowsVirtualKeyCode": code, "code": _physical(key)}
-        self.ask("Input.dispatchKeyEvent", type="keyDown" if text else "rawKeyDown", text=text, **event)
+        self.ask(
+            "Input.dispatchKeyEvent",
+            type="keyDown" if text else "rawKeyDown",
+            text=text,
+            commands=[command] if command else [],
+            **event,
+        )
         self.ask("Input.dispatchKeyEvent", type="keyUp", **event)
 
     def compose(self, *steps: str, result: str) -> None:
@@ -261,6 +270,13 @@ class Page:
             "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=mobile
         )
         self.ask("Emulation.setTouchEmulationEnabled", enabled=mobile, maxTouchPoints=5 if mobile else 1)
+
+    def allow_clipboard(self) -> None:
+        """Let the page read and fill the clipboard, as a person may."""
+        names = ["clipboardReadWrite", "clipboardSanitizedWrite"]
+        self._browser.background.run(
+            self._browser.ask("Browser.grantPermissions", {"permissions": names, "browserContextId": self._context})
+        )
 
     def offline(self, offline: bool) -> None:
         """Cut the tab off, or connect it again; a WebSocket that is open stays."""

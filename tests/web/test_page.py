@@ -184,6 +184,41 @@ def test_what_is_pasted_is_marked_and_cannot_press_keys(desk: Desk) -> None:
     assert desk.server.keys == "\x1b[200~ls\r[201~rm 文件\x1b[201~".encode()
 
 
+@anew
+def test_ctrl_v_pastes(desk: Desk) -> None:
+    desk.open()
+    desk.shows("\x1b[?2004h")
+    desk.page.allow_clipboard()
+    desk.page.evaluate("navigator.clipboard.writeText('ros2 node list')")
+    desk.page.press("v", "ctrl", command="paste")
+    desk.server.wait_for_keys(b"\x1b[200~ros2 node list\x1b[201~")
+    assert b"\x16" not in desk.server.keys
+
+
+@anew
+def test_where_the_clipboard_cannot_be_read_a_field_takes_what_is_pasted(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("navigator.clipboard.readText = async () => { throw new Error('not allowed') }")
+    desk.page.click_on("#paste")
+    desk.page.wait_for("document.getElementById('paste-dialog').open")
+    desk.page.ask("Input.insertText", text="ls 文件")
+    desk.page.click_on("#paste-dialog button[value=send]")
+    desk.server.wait_for_keys("ls 文件".encode())
+    desk.page.press("x")
+    desk.server.wait_for_keys(b"x")
+
+
+@anew
+def test_copying_works_without_https(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("navigator.clipboard.writeText = async () => { throw new Error('not allowed') }")
+    desk.page.allow_clipboard()
+    desk.shows("\x1b[2J\x1b[Hros2 topic list")
+    desk.page.evaluate("desk._terminal.select(0, 0, 15)")
+    desk.page.press("c", "ctrl", "shift")
+    assert desk.page.wait_for("navigator.clipboard.readText()") == "ros2 topic list"
+
+
 def test_clicks_and_the_wheel_reach_the_desktop(desk: Desk) -> None:
     desk.open()
     desk.shows(MOUSE_ON)
