@@ -12,7 +12,7 @@ from short_folder import make_short_folder
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from browser import background, chromium  # noqa: E402, F401
+from browser import background, chromium  # noqa: F401
 
 if TYPE_CHECKING:
     from serving import Serving

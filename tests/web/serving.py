@@ -24,7 +24,7 @@ pytest.importorskip("termios", reason="this system has no pseudo-terminals, and 
 pytest.importorskip("aiohttp", reason="needs the extra: pip install 'day6-tui[serve]'")
 pytest.importorskip("segno", reason="needs the extra: pip install 'day6-tui[serve]'")
 
-import aiohttp  # noqa: E402
+import aiohttp
 
 PATIENCE = 15.0
 WORD = "open sesame"

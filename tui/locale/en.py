@@ -1010,4 +1010,6 @@ commands:
     "class.refused.type": "the pupil has not agreed",
     "class.refused.place": "the keyboard is in no terminal there",
     "class.refused.unknown": "it is not there",
+    "serve.disk.say": "Your home folder holds {used} MB, and {most} MB are allowed. "
+    "Remove what you do not need, or your desktop will be ended.",
 }

@@ -1162,4 +1162,5 @@ TEXTS = {
     "class.refused.type": "学员没有同意",
     "class.refused.place": "那边的键盘不在终端里",
     "class.refused.unknown": "没有这个",
+    "serve.disk.say": "你的主目录里有 {used} MB，只允许 {most} MB。请删掉不要的文件，否则桌面会被结束。",
 }

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import hmac
 from pathlib import Path
+from typing import Any
 
 from aiohttp import web
 
 from day6_tui.core.isolation.cell import IsolationError, Words
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.web import class_page, link_page, pages, socket
+from day6_tui.tui.web import link_page, pages, socket
+from day6_tui.tui.web.class_page import ClassPage
 from day6_tui.tui.web.gate import Gate
 from day6_tui.tui.web.links import Links
 from day6_tui.tui.web.names import BadName, clean
@@ -33,6 +35,7 @@ class Application:
         sessions: Sessions,
         what_it_is: Words,
         tell: Tell,
+        lessons: list[dict[str, Any]],
     ) -> None:
         self._settings = settings
         self._tokens = tokens
@@ -41,6 +44,7 @@ class Application:
         self._what_it_is = what_it_is
         self._tell = tell
         self._gate = Gate(settings, tokens)
+        self._class = ClassPage(self._gate, self._texts, sessions.feed, sessions.is_looked_at, lessons)
 
     def build(self) -> web.Application:
         """The application that aiohttp serves."""
@@ -57,7 +61,7 @@ class Application:
                 web.get("/ws", self._socket),
                 web.static("/static", STATIC),
                 *link_page.routes(self._gate, self._links, self._texts),
-                *class_page.routes(self._gate, self._texts),
+                *self._class.routes(),
             ]
         )
         return app

@@ -1,23 +1,121 @@
-"""The teacher's page: `class` and its WebSocket `class/ws`, for the teacher's token only."""
+"""The teacher's page: `class` and its WebSocket `class/ws`, for the teacher's token only.
+
+The server says {"t":"rows"} after a change, at most twice a second; the page says {"t":"order","name","order"}, where the name
+`all` is everybody.
+"""
 
 from __future__ import annotations
 
+import asyncio
+import json
 from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
 
-from aiohttp import web
+from aiohttp import WSCloseCode, WSMsgType, web
 
+from day6_tui.core.classroom import order as orders
+from day6_tui.core.classroom.order import OrderError
+from day6_tui.core.classroom.roster import Row
 from day6_tui.tui.locale import Texts
 from day6_tui.tui.web import pages
 from day6_tui.tui.web.gate import Gate
+from day6_tui.tui.web.roster_feed import RosterFeed
 from day6_tui.tui.web.tokens import TEACHER
 
+STATIC = Path(__file__).parent / "static"
 
-def routes(gate: Gate, texts: Callable[[web.Request], Texts]) -> list[web.RouteDef]:
-    """The addresses of the teacher's page."""
+PAUSE = 0.5
+"""Seconds between two messages at least."""
+TICK = 10.0
+"""And at most: how long somebody has been idle grows without a note."""
 
-    async def page(request: web.Request) -> web.StreamResponse:
-        if gate.ticket(request, TEACHER) is None:
-            return pages.message(texts(request), "serve.wrong.stranger", status=403)
-        raise web.HTTPSeeOther("links")
+LONGEST_FRAME = 16 << 10
+BEAT = 20.0
+ALL = "all"
 
-    return [web.get("/class", page)]
+
+class ClassPage:
+    """Shows the roster and takes orders. `is_looked_at` tells whether a pupil has a tab open."""
+
+    def __init__(
+        self,
+        gate: Gate,
+        texts: Callable[[web.Request], Texts],
+        feed: RosterFeed,
+        is_looked_at: Callable[[str], bool],
+        lessons: list[dict[str, Any]],
+    ) -> None:
+        self._gate = gate
+        self._texts = texts
+        self._feed = feed
+        self._is_looked_at = is_looked_at
+        self._lessons = lessons
+
+    def routes(self) -> list[web.RouteDef]:
+        """The addresses of the page."""
+        return [web.get("/class", self._page), web.get("/class/ws", self._socket)]
+
+    async def _page(self, request: web.Request) -> web.StreamResponse:
+        if self._gate.ticket(request, TEACHER) is None:
+            return pages.message(self._texts(request), "serve.wrong.stranger", status=403)
+        return web.FileResponse(STATIC / "class.html")
+
+    async def _socket(self, request: web.Request) -> web.StreamResponse:
+        if not self._gate.is_from_here(request) or self._gate.ticket(request, TEACHER) is None:
+            return web.Response(status=403, text="No token.\n")
+        ws = web.WebSocketResponse(max_msg_size=LONGEST_FRAME, heartbeat=BEAT, timeout=2.0)
+        await ws.prepare(request)
+        await ws.send_json({"t": "hello", "lang": self._texts(request).language, "lessons": self._lessons})
+        changed = asyncio.Event()
+        changed.set()
+        end = self._feed.subscribe(changed.set)
+        showing = asyncio.create_task(self._show(ws, changed))
+        try:
+            reason = await self._listen(ws)
+        finally:
+            end()
+            showing.cancel()
+            await asyncio.gather(showing, return_exceptions=True)
+        await ws.close(code=WSCloseCode.POLICY_VIOLATION if reason else WSCloseCode.OK, message=reason.encode())
+        return ws
+
+    async def _show(self, ws: web.WebSocketResponse, changed: asyncio.Event) -> None:
+        """Send the rows after every change; a slow teacher gets fewer."""
+        while True:
+            changed.clear()
+            now = self._feed.roster.now
+            await ws.send_json({"t": "rows", "rows": [self._told(row, now) for row in self._feed.roster.rows()]})
+            await asyncio.sleep(PAUSE)
+            try:
+                await asyncio.wait_for(changed.wait(), TICK)
+            except asyncio.TimeoutError:
+                continue
+
+    def _told(self, row: Row, now: float) -> dict[str, Any]:
+        state = "gone" if not row.is_here else "here" if self._is_looked_at(row.name) else "away"
+        note = {} if row.note is None else asdict(row.note)
+        return {**note, "name": row.name, "state": state, "idle": row.idle(now), "stuck": row.is_stuck(now)}
+
+    async def _listen(self, ws: web.WebSocketResponse) -> str:
+        """Take orders until the page goes; returns why it has to, if it has."""
+        async for message in ws:
+            if message.type != WSMsgType.TEXT:
+                return "text is expected"
+            try:
+                await self._obey(ws, json.loads(message.data))
+            except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+                return f"nonsense: {type(error).__name__}"
+        return ""
+
+    async def _obey(self, ws: web.WebSocketResponse, found: dict[str, Any]) -> None:
+        if found["t"] == "ping":
+            await ws.send_json({"t": "pong", "n": int(found["n"])})
+        elif found["t"] == "order":
+            roster, name = self._feed.roster, str(found["name"])
+            try:
+                order = orders.of(found["order"])
+            except OrderError as error:
+                raise ValueError(str(error)) from None
+            roster.order(roster.everybody() if name == ALL else [name], order)

@@ -10,6 +10,8 @@ import socket
 import ssl
 import stat
 import sys
+from pathlib import Path
+from typing import Any
 
 from aiohttp import web
 
@@ -65,8 +67,9 @@ class Server:
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
         again = await self._sessions.find_again()
+        lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is
-        application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell)
+        application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell, lessons)
         self._runner = web.AppRunner(
             application.build(), access_log=None, handle_signals=False, shutdown_timeout=CLOSE_SECONDS
         )
@@ -149,6 +152,14 @@ class Server:
             with contextlib.suppress(OSError):
                 os.unlink(self._settings.unix)
         self._lock.release()
+
+
+def _lessons(folder: Path | None) -> list[dict[str, Any]]:
+    """What a teacher can start for all: the days, or the lessons of the folder, and the drills."""
+    from day6_tui.core.lessons import catalogue
+
+    lessons = catalogue.days() if folder is None else catalogue.lessons_in(folder).lessons
+    return [{"name": each.name, "title": dict(each.title)} for each in (*lessons, *catalogue.drills())]
 
 
 def _unix_listener(path: str) -> socket.socket:

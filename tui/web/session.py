@@ -49,6 +49,8 @@ class Session:
         """When somebody typed last."""
         self.is_over = False
         """Whether it has ended or is being ended."""
+        self.is_observed = False
+        """Whether the teacher hears of it."""
         self.is_over_disk = False
         """Whether its home is larger than it may be."""
         self._ended = ended

@@ -11,14 +11,17 @@ import sys
 import time
 from collections.abc import Callable
 
+from day6_tui.core.classroom.order import Order
 from day6_tui.core.isolation.cell import IsolationError, Limits
 from day6_tui.core.isolation.mode import Mode
 from day6_tui.core.isolation.modes import survey
 from day6_tui.tui.detached import meeting
+from day6_tui.tui.locale import Texts
 from day6_tui.tui.web import records, starting
 from day6_tui.tui.web.names import same_name
 from day6_tui.tui.web.places import Places
 from day6_tui.tui.web.records import Record
+from day6_tui.tui.web.roster_feed import RosterFeed
 from day6_tui.tui.web.session import Session
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.viewer import Viewer
@@ -53,6 +56,8 @@ class Sessions:
         self._tell = tell
         self._file = places.server / "sessions.json"
         self.running: dict[str, Session] = {}
+        self.feed = RosterFeed()
+        """What the teacher is told."""
         self._tabs: dict[str, list[Viewer]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
         self._tasks: set[asyncio.Task[None]] = set()
@@ -90,6 +95,7 @@ class Sessions:
                 return None
             _seat(session, viewer)
             session.greet(connection)
+            await self._observe(session)
             return session
 
     async def leave(self, name: str, viewer: Viewer) -> None:
@@ -108,6 +114,7 @@ class Sessions:
             session.writer = None
         if not session.is_watched:
             session.let_go()
+        self.feed.tell()
 
     # -- one desktop ---------------------------------------------------------------------------------------------------
 
@@ -141,6 +148,21 @@ class Sessions:
             await asyncio.sleep(0.3)
         raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
+    async def _observe(self, session: Session) -> None:
+        """Let the teacher hear of the desktop; without that it runs as well."""
+        if not session.is_observed:
+            with contextlib.suppress(OSError):
+                found = await asyncio.to_thread(self._found, session)
+                if found is not None:
+                    session.is_observed = True
+                    self.feed.begin(session.name, found)
+        self.feed.tell()
+
+    def is_looked_at(self, name: str) -> bool:
+        """Whether the pupil has a tab open."""
+        session = self.running.get(same_name(name))
+        return session is not None and session.writer is not None
+
     def _found(self, session: Session) -> socket.socket | None:
         if sys.platform == "win32":  # which has no keepers
             raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
@@ -165,6 +187,7 @@ class Sessions:
         """Leave nothing of it but the files."""
         session.is_over = True
         session.let_go()
+        self.feed.end(session.name)
         if not await asyncio.to_thread(starting.stop, self._mode, session.cell, self._places.keepers):
             self._tell("serve.left", name=session.name)
         self.running.pop(same_name(session.name), None)
@@ -222,8 +245,9 @@ class Sessions:
             if probe is None:
                 await asyncio.to_thread(starting.stop, mode, cell, self._places.keepers)
                 return
-            probe.close()
             self.running[same_name(record.name)] = session
+            session.is_observed = True
+            self.feed.begin(session.name, probe)
         except (IsolationError, OSError):
             self._tell("serve.left", name=record.name)
 
@@ -259,6 +283,8 @@ class Sessions:
             await self.end(session, "full")
         elif not was_over:
             self._tell("serve.disk.over", **values)
+            text = Texts(self._settings.lang)("serve.disk.say", used=values["used"], most=values["most"])
+            self.feed.send(session.name, Order("say", text=text))
 
 
 def _seat(session: Session, viewer: Viewer) -> None:

@@ -1,0 +1,84 @@
+"""What the teacher's page is told of a running class, and what its orders do."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable
+from typing import Any
+
+import aiohttp
+import pytest
+from serving import PATIENCE, Serving, browser, run
+
+Rows = dict[str, dict[str, Any]]
+
+
+async def told(ws: aiohttp.ClientWebSocketResponse, wanted: Callable[[Rows], object]) -> Rows:
+    """The first rows of which this is true."""
+    ends = time.monotonic() + PATIENCE
+    rows: Rows = {}
+    while time.monotonic() < ends:
+        message = await ws.receive_json(timeout=PATIENCE)
+        if message["t"] == "rows":
+            rows = {row["name"]: row for row in message["rows"]}
+            if wanted(rows):
+                return rows
+    raise AssertionError(rows)
+
+
+def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_all(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door, browser(class_server.base) as teacher:
+            await teacher.get(class_server.link("the teacher"))
+            ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
+            hello = await ws.receive_json()
+            assert hello["t"] == "hello" and "day1" in {each["name"] for each in hello["lessons"]}
+            await door.get(class_server.link("anna"))
+            tab = await door.tab()
+            await tab.see("anna@day6:~$")
+            reading = asyncio.create_task(tab.see("listen-to-me"))
+            await told(
+                ws, lambda rows: rows.get("anna", {}).get("state") == "here" and rows["anna"].get("lesson", 0) is None
+            )
+            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "watch", "seconds": 10}})
+            rows = await told(ws, lambda rows: rows["anna"].get("screen"))
+            assert "anna@day6" in rows["anna"]["screen"]["ansi"] and rows["anna"]["watched"] is True
+            await ws.send_json({"t": "order", "name": "all", "order": {"do": "say", "text": "listen-to-me"}})
+            await reading
+            await tab.type("\x1b")
+            await tab.ws.close()
+            await told(ws, lambda rows: rows["anna"]["state"] == "away")
+            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "end"}})
+            await told(ws, lambda rows: rows["anna"]["state"] == "gone")
+
+    run(deed())
+
+
+@pytest.mark.parametrize(
+    "sent", ["[]", '{"t": "order", "name": "all", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
+)
+def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sent: str) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as teacher:
+            await teacher.get(class_server.link("the teacher"))
+            ws = await teacher.session.ws_connect(teacher.base + "class/ws", headers=teacher.origin)
+            await ws.send_str(sent)
+            if sent == '{"t": 1}':
+                await ws.send_str("{}")
+            while (await ws.receive(PATIENCE)).type == aiohttp.WSMsgType.TEXT:
+                pass
+            assert ws.close_code == 1008
+
+    run(deed())
+
+
+def test_a_pupil_does_not_reach_the_teachers_line(class_server: Serving) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            await door.get(class_server.link("anna"))
+            with pytest.raises(aiohttp.WSServerHandshakeError):
+                await door.session.ws_connect(door.base + "class/ws", headers=door.origin)
+            assert (await door.get("class"))[0] == 403
+
+    run(deed())

@@ -1,0 +1,92 @@
+"""Fills the teacher's roster: a line to the keeper of each desktop, on which its notes come and orders go."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from collections.abc import Callable
+
+from day6_tui.core.classroom import note
+from day6_tui.core.classroom import order as orders
+from day6_tui.core.classroom.note import NoteError
+from day6_tui.core.classroom.order import Order
+from day6_tui.core.classroom.roster import Roster
+from day6_tui.tui.detached import wire
+from day6_tui.tui.detached.wire import Line
+
+MOST_ORDERS = 1 << 16
+"""Bytes of orders that may wait for a desktop."""
+
+
+class RosterFeed:
+    """The carrier of the roster. Everything is done in the event loop."""
+
+    def __init__(self) -> None:
+        self.roster = Roster(self)
+        self._lines: dict[str, Line] = {}
+        self._changed: list[Callable[[], None]] = []
+
+    def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
+        """Have this called after every change; returns what ends that."""
+        self._changed.append(changed)
+        return lambda: self._changed.remove(changed)
+
+    def begin(self, name: str, connection: socket.socket) -> None:
+        """A desktop runs, and this is a new line to its keeper."""
+        self._drop(name)
+        line = self._lines[name] = Line(connection)
+        line.send(wire.WATCH)
+        asyncio.get_running_loop().add_reader(line.fileno(), self._hear, name, line)
+        self.roster.here(name)
+        self.tell()
+
+    def end(self, name: str) -> None:
+        """The desktop has ended."""
+        self._drop(name)
+        self.roster.gone(name)
+        self.tell()
+
+    def send(self, name: str, order: Order) -> bool:
+        """Send an order; False if that pupil cannot be reached."""
+        line = self._lines.get(name)
+        if line is None or line.closed or line.unsent > MOST_ORDERS:
+            return False
+        line.send(wire.ORDER, orders.encode(order))
+        if line.unsent:
+            asyncio.get_running_loop().add_writer(line.fileno(), self._flush, line)
+        return True
+
+    def close(self) -> None:
+        """Let all desktops go on without being observed."""
+        for name in list(self._lines):
+            self._drop(name)
+
+    def _drop(self, name: str) -> None:
+        line = self._lines.pop(name, None)
+        if line is not None:
+            loop = asyncio.get_running_loop()
+            loop.remove_reader(line.fileno())
+            loop.remove_writer(line.fileno())
+            line.close()
+
+    def _flush(self, line: Line) -> None:
+        line.flush()
+        if not line.unsent:
+            asyncio.get_running_loop().remove_writer(line.fileno())
+
+    def _hear(self, name: str, line: Line) -> None:
+        for kind, data in line.receive():
+            if kind == wire.NOTE:
+                try:
+                    self.roster.heard(name, note.decode(data))
+                except NoteError:
+                    continue  # a desktop that was tampered with: its pupil stays where the last note said
+        if line.closed and self._lines.get(name) is line:
+            self._drop(name)
+            self.roster.gone(name)
+        self.tell()
+
+    def tell(self) -> None:
+        """Something has changed."""
+        for changed in self._changed:
+            changed()
