@@ -363,3 +363,18 @@ def test_leaving_removes_every_image(monkeypatch: pytest.MonkeyPatch) -> None:
         assert not stage.terminal.images and not stage.terminal.placements
 
     play(KITTY, monkeypatch, scenes)
+
+
+def test_a_pane_that_goes_while_the_desktop_leaves_takes_no_image_out_of_the_farewell(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async def scenes(stage: Stage) -> None:
+        pane = stage.pane
+        stage.app.exit()
+        stage.pictures._write = lambda text: None  # as the application does from then on
+        stage.pictures.drop(pane)
+        stage.pictures.send()
+        stage.terminal.feed(leave_pictures(stage.pictures))
+        assert not stage.terminal.images and not stage.terminal.placements
+
+    play(KITTY, monkeypatch, scenes)

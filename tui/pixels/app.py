@@ -50,6 +50,12 @@ class PictureApp(App[None]):
         elif glyphs == PIXELS:  # Textual's reader there would take the answers for keys
             pictures.use(Ability(SIXEL, WINDOWS_TERMINAL_CELL))
 
+    def exit(self, result: None = None, return_code: int = 0, message: RenderableType | None = None) -> None:
+        """Leave the application. Nothing is written but what removes the pictures: so no picture is forgotten before."""
+        if self.look.pictures is not None:
+            self.look.pictures.stopped = True
+        super().exit(result, return_code, message)
+
     def _ask(self) -> None:
         if self.look.pictures is not None:
             self.look.pictures.ask((self.size.width, self.size.height), _pixels_of_screen())

@@ -102,6 +102,8 @@ class Pictures:
         self._bands = 0
         self.coarser = 0
         """How many times pictures were made coarser for a slow terminal."""
+        self.stopped = False
+        """Whether the application leaves: only `farewell` changes anything from here on."""
         self.asked = 0
         self._answered = 0
         self._asked_at = self._heard_at = 0.0
@@ -241,7 +243,7 @@ class Pictures:
 
     def send(self) -> None:
         """Write what changed, unless the terminal is busy with what was sent before."""
-        if not self._pictures or (self.waiting and self.on):
+        if not self._pictures or self.stopped or (self.waiting and self.on):
             return
         texts = []
         for pane, picture in list(self._pictures.items()):
@@ -310,6 +312,8 @@ class Pictures:
 
     def _erase(self, picture: _Picture) -> None:
         """Take a picture from the screen; its cells are blank below."""
+        if self.stopped:
+            return
         if self._writer is not None and (text := self._writer.erase(picture.bands)):
             self._write(text)
         picture.sent = None
