@@ -127,6 +127,7 @@ class Day6App(TerminalApp):
     CSS = """
     Screen { layout: vertical; overflow: hidden; }
     Toast { background: $hint; color: $hint-text; border: none; }
+    Toast.-information .toast--title { color: $hint-text; }
     """
     ENABLE_COMMAND_PALETTE = False
     BINDINGS = [
