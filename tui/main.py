@@ -249,6 +249,12 @@ def _serve(words: list[str]) -> int:
     return serve(words)
 
 
+def _wheelhouse(words: list[str]) -> int:
+    from day6_tui.tui.wheelhouse.command import main as wheelhouse
+
+    return wheelhouse(words)
+
+
 def _cast(words: list[str]) -> int:
     from day6_tui.tui.cast.command import main as cast
 
@@ -299,6 +305,7 @@ _TABLE: dict[str, Callable[[list[str]], int]] = {
     "env": _env,
     "cast": _cast,
     "serve": _serve,
+    "wheelhouse": _wheelhouse,
     "complete": _complete,
     "why": _why,
 }

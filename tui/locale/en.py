@@ -674,6 +674,8 @@ TEXTS = {
 commands:
   shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
   attach [--home DIR]         come back to the desktop that was started with --detach
+  serve                       a desktop in every browser tab, for a class
+  wheelhouse DIR              all that installs day6-tui without internet, for a USB stick
   lessons VERB                lesson files: list, new, check, preview, play, help (how to write them)
   demo DAY                    play a day of lessons by itself, for a hall
   exec [-c COMMANDS] [FILE]   run lines of the simulated terminal without a screen
@@ -1012,4 +1014,40 @@ commands:
     "class.refused.unknown": "it is not there",
     "serve.disk.say": "Your home folder holds {used} MB, and {most} MB are allowed. "
     "Remove what you do not need, or your desktop will be ended.",
+    # wheelhouse
+    "cli.wheelhouse": "Put everything that installs day6-tui without internet into a folder, for a USB stick.",
+    "wheelhouse.folder": "a new folder, an empty one, or one that this command has made",
+    "wheelhouse.platform": (
+        "for these machines, more than once for several: linux-x86_64, linux-aarch64 (Raspberry Pi OS, 64 bit), "
+        "windows-x86_64, macos-arm64, macos-x86_64 (default: machines like this one)"
+    ),
+    "wheelhouse.python": "for this version of Python, more than once for several: 3.10 to 3.14 (default: this one)",
+    "wheelhouse.no_platform": "no wheels are known for machines like this one; say for which with --platform",
+    "wheelhouse.no_pip": "there is no pip here, which fetches the files ({command})",
+    "wheelhouse.foreign": "{file} is not from an earlier run, or was changed since: choose another folder",
+    "wheelhouse.failed": "nothing was written: {reason}",
+    "wheelhouse.done": "{count} wheels, {size} MB in {folder}",
+    "wheelhouse.next": "how to install them is in {file}",
+    "wheelhouse.guide": """\
+Installing day6-tui without internet
+====================================
+
+Needed on the machine: Python in the version that this folder was made for. On Debian, Ubuntu and Raspberry Pi OS (64 bit)
+also the package python3-venv. Copy this folder to the machine, open a terminal in it, and type:
+
+1. Are all files whole?
+   python3 check.py                         (Windows: py check.py)
+
+2. Install.
+   Linux, Raspberry Pi OS, macOS:
+     python3 -m venv ~/day6 && ~/day6/bin/pip install --no-index --find-links . day6-tui
+   Windows (PowerShell):
+     py -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\pip install --no-index --find-links . day6-tui
+
+3. Run.
+   Linux, Raspberry Pi OS, macOS:  ~/day6/bin/day6-tui
+   Windows:                        & $HOME\\day6\\Scripts\\day6-tui
+
+For the teacher's machine, whose browsers' tabs are desktops (day6-tui serve), write "day6-tui[serve]" instead of day6-tui in 2.
+""",
 }

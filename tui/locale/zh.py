@@ -836,6 +836,8 @@ TEXTS = {
 命令：
   shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
   attach [--home DIR]         回到用 --detach 启动的桌面
+  serve                       给全班：浏览器的每个标签页是一个桌面
+  wheelhouse DIR              不联网安装所需的一切，放进一个文件夹（U 盘）
   lessons VERB                课程文件：list、new、check、preview、play、help（怎么写课程）
   demo DAY                    自动演示一天的课程，给全班看
   exec [-c COMMANDS] [FILE]   不开桌面，直接运行模拟终端的命令
@@ -1163,4 +1165,40 @@ TEXTS = {
     "class.refused.place": "那边的键盘不在终端里",
     "class.refused.unknown": "没有这个",
     "serve.disk.say": "你的主目录里有 {used} MB，只允许 {most} MB。请删掉不要的文件，否则桌面会被结束。",
+    # wheelhouse
+    "cli.wheelhouse": "把不联网安装 day6-tui 所需的一切放进一个文件夹，可以拷到 U 盘上。",
+    "wheelhouse.folder": "新的文件夹、空文件夹，或者这条命令以前做出来的文件夹",
+    "wheelhouse.platform": (
+        "给哪种电脑用，可以写几次：linux-x86_64、linux-aarch64（64 位树莓派系统）、windows-x86_64、macos-arm64、macos-x86_64"
+        "（默认：和这台一样的）"
+    ),
+    "wheelhouse.python": "给哪个版本的 Python 用，可以写几次：3.10 到 3.14（默认：这一个）",
+    "wheelhouse.no_platform": "没有适合这种电脑的 wheel；请用 --platform 说明给哪种电脑用",
+    "wheelhouse.no_pip": "这里没有 pip，没法下载（{command}）",
+    "wheelhouse.foreign": "{file} 不是以前做出来的，或者后来被改过：请换一个文件夹",
+    "wheelhouse.failed": "什么都没有写：{reason}",
+    "wheelhouse.done": "{count} 个 wheel，共 {size} MB，在 {folder}",
+    "wheelhouse.next": "怎么安装，写在 {file} 里",
+    "wheelhouse.guide": """\
+不联网安装 day6-tui
+===================
+
+电脑上要有 Python，版本和做这个文件夹时选的一样。Debian、Ubuntu 和 64 位树莓派系统还要有 python3-venv 这个包。
+把这个文件夹拷到电脑上，在里面打开终端，输入：
+
+1. 文件都完整吗？
+   python3 check.py                         （Windows：py check.py）
+
+2. 安装。
+   Linux、树莓派、macOS：
+     python3 -m venv ~/day6 && ~/day6/bin/pip install --no-index --find-links . day6-tui
+   Windows（PowerShell）：
+     py -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\pip install --no-index --find-links . day6-tui
+
+3. 运行。
+   Linux、树莓派、macOS：  ~/day6/bin/day6-tui
+   Windows：               & $HOME\\day6\\Scripts\\day6-tui
+
+老师的电脑如果要让学员在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
+""",
 }
