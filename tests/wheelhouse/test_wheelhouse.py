@@ -101,17 +101,17 @@ def test_a_folder_is_filled_again_and_nothing_foreign_is_touched(tmp_path: Path)
     folder.fill(stick, [first], {folder.GUIDE: "read me", folder.CHECK: folder.CHECKER})
     folder.fill(stick, [second], {folder.GUIDE: "read me too", folder.CHECK: folder.CHECKER})
     assert {path.name for path in stick.iterdir()} == {second.name, folder.GUIDE, folder.CHECK, folder.SUMS}
-    lines = (stick / folder.SUMS).read_text().splitlines()
+    lines = (stick / folder.SUMS).read_text(encoding="utf-8").splitlines()
     assert f"{hashlib.sha256(second.read_bytes()).hexdigest()}  {second.name}" in lines and len(lines) == 3
 
     (stick / "holiday.jpg").write_bytes(b"x")
     with pytest.raises(folder.NotOurs, match=r"holiday\.jpg"):
         folder.fill(stick, [first], {})
     (stick / "holiday.jpg").unlink()
-    (stick / folder.GUIDE).write_text("my own notes")
+    (stick / folder.GUIDE).write_text("my own notes", encoding="utf-8")
     with pytest.raises(folder.NotOurs, match=folder.GUIDE):
         folder.fill(stick, [first], {})
-    assert (stick / folder.GUIDE).read_text() == "my own notes" and (stick / second.name).exists()
+    assert (stick / folder.GUIDE).read_text(encoding="utf-8") == "my own notes" and (stick / second.name).exists()
 
 
 def test_the_check_on_the_stick_finds_what_was_damaged_on_the_way(tmp_path: Path) -> None:
@@ -119,7 +119,9 @@ def test_the_check_on_the_stick_finds_what_was_damaged_on_the_way(tmp_path: Path
     folder.fill(stick, [wheel_of(tmp_path, "a", "1.0")], {folder.CHECK: folder.CHECKER})
 
     def check() -> subprocess.CompletedProcess[str]:
-        return subprocess.run([sys.executable, str(stick / folder.CHECK)], capture_output=True, text=True, cwd="/")
+        return subprocess.run(
+            [sys.executable, str(stick / folder.CHECK)], capture_output=True, encoding="utf-8", cwd="/"
+        )
 
     assert check().returncode == 0
     with open(next(stick.glob("*.whl")), "r+b") as file:
@@ -134,13 +136,14 @@ def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path)
     info = site / "day6_tui-7.0.dist-info"
     (site / "day6_tui" / "tui").mkdir(parents=True)
     info.mkdir()
-    (site / "day6_tui" / "tui" / "a.py").write_text("A = 1\n")
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: day6-tui\nVersion: 7.0\n")
-    (info / "WHEEL").write_text("Wheel-Version: 1.0\nTag: py3-none-any\n")
-    (info / "INSTALLER").write_text("pip\n")
+    (site / "day6_tui" / "tui" / "a.py").write_text("A = 1\n", encoding="utf-8")
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: day6-tui\nVersion: 7.0\n", encoding="utf-8")
+    (info / "WHEEL").write_text("Wheel-Version: 1.0\nTag: py3-none-any\n", encoding="utf-8")
+    (info / "INSTALLER").write_text("pip\n", encoding="utf-8")
     (info / "RECORD").write_text(
         "day6_tui/tui/a.py,,\nday6_tui/tui/__pycache__/a.cpython-312.pyc,,\n../../bin/day6-tui,,\n"
-        "day6_tui-7.0.dist-info/METADATA,,\nday6_tui-7.0.dist-info/WHEEL,,\nday6_tui-7.0.dist-info/INSTALLER,,\n"
+        "day6_tui-7.0.dist-info/METADATA,,\nday6_tui-7.0.dist-info/WHEEL,,\nday6_tui-7.0.dist-info/INSTALLER,,\n",
+        encoding="utf-8",
     )
     found = distribution("day6-tui").__class__.at(info)
     wheel = own_wheel._rebuilt(found, tmp_path)
@@ -149,17 +152,17 @@ def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path)
     done = subprocess.run(
         [sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--no-index", "--target", str(target), str(wheel)],
         capture_output=True,
-        text=True,
+        encoding="utf-8",
     )
     assert done.returncode == 0, done.stderr
-    assert (target / "day6_tui" / "tui" / "a.py").read_text() == "A = 1\n"
+    assert (target / "day6_tui" / "tui" / "a.py").read_text(encoding="utf-8") == "A = 1\n"
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_the_command_says_what_is_wrong_in_one_line(
     tmp_path: Path, lang: str, index: Index, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (tmp_path / "mine").write_text("mine")
+    (tmp_path / "mine").write_text("mine", encoding="utf-8")
     assert command.main([str(tmp_path), "--lang", lang, "--platform", "linux-x86_64"]) == 1
     said = capsys.readouterr().err
     assert said.count("\n") == 1 and str(tmp_path) in said

@@ -101,7 +101,7 @@ def _fetched(requirement: str, target: Target, folder: Path) -> Path:
                 *("--no-deps", "--dest", place, *target.pip_words(), requirement),
             ],
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             errors="replace",
             stdin=subprocess.DEVNULL,
         )

@@ -31,10 +31,18 @@ def make(folder: Path) -> Path:
 
 def _sources(found: Distribution) -> Path | None:
     """The folder of an editable installation."""
-    origin = json.loads(found.read_text("direct_url.json") or "{}")
+    origin = json.loads(_said(found, "direct_url.json") or "{}")
     if not origin.get("dir_info", {}).get("editable"):
         return None
     return Path(url2pathname(urlsplit(origin["url"]).path))
+
+
+def _said(found: Distribution, name: str) -> str:
+    """A file of the metadata; '' if it is not there."""
+    file = next(
+        (each for each in found.files or () if each.name == name and each.parts[0].endswith(".dist-info")), None
+    )
+    return file.read_text(encoding="utf-8") if file is not None else ""
 
 
 def _built(root: Path, folder: Path) -> Path:
@@ -42,7 +50,7 @@ def _built(root: Path, folder: Path) -> Path:
     done = subprocess.run(
         [sys.executable, "-m", "pip", "--disable-pip-version-check", *words],
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         errors="replace",
         stdin=subprocess.DEVNULL,
     )
