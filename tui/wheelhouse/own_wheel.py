@@ -8,7 +8,7 @@ import json
 import subprocess
 import sys
 import zipfile
-from importlib.metadata import Distribution, PackagePath, distribution
+from importlib.metadata import Distribution, PackagePath, distributions
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
@@ -24,7 +24,9 @@ class WheelError(Exception):
 
 def make(folder: Path) -> Path:
     """Make the wheel in an empty folder and return it. Raises WheelError, OSError."""
-    found = distribution(NAME)
+    found = next((each for each in distributions(name=NAME) if _said(each, "METADATA")), None)
+    if found is None:
+        raise WheelError("what is installed has no list of its files")
     root = _sources(found)
     return _rebuilt(found, folder) if root is None else _built(root, folder)
 
@@ -63,12 +65,9 @@ def _built(root: Path, folder: Path) -> Path:
 def _rebuilt(found: Distribution, folder: Path) -> Path:
     """A wheel with the files that were installed from one."""
     files = [each for each in found.files or () if _belongs(each)]
-    info = next((each.parts[0] for each in files if each.name == "METADATA"), None)
-    if info is None:
-        raise WheelError("what is installed has no list of its files")
-    tag = next(
-        line[5:] for line in (found.read_text("WHEEL") or "Tag: py3-none-any").splitlines() if line[:5] == "Tag: "
-    )
+    info = next(each.parts[0] for each in files if each.name == "METADATA")
+    lines = (_said(found, "WHEEL") or "Tag: py3-none-any").splitlines()
+    tag = next(line[5:] for line in lines if line[:5] == "Tag: ")
     wheel = folder / f"{NAME.replace('-', '_')}-{found.version}-{tag}.whl"
     record = []
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as packed:
