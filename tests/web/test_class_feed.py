@@ -44,7 +44,7 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
             await ws.send_json({"t": "order", "name": "anna", "order": {"do": "watch", "seconds": 10}})
             rows = await told(ws, lambda rows: rows["anna"].get("screen"))
             assert "anna@day6" in rows["anna"]["screen"]["ansi"] and rows["anna"]["watched"] is True
-            await ws.send_json({"t": "order", "name": "all", "order": {"do": "say", "text": "listen-to-me"}})
+            await ws.send_json({"t": "order", "name": "*", "order": {"do": "say", "text": "listen-to-me"}})
             await reading
             await tab.type("\x1b")
             await tab.ws.close()
@@ -56,7 +56,7 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
 
 
 @pytest.mark.parametrize(
-    "sent", ["[]", '{"t": "order", "name": "all", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
+    "sent", ["[]", '{"t": "order", "name": "*", "order": {"do": "rm"}}', "{}", "nothing", '{"t": 1}']
 )
 def test_orders_that_are_none_close_the_teachers_line(class_server: Serving, sent: str) -> None:
     async def deed() -> None:

@@ -161,7 +161,7 @@ def test_something_is_said_to_all_and_to_one(classroom: ClassPage) -> None:
     classroom.page.click_on("#say-text")
     classroom.page.ask("Input.insertText", text="请看黑板")
     classroom.page.press("Enter")
-    classroom.server.wait_for(lambda: classroom.orders("all") == [{"do": "say", "text": "请看黑板"}])
+    classroom.server.wait_for(lambda: classroom.orders("*") == [{"do": "say", "text": "请看黑板"}])
     classroom.page.click_on(".pupil .open")
     classroom.page.click_on(".pane form input")
     classroom.page.ask("Input.insertText", text="good")
@@ -185,7 +185,7 @@ def test_scenes_lessons_and_freezing_are_for_all(classroom: ClassPage) -> None:
         {"do": "freeze", "on": True},
         {"do": "freeze", "on": False},
     ]
-    classroom.server.wait_for(lambda: classroom.orders("all") == expected)
+    classroom.server.wait_for(lambda: classroom.orders("*") == expected)
 
 
 def test_the_teacher_types_only_with_consent(classroom: ClassPage) -> None:

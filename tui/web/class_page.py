@@ -1,7 +1,7 @@
 """The teacher's page: `class` and its WebSocket `class/ws`, for the teacher's token only.
 
 The server says {"t":"rows"} after a change, at most twice a second; the page says {"t":"order","name","order"}, where the name
-`all` is everybody.
+`*`, which nobody can have, is everybody.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ TICK = 10.0
 
 LONGEST_FRAME = 16 << 10
 BEAT = 20.0
-ALL = "all"
+ALL = "*"
 
 
 class ClassPage:

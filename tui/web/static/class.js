@@ -155,7 +155,7 @@ class Class {
   _orderAll(order, asks = false) {
     if (asks && !confirm(this._texts.say("class.confirm", { what: order.shown }))) return;
     delete order.shown;
-    this._order("all", order);
+    this._order("*", order);
     const count = this._rows.filter((row) => row.state !== "gone").length;
     at("notice").textContent = this._texts.say("class.sent", { count });
     clearTimeout(this._noticeTimer);
