@@ -106,6 +106,7 @@ class Class {
       if (isIntersecting) this._seen.add(target.dataset.key);
       else this._seen.delete(target.dataset.key);
     }
+    if (at("screens").checked) this._watch();
   }
 
   // -- watching ------------------------------------------------------------------------------------------------------

@@ -1,0 +1,64 @@
+"""Everything together: the installed command, a real browser, a real desktop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from serving import Serving
+from short_folder import make_short_folder
+
+if TYPE_CHECKING:
+    from chromium import Chromium, Page
+
+SCREEN = (
+    "[...Array(desk._terminal.rows).keys()]"
+    ".map(row => desk._terminal.buffer.active.getLine(row).translateToString(true)).join('\\n')"
+)
+PICTURE = (
+    "(c => Boolean(c) && [...c.getContext('2d').getImageData(0, 0, c.width, c.height).data]"
+    ".some((part, at) => at % 4 === 3 && part))(document.querySelector('.xterm-image-layer'))"
+)
+PATIENCE = 30.0
+
+
+@pytest.fixture
+def serving(chromium: Chromium) -> Iterator[Serving]:
+    folder = make_short_folder("d6p-")
+    table = Path(folder) / "pupils.csv"
+    table.write_text("name\nanna\n", encoding="utf-8")
+    with Serving(folder, "--class", str(table), "--isolation", "none") as made:
+        yield made
+
+
+@pytest.fixture
+def page(chromium: Chromium) -> Iterator[Page]:
+    made = chromium.page()
+    made.device(1000, 600)
+    yield made
+    made.close()
+
+
+def shows(page: Page, text: str) -> None:
+    page.wait_for(f"Boolean(window.desk) && ({SCREEN}).includes({text!r})", PATIENCE)
+
+
+def test_a_pupil_opens_a_link_types_sees_pixels_and_finds_everything_again(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("anna"))
+    shows(page, "What would you like")
+    page.press("5")
+    page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
+    page.compose("n", "ni", result="echo 你好; ros2 run turtlesim turtlesim_node")
+    shows(page, "你好")
+    page.press("Enter")
+    page.wait_for(f"({SCREEN}).split('你好').length > 2", PATIENCE)  # as it was typed, and as it was printed
+    shows(page, "Spawning")
+    page.wait_for(PICTURE, PATIENCE)
+    page.reload()
+    shows(page, "Spawning")
+    page.wait_for(PICTURE, PATIENCE)
+    assert page.evaluate("document.getElementById('strip').hidden")
+    assert page.troubles == []
+    assert all(serving.base.split("//")[1].split("/")[0] in address for address in page.requests)
