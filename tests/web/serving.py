@@ -33,8 +33,11 @@ WORD = "open sesame"
 class Serving:
     """`day6-tui serve` on a free port, with a folder of its own."""
 
-    def __init__(self, folder: Path, *words: str) -> None:
+    def __init__(
+        self, folder: Path, *words: str, python: str = sys.executable, user: dict[str, Any] | None = None
+    ) -> None:
         self.folder = folder
+        self._python, self._user = python, user or {}
         self._words = [*words, "--port", "0", "--data", str(folder / "class"), "--lang", "en"]
         self.said: list[str] = []
         self.start()
@@ -43,11 +46,13 @@ class Serving:
         environ = {**os.environ, "DAY6_RUNTIME_DIR": str(self.folder / "run"), "SECRET_OF_SERVER": "x31337"}
         environ.pop("DAY6_LINK", None)
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "day6_tui.tui.main", "serve", *self._words, *more],
+            [self._python, "-m", "day6_tui.tui.main", "serve", *self._words, *more],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
             env=environ,
+            cwd="/",
+            **self._user,
         )
         self.said = []
         assert self.process.stdout is not None

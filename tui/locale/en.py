@@ -674,7 +674,7 @@ TEXTS = {
 commands:
   shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
   attach [--home DIR]         come back to the desktop that was started with --detach
-  serve                       a desktop in every browser tab, for a class
+  serve [--class FILE.csv]    a class in browser tabs: a desktop for each pupil
   wheelhouse DIR              all that installs day6-tui without internet, for a USB stick
   lessons VERB                lesson files: list, new, check, preview, play, help (how to write them)
   demo DAY                    play a day of lessons by itself, for a hall

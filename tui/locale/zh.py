@@ -836,7 +836,7 @@ TEXTS = {
 命令：
   shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
   attach [--home DIR]         回到用 --detach 启动的桌面
-  serve                       给全班：浏览器的每个标签页是一个桌面
+  serve [--class FILE.csv]    全班用浏览器：每个学生一个桌面
   wheelhouse DIR              不联网安装所需的一切，放进一个文件夹（U 盘）
   lessons VERB                课程文件：list、new、check、preview、play、help（怎么写课程）
   demo DAY                    自动演示一天的课程，给全班看

@@ -61,6 +61,7 @@ class Sessions:
         self._tabs: dict[str, list[Viewer]] = {}
         self._locks: dict[str, asyncio.Lock] = {}
         self._tasks: set[asyncio.Task[None]] = set()
+        self._writing = asyncio.Lock()
         self._is_closing = False
 
     # -- tabs ----------------------------------------------------------------------------------------------------------
@@ -213,11 +214,12 @@ class Sessions:
     # -- what is remembered --------------------------------------------------------------------------------------------
 
     async def _remember(self) -> None:
-        found = [Record(each.name, self._mode.name, each.domain) for each in self.running.values()]
-        try:
-            await asyncio.to_thread(records.write, self._file, found)
-        except OSError as error:  # a full disk: the class goes on
-            self._tell("serve.no_record", file=str(self._file), reason=error.strerror or str(error))
+        async with self._writing:  # or an older list might be written last
+            found = [Record(each.name, self._mode.name, each.domain) for each in self.running.values()]
+            try:
+                await asyncio.to_thread(records.write, self._file, found)
+            except OSError as error:  # a full disk: the class goes on
+                self._tell("serve.no_record", file=str(self._file), reason=error.strerror or str(error))
 
     async def find_again(self) -> int:
         """Take over the desktops of a server that was killed, end what cannot be; return how many go on. Raises OSError."""
