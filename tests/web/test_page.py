@@ -423,7 +423,7 @@ def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> Non
 
 
 @anew
-@pytest.mark.parametrize("why", ["ended", "idle"])
+@pytest.mark.parametrize("why", ["ended", "idle", "disk"])
 def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -> None:
     desk.open()
     desk.server.say({"t": "bye", "why": why})

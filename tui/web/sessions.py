@@ -113,7 +113,9 @@ class Sessions:
             session.watchers.remove(viewer)
         elif session.writer is viewer:
             session.writer = None
-        if not session.is_watched:
+        if session.is_watched:
+            session.has_room()  # those who only watch keep nobody waiting
+        else:
             session.let_go()
         self.feed.tell()
 
@@ -282,7 +284,7 @@ class Sessions:
         values = {"name": session.name, "used": used.disk >> 20, "most": most >> 20}
         if used.disk > DISK_PATIENCE * most:
             self._tell("serve.disk.ended", **values)
-            await self.end(session, "full")
+            await self.end(session, "disk")
         elif not was_over:
             self._tell("serve.disk.over", **values)
             text = Texts(self._settings.lang)("serve.disk.say", used=values["used"], most=values["most"])
