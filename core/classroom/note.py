@@ -17,6 +17,8 @@ MOST_NAMES = 64
 LANGUAGES = ("zh", "en")
 COLUMNS, ROWS = (1, 500), (1, 200)
 MOST_STEPS = 10_000
+REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "place", "unknown"))
+"""Why an order was not followed: keys of the catalogue."""
 
 
 class NoteError(ValueError):
@@ -67,7 +69,7 @@ class Note:
     may_type: bool = False
     """Whether the pupil lets the teacher type."""
     refused: str = ""
-    """Which order was not followed last, and why: a key of the catalogue, or ''."""
+    """Why an order was not followed, if the last one was not: one of REFUSALS, or ''."""
     screen: Picture | None = None
     """Only while the pupil is watched."""
 
@@ -103,7 +105,7 @@ def decode(data: bytes) -> Note:
             watched=found.get("watched") is True,
             frozen=found.get("frozen") is True,
             may_type=found.get("may_type") is True,
-            refused=_text(found.get("refused")),
+            refused=found["refused"] if found.get("refused") in REFUSALS else "",
             screen=_picture(found.get("screen")),
         )
     except (TypeError, ValueError, KeyError, OverflowError) as error:

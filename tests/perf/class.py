@@ -1,12 +1,14 @@
 """Measures a class on this machine: kept desktops, one a pupil, each looked at in a tab of 120x40. One table.
 
-    python tests/perf/class.py [--pupils 1 8 16 30] [--seconds S] [--no-bomb]
+    python tests/perf/class.py [--pupils 1 8 16 30] [--seconds S] [--no-bomb] [--serve]
 
 Every pupil has a home folder and a domain of his own; a tab speaks to the desktop's keeper as `day6-tui attach` does, without a
 terminal of its own. For each number of pupils: memory (PSS of desktop and keeper), the seconds until all are started and until
 one is seen again after a reload, CPU of a session with the turtle standing and driving (ten commands a second), bytes for a
 tab, and the milliseconds from a key to its echo in one tab, while the turtles of the others stand, while all drive, and beside a
 pupil's fork bomb of 200 processes at most, which ends by itself. Same user for all, without isolation. Linux only.
+
+With --serve the tabs are those of a real `day6-tui serve`: what the server itself takes is told below each row.
 
 Below: how many pupils fit, by CPU (a core is 70 % full at most, half of the class drives) and by memory (1 GB for the rest).
 """
@@ -28,6 +30,7 @@ RUNTIME = tempfile.mkdtemp(prefix="day6-class-")
 os.environ["DAY6_RUNTIME_DIR"] = RUNTIME
 
 from bench import TURTLE, TWIST  # noqa: E402  (the line above is read at import)
+from served import Server, Tab  # noqa: E402
 
 from day6_tui.tui.detached import meeting, view, wire  # noqa: E402
 
@@ -74,22 +77,13 @@ class Pupil:
         if self.starting.wait(120):
             raise RuntimeError("a desktop did not start")
         seconds = time.perf_counter() - self.began
-        self.processes = [
-            int(folder.name)
-            for folder in Path("/proc").iterdir()
-            if folder.name.isdecimal() and os.fsencode(self.home) in _command_of(folder)
-        ]
+        self.processes = _processes_of(self.home)
         return seconds
 
     def open(self) -> float:
         """Open a tab, as a reload does; the seconds until the whole screen was sent."""
-        if self.line is not None:
-            self.line.close()
         began = last = time.perf_counter()
-        connection = meeting.connect(self.home)
-        assert connection is not None, "the keeper does not answer"
-        self.line = wire.Line(connection)
-        self.line.send(wire.HELLO, view.hello(SIZE))
+        self.reload()
         self.output.clear()
         while time.perf_counter() - began < 20:
             if select.select([self.line], [], [], 0.15)[0]:
@@ -98,6 +92,15 @@ class Pupil:
             elif len(self.output) > 1500:
                 return last - began
         raise TimeoutError(bytes(self.output[-300:]))
+
+    def reload(self) -> None:
+        """Have the whole screen sent anew."""
+        if self.line is not None:
+            self.line.close()
+        connection = meeting.connect(self.home)
+        assert connection is not None, "the keeper does not answer"
+        self.line = wire.Line(connection)
+        self.line.send(wire.HELLO, view.hello(SIZE))
 
     def take(self) -> None:
         """Read what has come."""
@@ -137,6 +140,40 @@ class Pupil:
         deadline = time.monotonic() + 20
         while any(_is_alive(process) for process in self.processes) and time.monotonic() < deadline:
             time.sleep(0.05)
+
+
+class ServedPupil(Pupil):
+    """The same behind `day6-tui serve`."""
+
+    def __init__(self, number: int, server: Server) -> None:
+        self._server, self._name = server, f"pupil{number}"
+        self.home = server.homes / self._name
+        self.output = bytearray()
+        self.received = 0
+        self.began = time.perf_counter()
+        self.tab = Tab(server, self._name)
+        self.line = self.tab  # type: ignore[assignment]
+
+    def started(self) -> float:
+        seconds = time.perf_counter() - self.began
+        deadline = time.monotonic() + 60
+        while len(found := _processes_of(self.home)) < 2 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.processes = found
+        (self.home / "bomb.py").write_text(BOMB, encoding="utf-8")
+        return seconds
+
+    def reload(self) -> None:
+        self.tab.reload()
+
+
+def _processes_of(home: Path) -> list[int]:
+    """Keeper and desktop."""
+    return [
+        int(folder.name)
+        for folder in Path("/proc").iterdir()
+        if folder.name.isdecimal() and os.fsencode(home) in _command_of(folder).split(b"\0")
+    ]
 
 
 def _command_of(folder: Path) -> bytes:
@@ -187,10 +224,11 @@ def echoes(pupils: list[Pupil], count: int = ECHOES, most: float = 60.0) -> tupl
     return statistics.median(times), statistics.quantiles(times, n=20)[-1]
 
 
-def a_class(count: int, seconds: float, bomb: bool) -> list[str]:
+def a_class(count: int, seconds: float, bomb: bool, server: Server | None) -> list[str]:
     """Measure so many pupils; the cells of the row, and the figures for the extrapolation at the end."""
     began = time.perf_counter()
-    pupils = [Pupil(number) for number in range(1, count + 1)]
+    numbers = range(1, count + 1)
+    pupils = [Pupil(number) if server is None else ServedPupil(number, server) for number in numbers]
     try:
         for pupil in pupils:
             pupil.started()
@@ -202,13 +240,18 @@ def a_class(count: int, seconds: float, bomb: bool) -> list[str]:
             pupil.type(TURTLE)
         look(pupils, 4 + count / 8)
         memory = statistics.mean(each.pss_mb() for each in pupils)
+        before = server.cpu_seconds() if server is not None else 0.0
         standing, _ = usage(pupils, seconds)
+        stands = server.cpu_seconds() - before if server is not None else 0.0
         alone = echoes(pupils)
         reloads = [pupil.open() for pupil in pupils]
         for pupil in pupils:
             pupil.type(PUBLISH)
         look(pupils, 4 + count / 8)
+        before = server.cpu_seconds() if server is not None else 0.0
         driving, sent = usage(pupils, seconds)
+        if server is not None:
+            SERVER[count] = 100 * stands / seconds, 100 * (server.cpu_seconds() - before) / seconds
         drives = echoes(pupils)
         beside = "-"
         if bomb and count > 1:
@@ -235,6 +278,7 @@ def a_class(count: int, seconds: float, bomb: bool) -> list[str]:
 
 
 RESULTS: dict[int, tuple[float, float, float]] = {}
+SERVER: dict[int, tuple[float, float]] = {}
 HEADS = (
     "pupils",
     "PSS MB each",
@@ -255,11 +299,16 @@ def main() -> int:
     parser.add_argument("--pupils", type=int, nargs="+", default=[1, 8, 16, 30], metavar="N")
     parser.add_argument("--seconds", type=float, default=8.0)
     parser.add_argument("--no-bomb", action="store_true")
+    parser.add_argument("--serve", action="store_true")
     options = parser.parse_args()
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the beginning\n")
     print(f"| {' | '.join(HEADS)} |\n|{' --- |' * len(HEADS)}")
     for count in options.pupils:
-        print(f"| {' | '.join(a_class(count, options.seconds, not options.no_bomb))} |", flush=True)
+        server = Server(Path(tempfile.mkdtemp(prefix="day6-served-"))) if options.serve else None
+        print(f"| {' | '.join(a_class(count, options.seconds, not options.no_bomb, server))} |", flush=True)
+        if server is not None:
+            print("(the server itself: {:.2f} % of a core standing, {:.2f} % driving)".format(*SERVER[count]))
+            server.close()
     standing, driving, memory = RESULTS[max(RESULTS)]
     mixed = DRIVING * driving + (1 - DRIVING) * standing
     print(

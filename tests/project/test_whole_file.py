@@ -162,7 +162,6 @@ ALLOWED = {
     "core/isolation/enter.py": "writes no file: the umask of the pupil's program, which it becomes",
     "core/isolation/groups.py": "not files: control groups",
     "core/isolation/trial.py": "in a temporary folder of its own",
-    "tui/web/server.py": "writes no file: the socket that is listened at is this user's alone",
     "core/link/paths.py": "the link knows nothing of the rest; its folder is private",
 }
 

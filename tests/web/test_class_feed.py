@@ -43,6 +43,9 @@ def test_the_teacher_sees_who_is_there_and_what_they_run_and_says_something_to_a
             )
             await ws.send_json({"t": "order", "name": "anna", "order": {"do": "watch", "seconds": 10}})
             rows = await told(ws, lambda rows: rows["anna"].get("screen"))
+            await ws.send_json({"t": "order", "name": "anna", "order": {"do": "type", "text": "x"}})
+            refused = await told(ws, lambda rows: rows["anna"].get("refused"))
+            assert refused["anna"]["refused"] == "the pupil has not agreed"
             assert "anna@day6" in rows["anna"]["screen"]["ansi"] and rows["anna"]["watched"] is True
             await ws.send_json({"t": "order", "name": "*", "order": {"do": "say", "text": "listen-to-me"}})
             await reading

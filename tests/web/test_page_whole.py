@@ -24,11 +24,11 @@ PICTURE = (
 PATIENCE = 30.0
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def serving(chromium: Chromium) -> Iterator[Serving]:
     folder = make_short_folder("d6p-")
     table = Path(folder) / "pupils.csv"
-    table.write_text("name\nanna\n", encoding="utf-8")
+    table.write_text("name\nanna\nben\n", encoding="utf-8")
     with Serving(folder, "--class", str(table), "--isolation", "none") as made:
         yield made
 
@@ -62,3 +62,25 @@ def test_a_pupil_opens_a_link_types_sees_pixels_and_finds_everything_again(servi
     assert page.evaluate("document.getElementById('strip').hidden")
     assert page.troubles == []
     assert all(serving.base.split("//")[1].split("/")[0] in address for address in page.requests)
+
+
+def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cannot_type(
+    serving: Serving, page: Page
+) -> None:
+    page.navigate(serving.link("anna"))
+    shows(page, "anna@day6")
+    page.navigate(serving.link("the teacher"))
+    page.wait_for("location.pathname.endsWith('/class')")
+    page.navigate(f"{serving.base}links")
+    ben = "[...document.querySelectorAll('section')].find(each => each.innerText.startsWith('ben'))"
+    page.evaluate(f"{ben}.querySelector('input[value=watch]').form.submit()")
+    link = page.wait_for(f"[...{ben}.querySelectorAll('code')][1]?.textContent")
+    page.navigate(link)
+    shows(page, "ben@day6")
+    assert page.evaluate("document.body.classList.contains('watching')")
+    page.compose("x", result="nobody types here")
+    page.navigate(f"{serving.base}desk")
+    shows(page, "anna@day6")
+    page.navigate(f"{serving.base}watch")
+    shows(page, "ben@day6")
+    assert "nobody types here" not in page.evaluate(SCREEN)

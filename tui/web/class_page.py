@@ -71,7 +71,7 @@ class ClassPage:
         changed = asyncio.Event()
         changed.set()
         end = self._feed.subscribe(changed.set)
-        showing = asyncio.create_task(self._show(ws, changed))
+        showing = asyncio.create_task(self._show(ws, changed, self._texts(request)))
         try:
             reason = await self._listen(ws)
         finally:
@@ -81,21 +81,23 @@ class ClassPage:
         await ws.close(code=WSCloseCode.POLICY_VIOLATION if reason else WSCloseCode.OK, message=reason.encode())
         return ws
 
-    async def _show(self, ws: web.WebSocketResponse, changed: asyncio.Event) -> None:
+    async def _show(self, ws: web.WebSocketResponse, changed: asyncio.Event, texts: Texts) -> None:
         """Send the rows after every change; a slow teacher gets fewer."""
         while True:
             changed.clear()
             now = self._feed.roster.now
-            await ws.send_json({"t": "rows", "rows": [self._told(row, now) for row in self._feed.roster.rows()]})
+            await ws.send_json({"t": "rows", "rows": [self._told(row, now, texts) for row in self._feed.roster.rows()]})
             await asyncio.sleep(PAUSE)
             try:
                 await asyncio.wait_for(changed.wait(), TICK)
             except asyncio.TimeoutError:
                 continue
 
-    def _told(self, row: Row, now: float) -> dict[str, Any]:
+    def _told(self, row: Row, now: float, texts: Texts) -> dict[str, Any]:
         state = "gone" if not row.is_here else "here" if self._is_looked_at(row.name) else "away"
         note = {} if row.note is None else asdict(row.note)
+        if row.note is not None:
+            note["refused"] = texts(row.note.refused) if row.note.refused else ""
         return {**note, "name": row.name, "state": state, "idle": row.idle(now), "stuck": row.is_stuck(now)}
 
     async def _listen(self, ws: web.WebSocketResponse) -> str:

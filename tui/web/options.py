@@ -61,8 +61,8 @@ def parse(words: list[str], language: str) -> Settings:
         parser.error("argument --new-links: needs --class")
     if found["proxied"] and (found["class_file"] or found["word"]):
         parser.error("argument --proxied: not allowed with --class or --word")
-    if found["proxied"] and found["unix"] is None and not is_loopback(found["host"]):
-        parser.error("argument --proxied: needs --unix, or an address of this machine only")
+    if found["proxied"] and found["unix"] is None:  # any user of this machine reaches a port
+        parser.error("argument --proxied: needs --unix")
     found["data"] = _data(found["data"])
     found["base_url"] = found["base_url"] or ""
     found["lang"] = found["lang"] or language

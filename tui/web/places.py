@@ -36,8 +36,9 @@ class Places:
     def make(self) -> None:
         """Create the folders. Raises OSError."""
         for folder in (self.data, self.homes, self._run, self.runtimes):
+            is_the_users = folder == self.data and folder.exists()
             folder.mkdir(mode=OPEN_TO_PASS, parents=True, exist_ok=True)
-            if sys.platform != "win32":
+            if sys.platform != "win32" and not is_the_users:
                 folder.chmod(OPEN_TO_PASS)
         for folder in (self.server, self.keepers):
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)

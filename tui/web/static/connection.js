@@ -57,7 +57,7 @@ export class Connection {
     this._asked = [];
     const url = new URL(this._address, location.href);
     url.protocol = url.protocol === "https:" ? "wss:" : "ws:";
-    if (this._size) url.search = new URLSearchParams(this._ask());
+    for (const [name, value] of Object.entries(this._size ? this._ask() : {})) url.searchParams.set(name, value);
     const socket = new WebSocket(url);
     socket.binaryType = "arraybuffer";
     this._socket = socket;

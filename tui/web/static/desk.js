@@ -40,7 +40,8 @@ class Desk {
       changed: () => this._connection?.resized(),
     });
     this._terminal = this._screen.terminal;
-    this._connection = new Connection("ws", () => this._screen.size(), {
+    const address = location.pathname.endsWith("/watch") ? "ws?watch=1" : "ws"; // a pupil may watch another one
+    this._connection = new Connection(address, () => this._screen.size(), {
       hello: (message) => this._hello(message),
       output: (bytes, done) => this._terminal.write(bytes, done),
       size: (cols, rows) => this._screen.show(cols, rows, this._readOnly),

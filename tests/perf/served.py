@@ -1,0 +1,125 @@
+"""Tabs of a real `day6-tui serve`, for `class.py --serve`: no browser, but the same WebSocket, acknowledged as a browser does."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import aiohttp
+
+from day6_tui.tui.detached import wire
+
+WORD = "class"
+
+
+class Server:
+    """`day6-tui serve` on a free port, and the event loop of its tabs."""
+
+    def __init__(self, place: Path) -> None:
+        words = [
+            "serve",
+            "--word",
+            WORD,
+            "--port",
+            "0",
+            "--data",
+            str(place / "class"),
+            "--isolation",
+            "none",
+            "--lang",
+            "en",
+        ]
+        self.homes = place / "class" / "homes"
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "day6_tui.tui.main", *words],
+            stdout=subprocess.PIPE,
+            encoding="utf-8",
+            env={**os.environ, "DAY6_RUNTIME_DIR": str(place / "run")},
+        )
+        assert self.process.stdout is not None
+        self.base = next(found[1] for line in self.process.stdout if (found := re.search(r"open (http\S+) in", line)))
+        self.loop = asyncio.new_event_loop()
+        threading.Thread(target=self.loop.run_forever, daemon=True).start()
+
+    def cpu_seconds(self) -> float:
+        """What the server itself has used."""
+        tasks = Path(f"/proc/{self.process.pid}/task").iterdir()
+        return sum(int((task / "schedstat").read_text(encoding="ascii").split()[0]) / 1e9 for task in tasks)
+
+    def close(self) -> None:
+        """End it, with all its desktops."""
+        self.process.send_signal(signal.SIGTERM)
+        self.process.communicate(timeout=60)
+        self.loop.call_soon_threadsafe(self.loop.stop)
+
+
+class Tab:
+    """A pupil's tab, with what `class.py` uses of a keeper's line."""
+
+    def __init__(self, server: Server, name: str) -> None:
+        self._server = server
+        self._ours, self._theirs = socket.socketpair()
+        self._ours.setblocking(False)
+        self._session: aiohttp.ClientSession | None = None
+        self._name = name
+        self.reload()
+
+    def reload(self) -> None:
+        """Open the desktop again, as the browser's reload does."""
+        self._run(self._open())
+
+    async def _open(self) -> None:
+        base = self._server.base
+        if self._session is None:
+            self._session = aiohttp.ClientSession(cookie_jar=aiohttp.CookieJar(unsafe=True))
+            form = {"word": WORD, "name": self._name}
+            async with self._session.post(f"{base}enter", data=form, headers={"Origin": base[:-1]}) as answer:
+                answer.raise_for_status()
+        else:
+            await self._ws.close()
+        self._ws = await self._session.ws_connect(f"{base}ws?cols=120&rows=40", headers={"Origin": base[:-1]})
+        self._reading = asyncio.create_task(self._read(self._ws))
+
+    async def _read(self, ws: aiohttp.ClientWebSocketResponse) -> None:
+        taken = 0
+        async for message in ws:
+            if message.type == aiohttp.WSMsgType.BINARY:
+                taken += len(message.data)
+                await asyncio.get_running_loop().sock_sendall(self._theirs, message.data)
+                await ws.send_json({"t": "ack", "bytes": taken})
+
+    def _run(self, coroutine: object) -> None:
+        asyncio.run_coroutine_threadsafe(coroutine, self._server.loop).result(60)  # type: ignore[arg-type]
+
+    def fileno(self) -> int:
+        """What becomes readable with output."""
+        return self._ours.fileno()
+
+    def receive(self) -> Iterator[tuple[bytes, bytes]]:
+        """The output that has come."""
+        try:
+            yield wire.OUTPUT, self._ours.recv(1 << 16)
+        except BlockingIOError:
+            return
+
+    def send(self, kind: bytes, data: bytes) -> None:
+        """Type."""
+        assert kind == wire.INPUT
+        self._run(self._ws.send_bytes(data))
+
+    def close(self) -> None:
+        """Close the tab; the desktop stays."""
+        self._run(self._leave())
+
+    async def _leave(self) -> None:
+        assert self._session is not None
+        await self._ws.close()
+        await self._session.close()
