@@ -210,6 +210,10 @@ def forgotten(mode: Mode, top: Path) -> list[int]:
     os.kill(server, 9)
     os.waitpid(server, 0)
     mode.end(cell)
+    # bwrap may have died with the server, before it was looked for: then the kernel is just ending what was in its namespace.
+    until = time.monotonic() + PATIENCE
+    while found(mark) and time.monotonic() < until:
+        time.sleep(0.01)
     return [before, len(found(mark))]
 
 
