@@ -156,13 +156,13 @@ class ServedPupil(Pupil):
 
     def started(self) -> float:
         deadline = time.monotonic() + 60
-        while not any(
-            b"day6_tui.tui.main" in _command_of(Path(f"/proc/{each}")) for each in (found := _processes_of(self.home))
+        while b"day6_tui.tui.main" not in b"".join(
+            _command_of(Path(f"/proc/{each}")) for each in _processes_of(self.home)
         ):
             if time.monotonic() > deadline:
                 raise RuntimeError("a desktop did not start")
             time.sleep(0.05)
-        self.processes = found
+        self.processes = _processes_of(self.home)
         (self.home / "bomb.py").write_text(BOMB, encoding="utf-8")
         return time.perf_counter() - self.began
 
