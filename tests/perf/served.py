@@ -42,6 +42,7 @@ class Server:
             [sys.executable, "-m", "day6_tui.tui.main", *words],
             stdout=subprocess.PIPE,
             encoding="utf-8",
+            start_new_session=True,  # the tabs' share of the processors is not the server's
             env={**os.environ, "DAY6_RUNTIME_DIR": str(place / "run")},
         )
         assert self.process.stdout is not None

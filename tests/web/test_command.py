@@ -65,6 +65,7 @@ def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link() -> None:
             connector = aiohttp.UnixConnector(path)
             async with aiohttp.ClientSession(connector=connector) as session:
                 door = Browser(session, "http://hub.example/")
+                assert (await door.get(""))[0] == 303  # straight to the desktop
                 assert (await door.get("desk"))[0] == 200
                 tab = await door.tab()
                 await tab.see("me@day6:~$")

@@ -72,6 +72,8 @@ class Application:
     # -- the way in ----------------------------------------------------------------------------------------------------
 
     async def _start(self, request: web.Request) -> web.StreamResponse:
+        if self._settings.proxied:  # there is nothing to choose
+            return web.Response(status=303, headers={"Location": "desk"})
         ticket = self._gate.ticket(request, PUPIL)
         return self._first_page(request, name=None if ticket is None else ticket.name)
 
