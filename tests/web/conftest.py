@@ -31,3 +31,4 @@ def class_server() -> Iterator[Serving]:
     with Serving(folder, "--class", str(table), "--word", WORD, "--isolation", "none", "--most", "3") as serving:
         yield serving
     assert serving.cells() == []
+    assert not [line for line in serving.said if "Traceback" in line or "Error" in line]

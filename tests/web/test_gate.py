@@ -135,3 +135,34 @@ def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Servin
 
     with tried:
         run(deed())
+
+
+FORM = "application/x-www-form-urlencoded"
+
+
+@pytest.mark.parametrize(
+    ("headers", "body", "status"),
+    [
+        ({"Content-Type": FORM}, b"word=\xff\xfe&name=\xff", 400),
+        ({"Content-Type": f"{FORM}; charset=no-such"}, b"word=a", 403),
+        ({"Content-Type": "multipart/form-data"}, b"word=a", 400),
+        ({"Content-Type": "multipart/form-data; boundary=x"}, b"--x\r\nnonsense", 400),
+        ({"Content-Type": FORM}, b"a&" * 1000, 400),
+        ({"Content-Type": FORM}, b"a" * 100_000, 413),
+        ({"Content-Type": "text/plain"}, b"word=a", 400),
+        ({"Origin": "http://["}, b"word=a", 403),
+        ({"Host": "["}, b"word=a", 421),
+    ],
+)
+def test_forms_that_are_none_are_refused_and_leave_no_trace_of_ours(
+    class_server: Serving, headers: dict[str, str], body: bytes, status: int
+) -> None:
+    async def deed() -> None:
+        async with (
+            browser(class_server.base) as door,
+            door.session.post(door.base + "enter", data=body, headers=door.origin | headers) as answer,
+        ):
+            assert answer.status == status
+            assert "Traceback" not in await answer.text()
+
+    run(deed())

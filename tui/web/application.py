@@ -90,13 +90,13 @@ class Application:
         texts, address = self._texts(request), self._gate.address(request)
         if self._gate.tries.are_too_many(address):
             return self._first_page(request, wrong=texts("serve.wrong.often"), status=429)
-        form = await request.post()
-        word, right = str(form.get("word", "")).strip(), self._settings.word
+        form = await self._gate.form(request)
+        word, right = form.get("word", "").strip(), self._settings.word
         if right is None or not hmac.compare_digest(word.encode(errors="replace"), right.encode(errors="replace")):
             self._gate.tries.add(address)
             return self._first_page(request, wrong=texts("serve.wrong.word"), status=403)
         try:
-            ticket = Ticket(PUPIL, clean(str(form.get("name", ""))))
+            ticket = Ticket(PUPIL, clean(form.get("name", "")))
         except BadName as error:
             return self._first_page(request, wrong=texts(str(error)), status=400)
         if self._tokens.has(ticket):

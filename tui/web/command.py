@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
 import signal
 import sys
 from collections.abc import Callable
@@ -94,6 +95,9 @@ async def _run(settings: Settings, offer: Offer, texts: Texts) -> int:
     from day6_tui.tui.web.server import InUse, Server
     from day6_tui.tui.web.tokens import BadTokens
 
+    for name in ("aiohttp", "asyncio"):
+        logging.getLogger(name).addHandler(_OneLine())
+        logging.getLogger(name).propagate = False
     loop = asyncio.get_running_loop()
     told = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
@@ -110,6 +114,18 @@ async def _run(settings: Settings, offer: Offer, texts: Texts) -> int:
     await told.wait()
     await server.close()
     return 0
+
+
+class _OneLine(logging.Handler):
+    """Says what went wrong inside the server in one line; the class goes on."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Print a record that is a warning or worse."""
+        error = record.exc_info[1] if record.exc_info else None
+        reason = f" ({type(error).__name__}: {error})" if error is not None else ""
+        if record.levelno >= logging.WARNING:
+            with contextlib.suppress(OSError):
+                print(f"day6-tui: {one_line(record.getMessage() + reason)}", file=sys.stderr, flush=True)
 
 
 def _teller(texts: Texts) -> Callable[..., None]:

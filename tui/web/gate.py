@@ -6,7 +6,7 @@ import ipaddress
 import os
 import socket
 from collections.abc import Awaitable, Callable
-from urllib.parse import urlsplit
+from urllib.parse import parse_qsl, urlsplit
 from zlib import crc32
 
 from aiohttp import web
@@ -29,6 +29,9 @@ _POLICY = (
 
 PROXIED_NAME = "me"
 """Behind a proxy that lets in one user only."""
+
+MOST_FIELDS = 10
+"""Of a form."""
 
 LOOPBACK_NAMES = ("localhost", "127.0.0.1", "::1")
 
@@ -96,7 +99,10 @@ class Gate:
 
     def is_from_here(self, request: web.Request) -> bool:
         """Whether a page of ours sent this; browsers say that with every WebSocket and every form."""
-        origin = urlsplit(request.headers.get("Origin", ""))
+        try:
+            origin = urlsplit(request.headers.get("Origin", ""))
+        except ValueError:
+            return False
         if origin.scheme not in ("http", "https") or not origin.netloc:
             return False
         if origin.netloc.lower() == request.headers.get("Host", "").lower():
@@ -105,6 +111,15 @@ class Gate:
         if base.netloc:
             return (origin.scheme, origin.netloc.lower()) == (base.scheme, base.netloc.lower())
         return self._settings.proxied and origin.netloc.lower() == request.headers.get("X-Forwarded-Host", "").lower()
+
+    async def form(self, request: web.Request) -> dict[str, str]:
+        """Read what a form of ours sends. Raises HTTPBadRequest for anything else, HTTPRequestEntityTooLarge."""
+        try:
+            if request.content_type != "application/x-www-form-urlencoded":
+                raise ValueError(request.content_type)
+            return dict(parse_qsl((await request.read()).decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
+        except ValueError:
+            raise web.HTTPBadRequest(text="This is no form of this server.\n") from None
 
     # -- what every answer says --------------------------------------------------------------------------------------
 

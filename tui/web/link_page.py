@@ -27,8 +27,8 @@ def routes(gate: Gate, links: Links, texts: Callable[[web.Request], Texts]) -> l
         """A new link for one pupil, or for who watches one."""
         if gate.ticket(request, TEACHER) is None:
             return pages.message(texts(request), "serve.wrong.stranger", status=403)
-        form = await request.post()
-        kind, name = str(form.get("kind", "")), str(form.get("name", ""))
+        form = await gate.form(request)
+        kind, name = form.get("kind", ""), form.get("name", "")
         if kind in (PUPIL, WATCHER) and name in links.all_names():
             links.make(Ticket(kind, name))
             await links.keep()
