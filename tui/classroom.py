@@ -234,7 +234,7 @@ class Classroom:
             if isinstance(overlay, Frozen):
                 overlay.close()
         elif not isinstance(overlay, (Frozen, Question)) and not self._app.detachment.away:
-            self._app.desktop.open_overlay(Frozen(self._app.look))
+            self._app.push_screen(Frozen(self._app.look))  # over what is being filled in, which stays as it is
 
     def _note(self) -> Note:
         """What there is to tell; `idle` in steps, so that an idle desktop is silent."""

@@ -75,7 +75,7 @@ class Note:
 
 
 def encode(note: Note) -> bytes:
-    """Return a note as it is sent; a screen that is too large goes without its colours, or not at all."""
+    """Return a note as it is sent; without its screen if that makes it too long."""
     found: dict[str, Any] = {"v": VERSION, **asdict(note)}
     data = json.dumps(found, ensure_ascii=False).encode(errors="replace")
     if len(data) > LONGEST and note.screen is not None:

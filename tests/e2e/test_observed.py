@@ -136,9 +136,16 @@ def test_a_frozen_screen_takes_no_keys_and_is_free_again_when_the_teacher_goes(p
             screen.wait_gone(texts("class.frozen.title"))
             screen.line("echo free")
             screen.wait_lines("free")
+            screen.press("F7")
+            screen.wait("Alt+-")
+            screen.send("half a wo")
+            screen.wait("half a wo")
             teacher.order("freeze", on=True)
             screen.wait(texts("class.frozen.title"))
         screen.wait_gone(texts("class.frozen.title"))
+        screen.wait("half a wo")  # what was being filled in is still there
+        screen.press("Esc")
+        screen.wait_gone("half a wo")
         screen.quit()
         screen.wait_end()
 
