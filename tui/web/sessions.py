@@ -276,13 +276,13 @@ class Sessions:
         return 0 < self._settings.idle * 60 <= time.monotonic() - session.typed_at
 
     async def _look_at_disk(self, session: Session) -> None:
-        used = await asyncio.to_thread(self._mode.used, session.cell)
+        used = await asyncio.to_thread(self._mode.disk_used, session.cell)
         most = session.cell.limits.disk
-        was_over, session.is_over_disk = session.is_over_disk, used.disk > most
+        was_over, session.is_over_disk = session.is_over_disk, used > most
         if not session.is_over_disk:
             return
-        values = {"name": session.name, "used": used.disk >> 20, "most": most >> 20}
-        if used.disk > DISK_PATIENCE * most:
+        values = {"name": session.name, "used": used >> 20, "most": most >> 20}
+        if used > DISK_PATIENCE * most:
             self._tell("serve.disk.ended", **values)
             await self.end(session, "disk")
         elif not was_over:
