@@ -15,6 +15,7 @@ from weakref import WeakKeyDictionary
 
 if TYPE_CHECKING:
     from day6_tui.core.graph import Graph
+    from day6_tui.core.link.classroom.part import Part
     from day6_tui.core.link.link import Link
     from day6_tui.core.link.passing import Passing
     from day6_tui.core.link.state import Door, LinkState
@@ -37,6 +38,7 @@ def join(
     one_shot: bool = False,
     never_wait: bool = False,
     secret: str | None = None,
+    part: Part | None = None,
 ) -> Link:
     """Join `graph` to the graphs of this user's other processes on this machine and domain; returns its link.
 
@@ -45,20 +47,26 @@ def join(
     gives the reason, and a warning is logged. Every link is closed when the interpreter exits.
 
     `listen` and `connect` are Zenoh endpoints (`tcp/0.0.0.0:7447`), the only way out of this machine; anything wrong with
-    them is reported in `Link.state` and affects nothing else. Other machines must present `secret` there. `one_shot` is for
-    commands that query and exit: a client of the meeting point that never runs one. `never_wait` is for a process with a
-    screen: a message for a process that does not keep up (stopped, in an endless loop) is dropped, where `publish` would
-    otherwise block for up to five seconds.
+    them is reported in `Link.state` and affects nothing else. Other machines must present `secret` there; in a class this
+    graph has `part`. `one_shot` is for commands that query and exit: a client of the meeting point that never runs one.
+    `never_wait` is for a process with a screen: a message for a process that does not keep up (stopped, in an endless
+    loop) is dropped, where `publish` would otherwise block for up to five seconds.
     """
     try:
-        return _joined(graph, _names(listen), _names(connect), one_shot, never_wait, secret)
+        return _joined(graph, _names(listen), _names(connect), one_shot, never_wait, secret, part)
     except Exception as error:
         _failures[graph] = f"{type(error).__name__}: {error}"
         raise
 
 
 def _joined(
-    graph: Graph, listen: Sequence[str], connect: Sequence[str], one_shot: bool, never_wait: bool, secret: str | None
+    graph: Graph,
+    listen: Sequence[str],
+    connect: Sequence[str],
+    one_shot: bool,
+    never_wait: bool,
+    secret: str | None,
+    part: Part | None,
 ) -> Link:
     from day6_tui.core.graph.discovery import discovery_is_off
     from day6_tui.core.link.link import Link
@@ -76,6 +84,7 @@ def _joined(
             one_shot=one_shot,
             never_wait=never_wait,
             secret=secret,
+            part=part,
         )
         if not (listen or connect) and discovery_is_off(os.environ):
             link.problem = "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF"

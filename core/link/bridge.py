@@ -2,7 +2,8 @@
 
 Messages that the other side subscribes to, queries with their replies, and tokens are forwarded between the two. Nothing
 else is, so announcements from outside are checked and limited here, once, before any process of this user sees them, and are
-dropped together with the machine they came from. (A Zenoh session presents the same password, or none, to every peer, so one
+dropped together with the machine they came from. A `Naming` says how keys are written outside; everything in here is about
+inner keys. (A Zenoh session presents the same password, or none, to every peer, so one
 session cannot serve both where this machine's own meeting point requires a password.)
 """
 
@@ -22,6 +23,7 @@ from day6_tui.core.link.admission import Admission, Token, token_of
 from day6_tui.core.link.engine_thread import callback
 from day6_tui.core.link.gid import gid_of
 from day6_tui.core.link.limits import MOST_WAITING, Refusals
+from day6_tui.core.link.naming import Naming, Plain
 
 if TYPE_CHECKING:
     import zenoh
@@ -56,7 +58,9 @@ class Bridge:
         report: Report,
         refusals: Refusals,
         is_neighbour: Callable[[str], bool],
+        naming: Naming | None = None,
     ) -> None:
+        self._naming = naming if naming is not None else Plain(domain_id)
         self._sessions = (inner, outer)
         self._domain_id = domain_id
         self._report = report
@@ -71,7 +75,11 @@ class Bridge:
         self._here: Counter[str] = Counter()
         """The sessions of this machine that have announced anything, including processes without a socket."""
         self._own_gids: set[bytes] = set()
-        """GIDs of this machine's publishers and clients: nobody else may send in their names."""
+        """Outer GIDs of this machine's publishers and clients: nobody else may send in their names."""
+        self._foreign: dict[str, str] = {}
+        """The outer keys of the tokens of other machines, if the naming renames."""
+        self._gids: tuple[dict[bytes, bytes], dict[bytes, bytes]] = {}, {}
+        """GIDs as that side knows them, by those of the other side, if the naming renames."""
         self._links: Counter[str] = Counter()
         """Number of links to each session connected to the outer one."""
         self._flooded = False
@@ -113,11 +121,10 @@ class Bridge:
         self._declared.append(outer.info.declare_link_events_listener(handler, history=True))
 
     def _listen(self, side: int) -> None:
-        # Wildcards don't match a chunk that begins with @, as in the keys of transient-local publishers' caches.
-        caches = f"{self._domain_id}/**/@adv/**"
-        self._declared += [self._receive_messages(side, caches), self._receive_queries(side, caches)]
+        naming = self._naming if side == _OUTER else Plain(self._domain_id)
+        self._declared += [self._receive_messages(side, naming.caches()), self._receive_queries(side, naming.caches())]
         subscribers = self._declared if side == _INNER else self._token_subscribers
-        subscribers += [self._subscribe_tokens(side, key) for key in (f"@ros2_lv/{self._domain_id}/**", caches)]
+        subscribers += [self._subscribe_tokens(side, key) for key in naming.tokens()]
 
     def _subscribe_tokens(self, side: int, key: str) -> Any:
         import zenoh
@@ -161,7 +168,14 @@ class Bridge:
             self._flooded = True
             return
         present = sample.kind == zenoh.SampleKind.PUT
-        self._work.put(partial(self._take_token, side, str(sample.key_expr), present))
+        key = str(sample.key_expr)
+        inner = self._naming.heard(key) if side == _OUTER else key
+        if inner is None:
+            self._refusals.add("names")
+            return
+        if side == _OUTER and self._naming.renames and present:
+            self._foreign[inner] = key
+        self._work.put(partial(self._take_token, side, inner, present))
 
     def _is_forged(self, attachment: zenoh.ZBytes | None) -> bool:
         return attachment is not None and attachment.to_bytes()[-_GID_BYTES:] in self._own_gids
@@ -203,7 +217,7 @@ class Bridge:
         self._forget(None)
         for _ in range(len(self._token_subscribers)):
             self._token_subscribers.pop().undeclare()
-        for key in (f"@ros2_lv/{self._domain_id}/**", f"{self._domain_id}/**/@adv/**"):
+        for key in self._naming.tokens():
             self._token_subscribers.append(self._subscribe_tokens(_OUTER, key))
 
     def _take_link(self, zid: str, present: bool) -> None:
@@ -234,15 +248,15 @@ class Bridge:
         sends = token.kind in (EndpointKind.PUBLISHER.value, EndpointKind.CLIENT.value)
         if present:
             self._here[token.zid] += 1
-            if sends:
-                self._own_gids.add(gid_of(key))
+            if sends and (sent := self._naming.sent(key)) is not None:
+                self._own_gids.add(gid_of(sent))
             self._mirror(_OUTER, key, token)
             return
         self._here[token.zid] -= 1
         if not self._here[token.zid]:
             del self._here[token.zid]
-        if sends:
-            self._own_gids.discard(gid_of(key))
+        if sends and (sent := self._naming.sent(key)) is not None:
+            self._own_gids.discard(gid_of(sent))
         self._unmirror(_OUTER, key, token)
 
     def _take_foreign(self, key: str, present: bool) -> None:
@@ -258,6 +272,9 @@ class Bridge:
         return zid in self._here or self._is_neighbour(zid)
 
     def _mirror(self, side: int, key: str, token: Token) -> None:
+        written = self._naming.sent(key) if side == _OUTER else key
+        if written is None:
+            return
         # The receiver before the token: whoever sees the token may send at once.
         declare = {
             EndpointKind.SUBSCRIPTION.value: self._receive_messages,
@@ -265,14 +282,26 @@ class Bridge:
         }
         if token.kind in declare:
             route = side, token.kind, token.data_key
-            if route not in self._routes:
-                self._routes[route] = declare[token.kind](side, token.data_key), Counter()
+            awaited = self._naming.awaited(token.data_key) if side == _OUTER else token.data_key
+            if route not in self._routes and awaited is not None:
+                self._routes[route] = declare[token.kind](side, awaited), Counter()
             self._routes[route][1][key] += 1
-        self._tokens[side][key] = self._sessions[side].liveliness().declare_token(key)
+        self._pair_gids(side, key, written)
+        self._tokens[side][key] = self._sessions[side].liveliness().declare_token(written)
+
+    def _pair_gids(self, side: int, key: str, written: str) -> None:
+        """An endpoint's GID is the hash of its token, so it has another one on each side."""
+        if self._naming.renames:
+            inner, outer = gid_of(key), gid_of(written if side == _OUTER else self._foreign.get(key, key))
+            self._gids[_INNER][outer], self._gids[_OUTER][inner] = inner, outer
 
     def _unmirror(self, side: int, key: str, token: Token) -> None:
         if (declared := self._tokens[side].pop(key, None)) is not None:
             declared.undeclare()
+        if (outer := self._gids[_OUTER].pop(gid_of(key), None)) is not None:
+            self._gids[_INNER].pop(outer, None)
+        if side == _INNER:
+            self._foreign.pop(key, None)
         route = side, token.kind, token.data_key
         if route in self._routes:
             receiver, users = self._routes[route]
@@ -281,14 +310,25 @@ class Bridge:
                 del self._routes[route]
                 receiver.undeclare()
 
+    def _attachment(self, to: int, attachment: zenoh.ZBytes | None) -> zenoh.ZBytes | bytes | None:
+        """Return an attachment with the sender's GID as the side knows it to which it goes."""
+        if attachment is None or not self._naming.renames:
+            return attachment
+        data = attachment.to_bytes()
+        gid = data[-_GID_BYTES:]
+        return data[:-_GID_BYTES] + self._gids[to].get(gid, gid)
+
     def _pass_sample(self, to: int, sample: zenoh.Sample) -> None:
         import zenoh
 
+        key = str(sample.key_expr)
+        if (written := self._naming.sent(key) if to == _OUTER else self._naming.heard(key)) is None:
+            return
         self._sessions[to].put(
-            sample.key_expr,
+            written,
             sample.payload,
             encoding=sample.encoding,
-            attachment=sample.attachment,
+            attachment=self._attachment(to, sample.attachment),
             congestion_control=sample.congestion_control,
             priority=sample.priority,
             timestamp=sample.timestamp,
@@ -300,11 +340,15 @@ class Bridge:
 
         def on_reply(reply: zenoh.Reply) -> None:
             if (sample := reply.ok) is not None:
-                self._work.put(partial(_forward_reply, query, sample))
+                self._work.put(partial(self._pass_reply, 1 - to, query, sample))
 
+        key = str(query.key_expr)
+        if (written := self._naming.sent(key) if to == _OUTER else self._naming.heard(key)) is None:
+            query.drop()
+            return
         # The query ends when nobody holds it any more: after the last reply has been forwarded.
         self._sessions[to].get(
-            query.selector,
+            zenoh.Selector(written, query.parameters),
             zenoh.handlers.Callback(callback(on_reply), lambda: self._work.put(query.drop), indirect=False),
             target=zenoh.QueryTarget.ALL_COMPLETE if query.payload is not None else zenoh.QueryTarget.ALL,
             consolidation=zenoh.ConsolidationMode.NONE,
@@ -313,17 +357,19 @@ class Bridge:
             timeout=_QUERY_SECONDS,
             payload=query.payload,
             encoding=query.encoding,
-            attachment=query.attachment,
+            attachment=self._attachment(to, query.attachment),
             allowed_destination=zenoh.Locality.REMOTE,
         )
 
-
-def _forward_reply(query: zenoh.Query, sample: zenoh.Sample) -> None:
-    # A late joiner recognises a message it already has by its timestamp.
-    query.reply(
-        sample.key_expr,
-        sample.payload,
-        encoding=sample.encoding,
-        attachment=sample.attachment,
-        timestamp=sample.timestamp,
-    )
+    def _pass_reply(self, to: int, query: zenoh.Query, sample: zenoh.Sample) -> None:
+        key = str(sample.key_expr)
+        if (written := self._naming.awaited(key) if to == _OUTER else self._naming.answered(key)) is None:
+            return
+        # A late joiner recognises a message it already has by its timestamp.
+        query.reply(
+            written,
+            sample.payload,
+            encoding=sample.encoding,
+            attachment=self._attachment(to, sample.attachment),
+            timestamp=sample.timestamp,
+        )

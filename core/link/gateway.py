@@ -17,9 +17,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from day6_tui.core.link.addresses import Address, address_of
 from day6_tui.core.link.bridge import Bridge
+from day6_tui.core.link.classroom.part import Part
 from day6_tui.core.link.config import inner_config, outer_config
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.core.link.limits import Refusals
+from day6_tui.core.link.naming import Naming
 from day6_tui.core.link.paths import Place
 from day6_tui.core.link.secret import USER
 from day6_tui.core.link.state import Door, DoorState, remove_doors, write_doors
@@ -54,7 +56,9 @@ class Gateway:
         secret: str | None,
         report: Report,
         is_neighbour: Callable[[str], bool],
+        part: Part | None = None,
     ) -> None:
+        self._part = part
         self._place = place
         self._domain_id = domain_id
         self._secret = secret
@@ -113,6 +117,8 @@ class Gateway:
         if self._outer is None or self._may_listen_now():
             self._open()
         if self._outer is not None:
+            if self._part is not None:
+                self._take_part(self._part)
             self._read_links(self._outer)
         if self.doors != self._written:
             write_doors(self._place, self.doors)
@@ -151,7 +157,9 @@ class Gateway:
                 self._open_sessions((), connect)
             except zenoh.ZError as error:
                 for endpoint in connect:
-                    self._change(endpoint, False, **_problem_in(str(error))._asdict())
+                    # A pupil's session opens only when the teacher answers; the error does not say why not.
+                    problem = _problem_in(str(error)) if self._part is None else _problem_at(endpoint)
+                    self._change(endpoint, False, **problem._asdict())
 
     def _open_sessions(self, listen: Sequence[str], connect: Sequence[str]) -> None:
         """Open the two sessions of the bridge.
@@ -165,21 +173,48 @@ class Gateway:
         try:
             if self._secret is not None:
                 replace_file(users, f"{USER}:{self._secret}\n".encode(), mode=PRIVATE, sync=False, follow=False)
-            outer = zenoh.open(outer_config(listen, connect, self._secret, users))
+            config = outer_config(listen, connect, self._secret, users)
+            if self._part is not None:
+                self._part.configure(config)
+            self._outer = zenoh.open(config)
         finally:
             users.unlink(missing_ok=True)  # Zenoh has read it
         try:
-            inner = zenoh.open(inner_config(self._place))
+            if self._part is None:
+                self._build_bridge(None)
+            else:
+                self._part.begin(self._outer, self._domain_id)
+                self._take_part(self._part)
         except zenoh.ZError:
-            outer.close()
+            self._shut()
             raise
-        self._bridge = Bridge(inner, outer, self._domain_id, self._report, self.refusals, self._is_neighbour)
-        self._outer = outer
+
+    def _build_bridge(self, naming: Naming | None) -> None:
+        import zenoh
+
+        assert self._outer is not None
+        inner = zenoh.open(inner_config(self._place))
+        self._bridge = Bridge(
+            inner, self._outer, self._domain_id, self._report, self.refusals, self._is_neighbour, naming
+        )
+
+    def _take_part(self, part: Part) -> None:
+        """Join the graphs as soon as there is a class, and part them when this desktop does not belong to it any more."""
+        part.poll()
+        naming = part.naming
+        if naming is not None and self._bridge is None:
+            self._build_bridge(naming)
+        elif naming is None and self._bridge is not None:
+            self._shut()  # the bridge owns the sessions; they are opened again at the next poll
 
     def _shut(self) -> None:
-        bridge, self._bridge, self._outer = self._bridge, None, None
+        bridge, outer, self._bridge, self._outer = self._bridge, self._outer, None, None
+        if self._part is not None:
+            self._part.end()
         if bridge is not None:
             bridge.close()
+        elif outer is not None:
+            outer.close()
 
     # -- watching ------------------------------------------------------------------------------------------------------
 
@@ -196,7 +231,8 @@ class Gateway:
     def _check_connection(self, door: Door, joined: set[str]) -> None:
         """Check whether one of the addresses of a door's host is connected; if not, probe periodically for the reason."""
         if self._addresses.get(door.endpoint, frozenset()) & joined:
-            self._change(door.endpoint, False, state=DoorState.OPEN, joined=1)
+            refused = self._part.problem if self._part is not None else None
+            self._change(door.endpoint, False, state=refused or DoorState.OPEN, joined=0 if refused else 1)
         elif self._due(door.endpoint, _PROBE_SECONDS):
             state, self._addresses[door.endpoint] = _probe(address_of(door.endpoint, listening=False))
             if not self._addresses[door.endpoint] & joined:
@@ -262,6 +298,10 @@ def _host_and_port(host: str, port: int) -> str:
 class _Problem(NamedTuple):
     state: DoorState
     reason: str
+
+
+def _problem_at(endpoint: str) -> _Problem:
+    return _Problem(_probe(address_of(endpoint, listening=False))[0], "")
 
 
 def _problem_in(text: str) -> _Problem:

@@ -14,6 +14,7 @@ from day6_tui.core.graph.endpoints import Client, Endpoint, Publisher, RequestId
 from day6_tui.core.graph.graph import Graph, GraphEvent
 from day6_tui.core.graph.node import Node
 from day6_tui.core.link.announcing import Announcements
+from day6_tui.core.link.classroom.part import Part
 from day6_tui.core.link.config import command_config, process_config
 from day6_tui.core.link.engine_thread import callback, inside_callback
 from day6_tui.core.link.gateway import Gateway
@@ -85,6 +86,7 @@ class Link:
         one_shot: bool = False,
         never_wait: bool = False,
         secret: str | None = None,
+        part: Part | None = None,
     ) -> None:
         self.graph = graph
         self.zid = new_zid()
@@ -94,6 +96,7 @@ class Link:
         self._never_wait = never_wait
         self._listen, self._connect = tuple(listen), tuple(connect)
         self._secret = secret
+        self._part = part
         self.refusals = Refusals()
         self._remote = RemoteGraph(graph, self.zid, self.refusals, self._is_neighbour)
         self._neighbourhood: Neighbourhood | None = None
@@ -148,7 +151,14 @@ class Link:
         self._thread.start()
         if self._listen or self._connect:
             self._gate = Gateway(
-                place, self.graph.domain_id, self._listen, self._connect, self._secret, self._report, self._is_neighbour
+                place,
+                self.graph.domain_id,
+                self._listen,
+                self._connect,
+                self._secret,
+                self._report,
+                self._is_neighbour,
+                self._part,
             )
             self._gate.start(_GATE_PATIENCE)
 

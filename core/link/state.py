@@ -36,6 +36,13 @@ class DoorState(str, Enum):
     NO_ANSWER = "no answer"
     NOT_LET_IN = "not let in"
     """A program answers, but rejects us: its secret differs, or it is not Zenoh."""
+    NO_CLASS = "no class"
+    """Connected, but no teacher answers there."""
+    NAME_TAKEN = "name taken"
+    """Somebody else in the class has this pupil's name."""
+    CLASS_FULL = "class full"
+    OTHER_DOMAIN = "other domain"
+    """A room has one graph, and this machine's ROS_DOMAIN_ID is not that of the room."""
     FAILED = "failed"
     """For a reason given by the operating system."""
 

@@ -28,6 +28,7 @@ from day6_tui.core.shell.overview import DeskOverview
 from day6_tui.core.shell.user import login_name
 
 if TYPE_CHECKING:
+    from day6_tui.core.link.classroom.part import Part
     from day6_tui.core.shell.terminal import Terminal
 
 _log = logging.getLogger(__name__)
@@ -70,7 +71,8 @@ class Desk:
 
     `home` is created with a `ros2_ws/src` in it; OSError if it cannot be. `join_link` lets its graph meet the other processes of
     this user; that happens in the background, when `start` or `open_link` is called. `listen` and `connect` are Zenoh endpoints
-    (`tcp/0.0.0.0:7447`), the only way to leave this machine; other machines must show `secret` there.
+    (`tcp/0.0.0.0:7447`), the only way to leave this machine; other machines must show `secret` there. `part` is the one in a
+    class (see `core.link.classroom`).
     """
 
     def __init__(
@@ -84,9 +86,10 @@ class Desk:
         listen: str | None = None,
         connect: str | None = None,
         secret: str | None = None,
+        part: Part | None = None,
     ) -> None:
         activate()
-        self._listen, self._connect, self._secret = listen, connect, secret
+        self._listen, self._connect, self._secret, self._part = listen, connect, secret, part
         self.home = (default_home() if home is None else home).expanduser().resolve()
         self.room: Path | None = None
         """Another home folder for new terminals, while a drill has one of its own."""
@@ -305,7 +308,17 @@ class Desk:
 
         self._joined.add(graph)
         try:
-            join(graph, never_wait=True, listen=self._listen, connect=self._connect, secret=self._secret)
+            if self._part is not None and graph is not self.graph:
+                join(graph, never_wait=True)  # only one graph of a desktop can be in the class
+            else:
+                join(
+                    graph,
+                    never_wait=True,
+                    listen=self._listen,
+                    connect=self._connect,
+                    secret=self._secret,
+                    part=self._part,
+                )
         except Exception:
             # Without the link the desk still works by itself; other processes are not visible, and the inspector says why.
             _log.warning("the link could not be opened", exc_info=True)

@@ -134,8 +134,8 @@ def sample(key: str = "", payload: bytes = b"", attachment: bytes | None = None,
 
 
 class FakeQuery:
-    def __init__(self, payload: bytes | None = b"", attachment: bytes | None = b"", key: str = "") -> None:
-        self.selector = key
+    def __init__(self, payload: bytes | None = b"", attachment: bytes | None = b"", key: str = "0/k") -> None:
+        self.key_expr, self.parameters = key, ""
         self.payload = None if payload is None else Bytes(payload)
         self.attachment = None if attachment is None else Bytes(attachment)
         self.encoding = "encoding"

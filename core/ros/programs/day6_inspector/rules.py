@@ -180,6 +180,10 @@ _UNJOINED = {
     DoorState.NO_NAME: "no_name",
     DoorState.NOBODY: "nobody",
     DoorState.NO_ANSWER: "no_answer",
+    DoorState.NO_CLASS: "no_class",
+    DoorState.NAME_TAKEN: "name_taken",
+    DoorState.CLASS_FULL: "class_full",
+    DoorState.OTHER_DOMAIN: "other_domain",
     DoorState.FAILED: "unreachable",
 }
 

@@ -1,0 +1,193 @@
+"""A class on a network: each pupil's graph is a graph of its own, the teacher has all of them below their names."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+import zenoh
+from link_harness import Peer, World
+from waiting import until
+
+from day6_tui.core.link import leave, state_of
+from day6_tui.core.link.classroom.keys import is_name
+from day6_tui.core.link.classroom.pupil import Pupil
+from day6_tui.core.link.classroom.teacher import Teacher
+from day6_tui.core.link.state import DoorState
+
+PATIENCE = 30.0
+
+
+class Class:
+    """Makes the machines of a class: each has a meeting place of its own, as it would have."""
+
+    def __init__(self, folder: Path, short: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self._folder, self._short, self._monkeypatch = folder, short, monkeypatch
+        self._worlds: list[World] = []
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.endpoint = f"tcp/127.0.0.1:{probe.getsockname()[1]}"
+
+    def machine(self, **arguments: Any) -> Peer:
+        runtime = self._short / str(len(self._worlds))
+        self._monkeypatch.setenv("DAY6_RUNTIME_DIR", str(runtime))
+        world = World(self._folder, runtime)
+        self._worlds.append(world)
+        peer: Peer = world.here(**arguments)
+        return peer
+
+    def teacher(self, part: Teacher | None = None, **arguments: Any) -> Peer:
+        return self.machine(listen=self.endpoint, part=part or Teacher(), **arguments)
+
+    def pupil(self, name: str, part: Pupil | None = None, **arguments: Any) -> Peer:
+        return self.machine(connect=self.endpoint, part=part or Pupil(name), **arguments)
+
+    def close(self) -> None:
+        for world in reversed(self._worlds):
+            world.close()
+
+
+@pytest.fixture
+def school(short_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Class]:
+    monkeypatch.setenv("DAY6_LINK", "on")
+    made = Class(tmp_path, short_folder, monkeypatch)
+    yield made
+    made.close()
+
+
+def state(peer: Peer) -> DoorState:
+    (only,) = state_of(peer.graph).doors
+    return only.state
+
+
+def sees(peer: Peer, *nodes: str) -> bool:
+    return peer.nodes() == list(nodes)
+
+
+def test_the_teacher_sees_each_pupil_below_a_name_and_no_pupil_another(school: Class) -> None:
+    teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
+    for pupil in (anna, ben):
+        pupil.node("turtlesim")
+    teacher.node("desk")
+    assert until(lambda: teacher.nodes() == ["/anna/turtlesim", "/ben/turtlesim", "/desk"], PATIENCE)
+    assert anna.nodes() == ben.nodes() == ["/turtlesim"]
+    assert state(anna) == state(ben) == DoorState.OPEN
+
+
+def test_messages_go_both_ways_and_to_one_pupil_only(school: Class) -> None:
+    teacher, anna, ben = school.teacher(), school.pupil("anna"), school.pupil("ben", domain_id=7)
+    turtles = [pupil.subscription(pupil.node("turtlesim"), "/turtle1/cmd_vel") for pupil in (anna, ben)]
+    desk, talker = teacher.node("desk"), ben.node("talker")
+    drive, news = teacher.publisher(desk, "/anna/turtle1/cmd_vel"), ben.publisher(talker, "/news")
+    teacher.subscription(desk, "/anna/news")
+    heard = teacher.subscription(desk, "/ben/news")
+    assert until(lambda: teacher.matched(drive) == 1 and ben.matched(news) == 1, PATIENCE)
+    assert anna.nodes() == ["/teacher/desk", "/turtlesim"]
+    teacher.publish(drive, data="forward")
+    ben.publish(news, data="hello")
+    assert until(lambda: anna.messages(turtles[0]) == ["forward"], PATIENCE)
+    (sample,) = until(lambda: teacher.samples(heard), PATIENCE)
+    assert sample["data"] == "hello"
+    assert ben.messages(turtles[1]) == []
+
+
+def test_services_and_kept_messages_reach_through_the_names(school: Class) -> None:
+    teacher, anna = school.teacher(), school.pupil("anna", domain_id=5)
+    node = anna.node("turtlesim")
+    anna.service(node, "/spawn", offset=100)
+    map_ = anna.publisher(node, "/map", latched=True)
+    anna.publish(map_, data="kept")
+    desk = teacher.node("desk")
+    client = teacher.client(desk, "/anna/spawn")
+    assert until(lambda: teacher.matched(client), PATIENCE)
+    teacher.call(client, 1, 2)
+    assert [total for _, total in until(lambda: teacher.responses(client), PATIENCE)] == [103]
+    late = teacher.subscription(desk, "/anna/map", latched=True)
+    assert until(lambda: teacher.messages(late) == ["kept"], PATIENCE)
+
+
+def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
+    school.teacher()
+    first, second = school.pupil("anna"), school.pupil("anna")
+    assert until(lambda: state(first) == DoorState.OPEN and state(second) == DoorState.NAME_TAKEN, PATIENCE)
+    leave(first.graph)
+    assert until(lambda: state(second) == DoorState.OPEN, PATIENCE)
+
+
+def test_a_pupil_waits_for_the_teacher_and_finds_the_next_one(school: Class) -> None:
+    met: list[bool] = []
+    part = Pupil("anna")
+    part.met = met.append
+    anna = school.pupil("anna", part)
+    anna.node("turtlesim")
+    assert until(lambda: state(anna) == DoorState.NOBODY, PATIENCE)
+    for _ in range(2):
+        teacher = school.teacher()
+        assert until(partial(sees, teacher, "/anna/turtlesim"), PATIENCE)
+        assert until(lambda: met[-1:] == [True], PATIENCE)
+        leave(teacher.graph)
+        assert until(lambda: met[-1] is False, PATIENCE)
+
+
+def test_notes_come_and_orders_go(school: Class) -> None:
+    part, pupil, notes, orders, came = Teacher(), Pupil("anna"), [], [], []
+    part.noted, part.came = (lambda *note: notes.append(note)), (lambda *who: came.append(who))
+    pupil.ordered = orders.append
+    school.teacher(part)
+    anna = school.pupil("anna", pupil)
+    assert until(lambda: came == [("anna", True)], PATIENCE)
+    pupil.tell(b"a note")
+    assert until(lambda: notes == [("anna", b"a note")], PATIENCE)
+    assert part.order("anna", b"an order")
+    assert until(lambda: orders == [b"an order"], PATIENCE)
+    assert not part.order("ben", b"an order")
+    leave(anna.graph)
+    assert until(lambda: came[1:] == [("anna", False)], PATIENCE)
+
+
+def test_whoever_connects_past_the_class_reaches_no_pupil(school: Class) -> None:
+    teacher, anna = school.teacher(), school.pupil("anna")
+    turtle = anna.subscription(anna.node("turtlesim"), "/turtle1/cmd_vel")
+    desk = teacher.node("desk")
+    drive = teacher.publisher(desk, "/anna/turtle1/cmd_vel")
+    assert until(lambda: teacher.matched(drive) == 1, PATIENCE)
+    stranger = school.machine(connect=school.endpoint)
+    own = stranger.publisher(stranger.node("stranger"), "/anna/turtle1/cmd_vel")
+    assert until(lambda: state(stranger) == DoorState.OPEN, PATIENCE)
+    config = zenoh.Config.from_json5(f'{{mode: "client", connect: {{endpoints: ["{school.endpoint}"]}}}}')
+    with zenoh.open(config) as session:
+        spied: list[str] = []
+        spy = session.declare_subscriber("**", lambda sample: spied.append(str(sample.key_expr)))
+        tokens = session.liveliness().get("day6_class/up/*/@ros2_lv/**", timeout=2.0)
+        session.put("day6_class/down/anna/0/turtle1/cmd_vel/std_msgs::msg::dds_::String_/x", b"prank")
+        stranger.publish(own, data="prank")
+        teacher.publish(drive, data="real")
+        assert until(lambda: anna.messages(turtle) == ["real"], PATIENCE)
+        assert list(tokens) == []
+        assert all(key.startswith("day6_class/down/anna/") for key in spied if "prank" not in key)
+        spy.undeclare()
+    assert stranger.nodes() == ["/stranger"]
+    assert "/stranger" not in teacher.nodes()
+
+
+def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
+    teacher = school.teacher(Teacher(room=True))
+    anna, ben = school.pupil("anna"), school.pupil("ben")
+    other = school.pupil("cem", domain_id=3)
+    anna.node("turtlesim", "/anna")
+    ben.node("turtlesim", "/ben")
+    both = ["/anna/turtlesim", "/ben/turtlesim"]
+    assert until(lambda: teacher.nodes() == anna.nodes() == ben.nodes() == both, PATIENCE)
+    assert until(lambda: state(other) == DoorState.OTHER_DOMAIN, PATIENCE)
+    assert other.nodes() == []
+
+
+@pytest.mark.parametrize(
+    ("name", "may"), [("anna", True), ("Anna_2", True), ("a" * 33, False), ("安娜", False), ("", False)]
+)
+def test_a_name_is_a_part_of_a_ros_name(name: str, may: bool) -> None:
+    assert is_name(name) == may
