@@ -65,6 +65,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("normal"),
     Action("motion"),
     Action("detach"),
+    Action("class"),
     Action("hand"),
     Action("sayings"),
     Action("take_back"),

@@ -13,6 +13,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 # Read by Textual at import: how often at most it writes to the terminal.
@@ -75,6 +76,7 @@ if TYPE_CHECKING:
 
     from day6_tui.core.session.ending import Ending
     from day6_tui.core.shell.desk import Desk
+    from day6_tui.tui.class_link import ClassLink
 
 chops.install()
 output.install()
@@ -171,8 +173,15 @@ class Day6App(TerminalApp):
         self.looks = looks = Looks(self, look)
         self.explaining = Explaining(machine, desktop, self.terminals, notices, look)
         self.detachment = Detachment(self, options.keeper)
-        self.classroom = Classroom(self, self.detachment.tell, is_possible=self.detachment.is_possible)
-        self.detachment.observed, self.detachment.ordered = self.classroom.observe, self.classroom.hear
+        self.class_link: ClassLink | None = None
+        if options.part is not None:
+            from day6_tui.tui.class_link import link_of
+
+            self.class_link = link_of(options.part)
+        is_pupil = self.class_link is not None and not self.class_link.teaches
+        self.classroom = Classroom(self, self._tell, is_possible=self.detachment.is_possible or is_pupil)
+        self.detachment.observed = partial(self.classroom.observe, "keeper")
+        self.detachment.ordered = self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
         self.recording = Recording(self, machine, desktop, looks, notices, look)
@@ -197,10 +206,13 @@ class Day6App(TerminalApp):
                 "theme": self.choose_theme,
                 "glyphs": lambda: notices.show(looks.next_glyphs()),
                 "motion": looks.toggle_motion,
+                "class": self.show_class,
             }
         )
         if detach is None:
             registry.hidden.add("detach")
+        if self.class_link is None or not self.class_link.teaches:
+            registry.hidden.add("class")
         if not self.classroom.is_possible:
             registry.hidden |= self.classroom.actions().keys()
         top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
@@ -238,6 +250,8 @@ class Day6App(TerminalApp):
             self.exit(return_code=1, message=Text(one_line(message)))  # a plain str would be read as Rich's markup
             return
         self.detachment.begin()
+        if self.class_link is not None:
+            self.class_link.begin(self)
         if self.options.scene is not None or not self.session.restore():
             self.terminals.open()
         elif self.session.in_lesson:
@@ -263,6 +277,17 @@ class Day6App(TerminalApp):
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
+
+    def _tell(self, note: bytes) -> None:
+        """Send what this desktop says of itself to all who observe it."""
+        self.detachment.tell(note)
+        if self.class_link is not None:
+            self.class_link.tell(note)
+
+    def show_class(self) -> None:
+        """Open the teacher's view of the class, or close it."""
+        if self.class_link is not None:
+            self.class_link.show(self)
 
     def _attend_the_end(self) -> None:
         """A closed terminal window or `kill` ends the desktop in order, with all its programs."""

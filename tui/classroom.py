@@ -51,7 +51,8 @@ class Classroom:
         """When the pupil did something last; the application writes it."""
         self.has_drawn = True
         """Whether the screen has changed since the last picture; the application writes it."""
-        self._observers = 0
+        self._observers_by: dict[str, int] = {}
+        """source -> how many of it observe this desktop: the server's teachers through the keeper, the teacher of a class"""
         self._timer: Timer | None = None
         self._hand = False
         self._may_type = False
@@ -112,11 +113,16 @@ class Classroom:
     def _is_frozen(self) -> bool:
         return bool(self._observers) and time.monotonic() < self._frozen_until
 
-    # -- what comes from the keeper ------------------------------------------------------------------------------------
+    # -- what comes from who observes ----------------------------------------------------------------------------------
 
-    def observe(self, count: int) -> None:
-        """So many observe this desktop now."""
-        self._observers = count
+    @property
+    def _observers(self) -> int:
+        return sum(self._observers_by.values())
+
+    def observe(self, source: str, count: int) -> None:
+        """So many of this source observe this desktop now."""
+        self._observers_by[source] = count
+        count = self._observers
         if count and self._timer is None:
             self._timer = self._app.set_interval(TICK_SECONDS, self._tick)
             self._told = None

@@ -37,7 +37,13 @@ class Machine:
         if desk is None:
             from day6_tui.core.shell.desk import Desk
 
-            desk = Desk(options.home, listen=options.listen, connect=options.connect, secret=options.secret)
+            desk = Desk(
+                options.home,
+                listen=options.listen,
+                connect=options.connect,
+                secret=options.secret,
+                part=options.part,
+            )
         desk.scheduler.on_activity = self._wake
         self._forget = desk.graph.add_listener(self._graph_changed)
         self.desk = desk

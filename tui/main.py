@@ -43,11 +43,19 @@ def main(arguments: list[str] | None = None) -> int:
 
     language = language_of(words)
     texts = Texts(language)
-    if words and not words[0].startswith("-"):
+    in_class = words[:1] == ["class"]
+    if words and not words[0].startswith("-") and not in_class:
         print(f"day6-tui: {texts('cli.no_command', name=words[0])}", file=sys.stderr)
         return 2
-    parser = build_parser(language)
-    options = parser.parse_args(words)
+    if in_class:
+        from day6_tui.tui.class_command import class_parser, take_part
+
+        parser = class_parser(language)
+        options = parser.parse_args(words[1:])
+        take_part(parser, options, texts)
+    else:
+        parser = build_parser(language)
+        options = parser.parse_args(words)
     if options.secret is not None and not (options.listen or options.connect):
         parser.error("argument --secret: needs --listen or --connect")
     if options.version:
@@ -280,7 +288,7 @@ def _own_words(words: list[str]) -> list[str]:
         return []
     if words[-1].startswith("-"):
         return list(options)
-    return [*(_TABLE.keys() - {"complete"}), *COMMANDS] if len(words) == 1 else []
+    return [*(_TABLE.keys() - {"complete"}), "class", *COMMANDS] if len(words) == 1 else []
 
 
 def _env(words: list[str]) -> int:

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from day6_tui.core.link.classroom.pupil import Pupil
+    from day6_tui.core.link.classroom.teacher import Teacher
 
 
 @dataclass(frozen=True)
@@ -31,6 +36,8 @@ class Options:
     listen: str | None = None
     connect: str | None = None
     secret: str | None = None
+    part: Teacher | Pupil | None = None
+    """Whose desktop this is in a class on a network."""
     reduced_motion: bool = False
     record: Path | None = None
     """A new file into which the screen is recorded."""

@@ -36,6 +36,7 @@ WINDOWS = {
     "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
     "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),
     "lesson": LESSON,
+    "classroom": Needs(Extent(50, 10), Extent(78, 20), Extent(118, 36), 2.0),
     "kitchen": Needs(Extent(36, 9), Extent(60, 14), Extent(110, 30)),
     "editor": Needs(Extent(45, 10), Extent(50, 24), Extent(90, 40), 1.5),
 }

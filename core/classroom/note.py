@@ -117,7 +117,9 @@ def _text(found: object) -> str:
 
 
 def _names(found: object) -> tuple[str, ...]:
-    return tuple(_text(each) for each in found[:MOST_NAMES] if _text(each)) if isinstance(found, list) else ()
+    if not isinstance(found, list):
+        return ()
+    return tuple(text for text in map(_text, found[:MOST_NAMES]) if text)
 
 
 def _title(found: object) -> dict[str, str]:

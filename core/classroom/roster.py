@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -70,11 +68,10 @@ class Roster:
     def heard(self, name: str, note: Note) -> None:
         """A note came."""
         row, now = self._row(name), self._clock()
-        same = row.note is not None and row.note.trouble == note.trouble
-        troubled = None if note.trouble is None else row.troubled if same and row.troubled is not None else now
-        raised = None if not note.hand else row.raised if row.raised is not None else now
-        furthest = _further(row.furthest, note)
-        self._put(Row(name, True, note, now, troubled, raised, furthest))
+        is_same = row.note is not None and row.note.trouble == note.trouble
+        troubled = _since(row.troubled if is_same else None, now, note.trouble is not None)
+        raised = _since(row.raised, now, note.hand)
+        self._put(Row(name, True, note, now, troubled, raised, _further(row.furthest, note)))
 
     def gone(self, name: str) -> None:
         """A pupil's desktop has ended, or is out of reach."""
@@ -129,23 +126,17 @@ class Roster:
         """Return the names of all who are here."""
         return [row.name for row in self._rows.values() if row.is_here]
 
-    def report(self, language: str) -> str:
-        """Return a table for a spreadsheet: a line for each lesson a pupil was seen at, with the step that was reached."""
-        file = io.StringIO()
-        table = csv.writer(file, lineterminator="\r\n")
-        table.writerow(_HEADS[language])
-        for row in sorted(self._rows.values(), key=lambda row: row.name):
-            for lesson, step, steps in row.furthest or (("", 0, 0),):
-                table.writerow([_cell(row.name), _cell(lesson), step or "", steps or ""])
-        return file.getvalue()
+    def report(self) -> list[tuple[str, str, int, int]]:
+        """Return for each pupil and each lesson that was seen: name, lesson, the step that was reached, how many there are."""
+        rows = sorted(self._rows.values(), key=lambda row: row.name)
+        return [(row.name, *place) for row in rows for place in row.furthest or (("", 0, 0),)]
 
 
-_HEADS = {"en": ["name", "lesson", "step reached", "steps"], "zh": ["姓名", "课程", "学到第几步", "共几步"]}
-
-
-def _cell(text: str) -> str:
-    """A text no spreadsheet takes for a formula."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
+def _since(before: float | None, now: float, holds: bool) -> float | None:
+    """Return since when something holds, if it does: since `before`, if that is known."""
+    if not holds:
+        return None
+    return now if before is None else before
 
 
 def _further(before: tuple[tuple[str, int, int], ...], note: Note) -> tuple[tuple[str, int, int], ...]:

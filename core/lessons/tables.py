@@ -33,6 +33,7 @@ class Cell(str):
     """A cell of an HTML table with a class: 'good', 'bad', 'number'."""
 
     __slots__ = ("kind",)
+    kind: str
 
     def __new__(cls, text: object, kind: str = "") -> Cell:
         made = super().__new__(cls, text)

@@ -100,6 +100,10 @@ TEXTS = {
     "bar.door.nobody": "no answer: {host}",
     "bar.door.no_answer": "no answer: {host}",
     "bar.door.not_let_in": "refused by {host}",
+    "bar.door.no_class": "no class at {host}",
+    "bar.door.name_taken": "your name is taken",
+    "bar.door.class_full": "the class is full",
+    "bar.door.other_domain": "another ROS_DOMAIN_ID",
     "bar.door.failed": "{host}: failed",
     "bar.door.joined": "joined {host}",
     "bar.door.calling": "connecting {host}",
@@ -661,6 +665,19 @@ TEXTS = {
     "cli.attach": "Come back to the desktop started by --detach, from any terminal of this machine.",
     "cli.attach.home": "the folder that is ~ in that desktop, if it was started with --home",
     "cli.attach.lang": "language of what attach says (default: that of the system)",
+    "cli.class": "A class on a network: each desktop keeps its own graph, and the teacher sees all of them.",
+    "cli.class.group": "class",
+    "cli.class.teacher": "this desktop is the teacher's; pupils see nothing of each other",
+    "cli.class.room": "with --teacher: one graph for all, to play together",
+    "cli.class.join": "join the class of this teacher, e.g. 192.168.1.5",
+    "cli.class.name": "your name in the class: letters a-z, digits and _, as in ROS names",
+    "cli.class.one": "choose --teacher, or --join HOST --name NAME",
+    "cli.class.no_name": "--join needs --name NAME",
+    "cli.class.bad_name": "'{name}' cannot be a name: letters a-z, digits and _, at most {most}, a letter first, not teacher",
+    "cli.class.with_teacher": "{option} goes with --teacher",
+    "cli.class.with_join": "{option} goes with --join",
+    "cli.class.connect": "in a class, --join HOST takes the place of --connect",
+    "cli.class.endpoint": "'{text}' is no host name or address",
     "cli.listen": (
         "let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command"
     ),
@@ -675,6 +692,9 @@ commands:
   shell                       a real sub-shell in which ros2, colcon, rviz2, python3 … are these
   attach [--home DIR]         come back to the desktop that was started with --detach
   serve [--class FILE.csv]    a class in browser tabs: a desktop for each pupil
+  class --teacher             the desktop of a teacher, whom the pupils of the network join
+  class --join HOST --name NAME
+                              the desktop of a pupil in that class
   wheelhouse DIR              all that installs day6-tui without internet, for a USB stick
   lessons VERB                lesson files: list, new, check, preview, play, help (how to write them)
   demo DAY                    play a day of lessons by itself, for a hall
@@ -996,6 +1016,67 @@ commands:
     "class.taken_back": "The teacher can type no longer",
     "class.sayings": "The teacher said",
     "class.sayings.none": "Nothing yet.",
+    # The teacher's window of a class on a network
+    "action.class": "The class: who is where, their screens, orders",
+    "help.action.class": "the teacher's view of the pupils who have joined",
+    "teacher.title": "Class",
+    "teacher.here": "{here} of {all} here",
+    "teacher.hands": "{count} hands up",
+    "teacher.stuck": "{count} stuck",
+    "teacher.typing": "you type for {name}",
+    "teacher.key.large": "screen",
+    "teacher.key.back": "table",
+    "teacher.key.say": "say",
+    "teacher.key.open": "open a lesson",
+    "teacher.key.freeze": "freeze all",
+    "teacher.key.thaw": "let go on",
+    "teacher.key.type": "type",
+    "teacher.key.end_typing": "end typing",
+    "teacher.key.compare": "compare",
+    "teacher.key.all": "say to all, open for all",
+    "teacher.key.lower": "lower the hand",
+    "teacher.key.csv": "report for a spreadsheet",
+    "teacher.key.end": "end this desktop",
+    "teacher.empty": "Nobody has joined yet. On a pupil's machine in the same network:",
+    "teacher.head.name": "Name",
+    "teacher.head.lesson": "Lesson",
+    "teacher.head.state": "Now",
+    "teacher.state.gone": "away",
+    "teacher.state.silent": "has not said anything yet",
+    "teacher.state.hand": "hand up for {minutes} min",
+    "teacher.state.frozen": "frozen",
+    "teacher.state.idle": "no key for {minutes} min",
+    "teacher.hints": "hints: {count}",
+    "teacher.no_screen": "waiting for the screen",
+    "teacher.missed": "not reached: {names}",
+    "teacher.say": "Say to {name}",
+    "teacher.say.all": "Say to all",
+    "teacher.say.nothing": "there is nothing to say",
+    "teacher.open": "Open",
+    "teacher.open.lesson": "lesson",
+    "teacher.open.scene": "scene",
+    "teacher.asked": "{name} is asked; press t again after the answer",
+    "teacher.end": "End the desktop of {name}?",
+    "teacher.end.text": "Programs there end; files stay.",
+    "teacher.end.yes": "end it",
+    "teacher.csv": "Write the report into",
+    "teacher.csv.name": "name",
+    "teacher.csv.lesson": "lesson",
+    "teacher.csv.step": "step reached",
+    "teacher.csv.steps": "steps",
+    "teacher.csv.exists": "{file} is there already",
+    "teacher.csv.written": "written: {file}",
+    "help.classroom": (
+        "The class that has joined this desktop over the network: who is at which step of which lesson, whose hand is up, whose "
+        "last command failed and with which card, who has not touched a key for a while. Raised hands come first, then those "
+        "with an error that stands for a minute.\n\n"
+        "Enter shows the screen of the chosen pupil, c another one beside it. The pupil sees that he is watched. t asks him "
+        "whether you may type; after his yes, t again and every key goes there until Ctrl-].\n\n"
+        "s says a sentence and o opens a lesson, a drill or a scene there; S and O do so for all. f freezes all screens, f "
+        "again lets them go on.\n\n"
+        "In your terminals each pupil's graph is below the pupil's name: ros2 topic echo /anna/turtle1/pose."
+    ),
+    "manual.classroom": "Class",
     "class.says": "Your teacher",
     "class.opened": "Your teacher opened this lesson",
     "class.bar.hand": "hand up",

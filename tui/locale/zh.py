@@ -97,6 +97,10 @@ TEXTS = {
     "bar.door.nobody": "{host} 没有应答",
     "bar.door.no_answer": "{host} 没有应答",
     "bar.door.not_let_in": "{host} 拒绝加入",
+    "bar.door.no_class": "{host} 没有在上课",
+    "bar.door.name_taken": "名字已有人用",
+    "bar.door.class_full": "班级已满",
+    "bar.door.other_domain": "ROS_DOMAIN_ID 不同",
     "bar.door.failed": "{host} 不通",
     "bar.door.joined": "已加入 {host}",
     "bar.door.calling": "正在呼叫 {host}",
@@ -284,6 +288,10 @@ TEXTS = {
     "inspector.no_answer": "{endpoint} 没有应答；会再试",
     "inspector.wrong_secret": "被 {endpoint} 拒绝：口令不对，或者对方没有设口令",
     "inspector.no_secret": "被 {endpoint} 拒绝：对方要求口令，或者那不是 ROS",
+    "inspector.no_class": "{endpoint} 有应答，但那里没有在上课；会再试",
+    "inspector.name_taken": "{endpoint}：班里已经有人用了你的名字；会再试",
+    "inspector.class_full": "{endpoint}：班级已满；会再试",
+    "inspector.other_domain": "{endpoint}：这个房间的 ROS_DOMAIN_ID 和你的不同；会再试",
     "inspector.unreachable": "无法呼叫 {endpoint}（{reason}）；会再试",
     "inspector.alone": "看不到其他进程的程序：{reason}",
     "inspector.elsewhere": "与其他进程会合没有用通常的文件夹：{reason}",
@@ -825,6 +833,19 @@ TEXTS = {
     "cli.attach": "回到用 day6-tui --detach 启动的桌面，从这台电脑的任何终端都行。",
     "cli.attach.home": "那个桌面里的 ~ 是哪个文件夹（启动时写了 --home 才需要）",
     "cli.attach.lang": "attach 说话用的语言（默认：和系统一样）",
+    "cli.class": "网络上的一个班：每个桌面有自己的节点和话题，老师能看到所有人的。",
+    "cli.class.group": "班级",
+    "cli.class.teacher": "这是老师的桌面；学生之间互相看不到",
+    "cli.class.room": "和 --teacher 一起用：所有人共用一个图，一起玩",
+    "cli.class.join": "加入这位老师的班，例如 192.168.1.5",
+    "cli.class.name": "你在班里的名字：字母、数字和 _，和 ROS 的名字一样",
+    "cli.class.one": "请选 --teacher，或者 --join HOST --name NAME",
+    "cli.class.no_name": "--join 还需要 --name NAME",
+    "cli.class.bad_name": "“{name}”不能当名字：只能用字母、数字和 _，最多 {most} 个，字母开头，不能是 teacher",
+    "cli.class.with_teacher": "{option} 要和 --teacher 一起用",
+    "cli.class.with_join": "{option} 要和 --join 一起用",
+    "cli.class.connect": "上课时用 --join HOST，不用 --connect",
+    "cli.class.endpoint": "“{text}”不是主机名或地址",
     "cli.listen": "让别的电脑加入，例如 tcp/0.0.0.0:7447；不写 --secret 的话，能连上这个端口的人都可以读取和发命令",
     "cli.connect": "加入另一台电脑，例如 tcp/192.168.1.5:7447",
     "cli.secret": (
@@ -837,6 +858,9 @@ TEXTS = {
   shell                       真正的终端，里面的 ros2、colcon、rviz2、python3 … 都是这里的
   attach [--home DIR]         回到用 --detach 启动的桌面
   serve [--class FILE.csv]    全班用浏览器：每个学生一个桌面
+  class --teacher             老师的桌面，同一网络的学生可以加入
+  class --join HOST --name NAME
+                              学生的桌面，加入这个班
   wheelhouse DIR              不联网安装所需的一切，放进一个文件夹（U 盘）
   lessons VERB                课程文件：list、new、check、preview、play、help（怎么写课程）
   demo DAY                    自动演示一天的课程，给全班看
@@ -1149,6 +1173,65 @@ TEXTS = {
     "class.taken_back": "老师不能再打字了",
     "class.sayings": "老师说过",
     "class.sayings.none": "还没有。",
+    # 网络班级：老师的窗口
+    "action.class": "班级：谁学到哪里、屏幕、指令",
+    "help.action.class": "老师看已经加入的学生",
+    "teacher.title": "班级",
+    "teacher.here": "在线 {here}/{all}",
+    "teacher.hands": "{count} 人举手",
+    "teacher.stuck": "{count} 人卡住",
+    "teacher.typing": "你正在替 {name} 打字",
+    "teacher.key.large": "看屏幕",
+    "teacher.key.back": "名单",
+    "teacher.key.say": "说一句",
+    "teacher.key.open": "打开课程",
+    "teacher.key.freeze": "全班暂停",
+    "teacher.key.thaw": "继续",
+    "teacher.key.type": "代打字",
+    "teacher.key.end_typing": "不再打字",
+    "teacher.key.compare": "比较",
+    "teacher.key.all": "对全班说、为全班打开",
+    "teacher.key.lower": "放下他的手",
+    "teacher.key.csv": "导出表格",
+    "teacher.key.end": "结束这个桌面",
+    "teacher.empty": "还没有人加入。在同一网络的学生电脑上输入：",
+    "teacher.head.name": "名字",
+    "teacher.head.lesson": "课程",
+    "teacher.head.state": "现在",
+    "teacher.state.gone": "不在",
+    "teacher.state.silent": "还没有消息",
+    "teacher.state.hand": "举手 {minutes} 分钟",
+    "teacher.state.frozen": "已暂停",
+    "teacher.state.idle": "{minutes} 分钟没有按键",
+    "teacher.hints": "看过提示：{count}",
+    "teacher.no_screen": "正在等屏幕",
+    "teacher.missed": "没有送到：{names}",
+    "teacher.say": "对 {name} 说",
+    "teacher.say.all": "对全班说",
+    "teacher.say.nothing": "还没有写内容",
+    "teacher.open": "打开",
+    "teacher.open.lesson": "课程",
+    "teacher.open.scene": "场景",
+    "teacher.asked": "已经问了 {name}；对方同意后再按 t",
+    "teacher.end": "结束 {name} 的桌面？",
+    "teacher.end.text": "那里的程序会结束，文件都留着。",
+    "teacher.end.yes": "结束",
+    "teacher.csv": "把表格写到",
+    "teacher.csv.name": "名字",
+    "teacher.csv.lesson": "课程",
+    "teacher.csv.step": "学到第几步",
+    "teacher.csv.steps": "共几步",
+    "teacher.csv.exists": "{file} 已经有了",
+    "teacher.csv.written": "写好了：{file}",
+    "help.classroom": (
+        "通过网络加入这个桌面的班级：谁在哪一课的哪一步，谁举了手，谁的上一条命令出错了、是哪张卡片，谁好久没有按键。"
+        "举手的排在最前面，然后是出错超过一分钟的。\n\n"
+        "Enter 看选中学生的屏幕，c 在旁边再看一个。学生看得到有人在看。t 问他能不能替他打字；他同意后再按 t，"
+        "之后的每个键都送过去，直到 Ctrl-]。\n\n"
+        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 让全班暂停，再按 f 继续。\n\n"
+        "在你的终端里，每个学生的计算图都在他的名字下面：ros2 topic echo /anna/turtle1/pose。"
+    ),
+    "manual.classroom": "班级",
     "class.says": "老师说",
     "class.opened": "老师打开了这一课",
     "class.bar.hand": "已举手",

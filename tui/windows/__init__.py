@@ -33,6 +33,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "lesson": ("lesson", "LessonPane"),
     "rviz2": ("rviz2", "RVizPane"),
     "kitchen": ("kitchen", "KitchenPane"),
+    "classroom": ("classroom", "ClassroomPane"),
 }
 """Kind of window -> module in this package and class in it."""
 
