@@ -261,7 +261,9 @@ class Day6App(TerminalApp):
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
         if (endpoint := self.options.listen) and not self.options.secret:
-            self.notices.show(self.look.texts("notice.open", port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
+            part = self.options.part
+            key = "notice.open_class" if part is not None and part.is_closed else "notice.open"
+            self.notices.show(self.look.texts(key, port=endpoint.rpartition(":")[2]), NOTICE_SECONDS)
         if self.settings.fault:
             text = self.look.texts("settings.fault", path=self.settings.path, reason=self.settings.fault)
             self.notices.show(one_line(text), NOTICE_SECONDS)

@@ -68,6 +68,7 @@ class PupilLink:
         soon = _soon()
         self._part.met = lambda is_here: soon(partial(app.classroom.observe, SOURCE, int(is_here)))
         self._part.ordered = lambda data: soon(partial(app.classroom.hear, data))
+        app.scenes.namespace = lambda: self._part.name if self._part.is_room else ""
 
     def tell(self, note: bytes) -> None:
         self._part.tell(note)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from day6_tui.core.speeds import changed
 from day6_tui.tui.actions import Handlers
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.look import Look
 from day6_tui.tui.machine import Machine
-from day6_tui.tui.scenes import SCENES, Player, Scene
+from day6_tui.tui.scenes import SCENES, Player, Scene, below
 from day6_tui.tui.terminal_pane import TerminalPane
 from day6_tui.tui.terminal_view import TerminalView
 from day6_tui.tui.terminals import Terminals
@@ -40,6 +42,8 @@ class ScenePlay:
         self.said = ""
         """The sentence that is shown."""
         self._held.steer = self._steer
+        self.namespace: Callable[[], str] = lambda: ""
+        """Where scenes begin: below the pupil's name in a room, where all share one graph."""
 
     def actions(self) -> Handlers:
         return {
@@ -54,7 +58,8 @@ class ScenePlay:
 
     def start(self, name: str) -> None:
         """Type the commands of a scene."""
-        self.play(SCENES[name])
+        namespace = self.namespace()
+        self.play(below(SCENES[name], namespace) if namespace else SCENES[name])
 
     def play(self, scene: Scene, *, by_steps: bool = False) -> None:
         """Play a scene, any list of steps; `by_steps` waits before its first command."""

@@ -81,6 +81,21 @@ SCENES: dict[str, Scene] = {
     "empty": Scene("empty", ()),
 }
 
+
+def below(scene: Scene, namespace: str) -> Scene:
+    """Return a scene in a namespace, for who shares a graph with others. What is launched keeps its names."""
+    steps = []
+    for what, value in scene.steps:
+        if what == "type" and value.startswith("ros2 run "):
+            value += f" --ros-args -r __ns:=/{namespace}"
+        elif what == "type":
+            value = value.replace("ros2 topic echo /", f"ros2 topic echo /{namespace}/")
+        elif what in ("topic", "heard"):
+            value = f"/{namespace}{value}"
+        steps.append((what, value))
+    return scene._replace(steps=tuple(steps))
+
+
 KEYS_PER_SECOND = 40.0
 """Characters per second: slow enough to read along."""
 

@@ -68,7 +68,10 @@ class Gateway:
         self._lock = FileLock(place.folder / "gate.lock")
         doors = [(endpoint, True) for endpoint in listen] + [(endpoint, False) for endpoint in connect]
         self._doors = {
-            (endpoint, listening): Door(endpoint, listening, secret=secret is not None) for endpoint, listening in doors
+            (endpoint, listening): Door(
+                endpoint, listening, secret=secret is not None, is_class=part is not None and part.is_closed
+            )
+            for endpoint, listening in doors
         }
         self._outer: zenoh.Session | None = None
         self._bridge: Bridge | None = None

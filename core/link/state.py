@@ -58,6 +58,8 @@ class Door(NamedTuple):
     joined: int = 0
     reason: str = ""
     """The operating system's message, if FAILED."""
+    is_class: bool = False
+    """Whether only a class can join, whose pupils do not reach each other."""
 
 
 class LinkState(NamedTuple):
@@ -109,6 +111,6 @@ def _read(path: Path) -> list[Door]:
     with path.open(encoding="utf-8") as file:
         rows = json.loads(file.read(_LONGEST_FILE))
     return [
-        Door(endpoint, listening, DoorState(state), secret, joined, reason)
-        for endpoint, listening, state, secret, joined, reason in rows
+        Door(endpoint, listening, DoorState(state), secret, joined, reason, is_class)
+        for endpoint, listening, state, secret, joined, reason, is_class in rows
     ]

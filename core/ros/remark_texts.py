@@ -26,6 +26,9 @@ TEXTS = {
     "inspector.open": (
         "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can read and command"
     ),
+    "inspector.open_class": (
+        "{endpoint} is open, {joined} joined; there is no secret: anyone who reaches this port can join the class"
+    ),
     "inspector.open_secret": "{endpoint} is open to anyone who knows the secret, {joined} joined",
     "inspector.opening": "{endpoint} is about to be opened",
     "inspector.in_use": "{endpoint}: another program uses this port, so no other machine can join; retrying",

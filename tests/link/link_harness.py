@@ -7,7 +7,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +20,10 @@ ROOT = HERE.parents[1]
 class ProcessPeer:
     """A peer in a process of its own; every method of `Peer` works, by JSON lines."""
 
-    def __init__(self, environment: dict[str, str], stderr: Path) -> None:
+    def __init__(self, environment: dict[str, str], stderr: Path, before: Sequence[str] = ()) -> None:
         self._stderr = stderr
         self.process = subprocess.Popen(
-            [sys.executable, str(HERE / "link_peer.py")],
+            [*before, sys.executable, str(HERE / "link_peer.py")],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=stderr.open("ab"),

@@ -186,12 +186,21 @@ def _hash(type_name: str) -> str:
     return str(type_hash(get_service(type_name) if kind == "srv" else get_message(type_name)))
 
 
+def _part(text: str) -> Any:
+    """Read "teacher", or "pupil NAME"."""
+    from day6_tui.core.link.classroom.pupil import Pupil
+    from day6_tui.core.link.classroom.teacher import Teacher
+
+    role, _, name = text.partition(" ")
+    return {"teacher": Teacher, "pupil": lambda: Pupil(name), "": lambda: None}[role]()
+
+
 def main() -> None:
     from day6_tui.core.link import join
 
     graph = Graph(int(os.environ.get("ROS_DOMAIN_ID", "0")))
     addresses = json.loads(os.environ.get("TEST_ADDRESSES", "{}"))
-    link = join(graph, **addresses)
+    link = join(graph, **addresses, part=_part(os.environ.get("TEST_PART", "")))
     peer = Peer(graph)
     print(json.dumps({"problem": link.problem}), flush=True)
     for line in sys.stdin:

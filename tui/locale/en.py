@@ -107,6 +107,7 @@ TEXTS = {
     "bar.door.failed": "{host}: failed",
     "bar.door.joined": "joined {host}",
     "bar.door.calling": "connecting {host}",
+    "notice.open_class": "anyone who reaches port {port} can join the class; --secret keeps others out",
     "notice.open": "anyone who reaches port {port} can read and command; --secret keeps others out",
     "bar.help": "F1 Help",
     "bar.starting": "starting …",

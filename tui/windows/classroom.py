@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 WATCH_SECONDS = 6.0
 """For which one order lets us see a screen; renewed three times in it."""
 TICK_SECONDS = 1.0
+LARGE_ROWS = 18
+"""Rows of the inside with which a screen is seen without taking the whole desktop."""
 PREVIEW_ROWS = 12
 """Rows of the inside that a screen below the table needs at least."""
 NAME_COLUMNS, LESSON_COLUMNS = 12, 18
@@ -60,6 +62,10 @@ class ClassroomPane(WindowPane[TeacherLink]):
         self._is_frozen = False
         """Whether all were asked to look up last."""
         self._top = 0
+        self._scrolled = 0
+        """The first row of a screen that is seen large."""
+        self._fills_desktop = False
+        """Whether the window does because a screen is seen large."""
         self._said = ""
         """What an order came to, for the lower edge."""
         self._drawn: tuple[object, ...] = ()
@@ -144,6 +150,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
             self._types,
             self._said,
             self._top,
+            self._scrolled,
             int(self._roster.now / 10),
         )
         if state != self._drawn:
@@ -270,7 +277,8 @@ class ClassroomPane(WindowPane[TeacherLink]):
             picture = self._screens.get(name)
             if picture is None or picture.source is not screen:
                 picture = self._screens[name] = ScreenPicture(screen, colours.terminal)
-            lines += picture.lines(width, height - 1)
+            self._scrolled = min(self._scrolled, max(0, screen.rows - (height - 1)))
+            lines += picture.lines(width, height - 1, self._scrolled if self._is_large else 0)
         blank = [Segment(" " * width, colours.text)]
         return [*lines, *([blank] * height)][:height]
 
@@ -294,8 +302,8 @@ class ClassroomPane(WindowPane[TeacherLink]):
             event.prevent_default()
             return
         actions: dict[str, Callable[[], object]] = {
-            "up": partial(self._move, -1),
-            "down": partial(self._move, 1),
+            "up": partial(self._scroll if self._is_large else self._move, -1),
+            "down": partial(self._scroll if self._is_large else self._move, 1),
             "enter": self._enlarge,
             "escape": self._shrink,
             "s": partial(self._ask_to_say, False),
@@ -340,20 +348,31 @@ class ClassroomPane(WindowPane[TeacherLink]):
         self.look.wake()
 
     def _enlarge(self) -> None:
-        if self._chosen:
-            self._is_large = True
+        """Show the screen; in a small window this takes the whole desktop."""
+        if self._chosen and not self._is_large:
+            self._is_large, self._scrolled = True, 0
+            if self.inner_height < LARGE_ROWS:
+                self._fills_desktop = True
+                self.post_message(self.Enlarged(self))
             self._watch()
 
     def _shrink(self) -> None:
         self._is_large, self._compared = False, ""
+        if self._fills_desktop:
+            self._fills_desktop = False
+            self.post_message(self.Enlarged(self))
         self._watch()
+
+    def _scroll(self, step: int) -> None:
+        self._scrolled = max(0, self._scrolled + step)
 
     def _show_beside(self) -> None:
         """The next pupil beside this one; once more, the one after."""
         names = [row.name for row in self._roster.rows() if row.is_here and row.name != self._chosen]
         if names:
             at = names.index(self._compared) + 1 if self._compared in names else 0
-            self._compared, self._is_large = names[at % len(names)], True
+            self._compared = names[at % len(names)]
+            self._enlarge()
             self._watch()
 
     # -- orders --------------------------------------------------------------------------------------------------------

@@ -20,11 +20,11 @@ class ScreenPicture:
         self._style = style
         self._strips = [_strip(line, style) for line in source.ansi.split("\n")]
 
-    def lines(self, width: int, height: int) -> list[list[Segment]]:
-        """Return the upper left part of the picture, filled up to `width`; at most `height` lines."""
+    def lines(self, width: int, height: int, top: int = 0) -> list[list[Segment]]:
+        """Return the left part of the picture from row `top`, filled up to `width`; at most `height` lines."""
         return [
             list(strip.crop(0, width).adjust_cell_length(width, self._style))
-            for strip in self._strips[: max(0, height)]
+            for strip in self._strips[top : top + max(0, height)]
         ]
 
 

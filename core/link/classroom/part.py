@@ -28,6 +28,9 @@ class Part(Protocol):
     def problem(self) -> DoorState | None:
         """Why it does not, if the other machine is connected."""
 
+    is_closed: bool
+    """Whether others reach only this machine by it, and only as pupils."""
+
     def configure(self, config: zenoh.Config) -> None:
         """Change the settings of the outer session before it is opened."""
 

@@ -27,6 +27,8 @@ _REFUSALS = {"taken": DoorState.NAME_TAKEN, "full": DoorState.CLASS_FULL, "domai
 class Pupil:
     """`ordered` gets the teacher's orders, `met` whether the teacher is there; both are called on foreign threads."""
 
+    is_closed = False
+
     def __init__(self, name: str) -> None:
         self.name = name
         self.ordered: Callable[[bytes], None] = _ignore

@@ -29,6 +29,7 @@ class Teacher:
 
     def __init__(self, *, room: bool = False) -> None:
         self.is_room = room
+        self.is_closed = not room
         self.noted: Callable[[str, bytes], None] = _ignore
         self.came: Callable[[str, bool], None] = _ignore
         self.problem = None

@@ -207,7 +207,8 @@ def _door(door: Door) -> Finding:
     if door.state == DoorState.OPEN:
         if not door.listening:
             return finding("info", "joined", endpoint=endpoint)
-        return finding("info", "open_secret" if door.secret else "open", endpoint=endpoint, joined=door.joined)
+        kind = "open_secret" if door.secret else "open_class" if door.is_class else "open"
+        return finding("info", kind, endpoint=endpoint, joined=door.joined)
     if door.state == DoorState.OPENING:
         return finding("info", "opening" if door.listening else "calling", endpoint=endpoint)
     if door.state == DoorState.NOT_LET_IN:

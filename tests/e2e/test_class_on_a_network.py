@@ -1,0 +1,149 @@
+"""A class on a network as its people see it: two machines, each with a home and a runtime folder of its own."""
+
+from __future__ import annotations
+
+import csv
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from place import Place
+from test_observed import choose
+
+from day6_tui.tui.locale import Texts
+
+if TYPE_CHECKING:
+    from terminal import Terminal
+
+pytest.importorskip("termios", reason="this system has no pseudo-terminals to try the screen in")
+
+PROMPT = "student@day6:~$"
+END_TYPING = "\x1d"
+
+
+@pytest.fixture
+def address() -> str:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return f"127.0.0.1:{probe.getsockname()[1]}"
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Iterator[Place]:
+    """The teacher's machine."""
+    folder = tmp_path / "teacher"
+    folder.mkdir()
+    made = Place(folder)
+    yield made
+    made.close()
+
+
+def teach(desk: Place, address: str, *options: str, lang: str = "en", columns: int = 80, rows: int = 24) -> Terminal:
+    words = ("class", "--teacher", "--listen", f"tcp/{address}", "--home", str(desk.home), "--lang", lang, *options)
+    return desk.terminal(*words, columns=columns, rows=rows)
+
+
+def join(place: Place, address: str, name: str, *options: str, lang: str = "en") -> Terminal:
+    words = ("class", "--join", address, "--name", name, "--home", str(place.home), "--lang", lang, *options)
+    return place.terminal(*words)
+
+
+@pytest.mark.parametrize(("lang", "columns", "rows"), [("en", 120, 40), ("zh", 80, 24)])
+def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
+    place: Place, desk: Place, address: str, lang: str, columns: int, rows: int
+) -> None:
+    texts = Texts(lang)
+    with teach(desk, address, lang=lang, columns=columns, rows=rows) as teacher:
+        teacher.wait(texts("teacher.empty")[:12])
+        teacher.wait("day6-tui class --join")
+        with join(place, address, "anna", "--scene", "empty", lang=lang) as pupil:
+            pupil.wait(PROMPT)
+            pupil.wait(texts("bar.door.joined", host="127.0.0.1"))
+            pupil.line("ros2 run turtlesim turtlesim_node &")
+            teacher.wait("/turtlesim")
+            choose(pupil, texts("action.hand"))
+            teacher.wait(texts("teacher.hands", count=1))
+            teacher.press("Enter")
+            pupil.wait(texts("class.bar.watched"))
+            pupil.line("echo here-$((40 + 2))")
+            teacher.wait("here-42")
+            teacher.press("s")
+            teacher.wait(texts("teacher.say", name="anna"))
+            teacher.line("well done")
+            pupil.wait("well done")
+            assert "/anna/turtlesim" in desk.nodes()
+            assert "/turtlesim" in place.nodes() and "/anna/turtlesim" not in place.nodes()
+            pupil.quit()
+        teacher.wait(texts("teacher.here", here=0, all=1))
+        teacher.quit()
+
+
+def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, desk: Place, address: str) -> None:
+    texts = Texts("en")
+    with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
+        pupil.wait(PROMPT)
+        teacher.wait(texts("teacher.here", here=1, all=1))
+        teacher.press("t")
+        pupil.wait(texts("class.consent.yes"))
+        teacher.wait(texts("teacher.asked", name="anna"))
+        pupil.look(1.2)  # who was typing when the question came has not answered it
+        pupil.send("y")
+        pupil.wait(texts("class.bar.types"))
+        teacher.press("t")
+        teacher.wait(texts("teacher.typing", name="anna"))
+        teacher.send("echo typed-$((40 + 2))\r")
+        pupil.wait("typed-42")
+        teacher.send(END_TYPING)
+        pupil.wait_gone(texts("class.bar.types"))
+        teacher.press("e")
+        teacher.wait(texts("teacher.csv"))
+        teacher.press("Enter")
+        teacher.wait_gone(texts("prompt.keys"))
+    (report,) = desk.home.glob("class-*.csv")
+    with report.open(encoding="utf-8-sig", newline="") as file:
+        assert list(csv.reader(file))[1] == ["anna", "", "", ""]
+
+
+def test_a_taken_name_is_told_and_the_own_machine_works_on(place: Place, desk: Place, address: str) -> None:
+    other = desk.home.parent / "other"
+    other.mkdir()
+    third = Place(other)
+    try:
+        with teach(desk, address), join(place, address, "anna") as first:
+            first.wait("joined 127.0.0.1")
+            with join(third, address, "anna", "--scene", "empty") as second:
+                second.wait(Texts("en")("bar.door.name_taken"))
+                second.line("echo still-$((40 + 2))")
+                second.wait("still-42")
+    finally:
+        third.close()
+
+
+def test_in_a_room_scenes_begin_below_the_pupils_name(place: Place, desk: Place, address: str) -> None:
+    with teach(desk, address, "--room"), join(place, address, "anna") as pupil:
+        pupil.wait("joined 127.0.0.1")
+        choose(pupil, Texts("en")("action.scene.turtle"))
+        pupil.wait("Use arrow keys")
+        desk.wait_nodes("/anna/teleop_turtle", "/anna/turtlesim")
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ((), "--teacher"),
+        (("--join", "host"), "--name"),
+        (("--join", "host", "--name", "安娜"), "安娜"),
+        (("--join", "a b", "--name", "anna"), "a b"),
+        (("--teacher", "--join", "host"), "not allowed with"),
+        (("--teacher", "--name", "anna"), "--join"),
+        (("--join", "host", "--name", "anna", "--room"), "--teacher"),
+        (("--teacher", "--connect", "tcp/host:7447"), "--join"),
+    ],
+)
+def test_what_does_not_fit_is_told(place: Place, words: tuple[str, ...], says: str) -> None:
+    done = place.run("class", *words, DAY6_LANG="en")
+    assert done.returncode == 2
+    assert says in done.stderr.splitlines()[-1]
+    assert "Traceback" not in done.stderr
