@@ -1035,6 +1035,7 @@ commands:
     "teacher.key.end_typing": "end typing",
     "teacher.key.compare": "compare",
     "teacher.key.all": "say to all, open for all",
+    "teacher.key.first": "who needs you most",
     "teacher.key.lower": "lower the hand",
     "teacher.key.csv": "report for a spreadsheet",
     "teacher.key.end": "end this desktop",

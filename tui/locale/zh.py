@@ -1193,6 +1193,7 @@ TEXTS = {
     "teacher.key.end_typing": "不再打字",
     "teacher.key.compare": "比较",
     "teacher.key.all": "对全班说、为全班打开",
+    "teacher.key.first": "最需要帮助的人",
     "teacher.key.lower": "放下他的手",
     "teacher.key.csv": "导出表格",
     "teacher.key.end": "结束这个桌面",

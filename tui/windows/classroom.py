@@ -129,6 +129,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         texts = self.look.texts
         return [
             ("S O", texts("teacher.key.all")),
+            ("Home", texts("teacher.key.first")),
             ("h", texts("teacher.key.lower")),
             ("e", texts("teacher.key.csv")),
             ("x", texts("teacher.key.end")),
@@ -304,6 +305,7 @@ class ClassroomPane(WindowPane[TeacherLink]):
         actions: dict[str, Callable[[], object]] = {
             "up": partial(self._scroll if self._is_large else self._move, -1),
             "down": partial(self._scroll if self._is_large else self._move, 1),
+            "home": self._choose_first,
             "enter": self._enlarge,
             "escape": self._shrink,
             "s": partial(self._ask_to_say, False),
@@ -341,6 +343,11 @@ class ClassroomPane(WindowPane[TeacherLink]):
         names = [row.name for row in self._roster.rows()]
         if names:
             self._choose(names[(names.index(self._chosen) + step) % len(names)])
+
+    def _choose_first(self) -> None:
+        """Go to who needs the teacher most."""
+        if rows := self._roster.rows():
+            self._choose(rows[0].name)
 
     def _choose(self, name: str) -> None:
         self._chosen = name
