@@ -44,7 +44,7 @@ def test_the_list_of_packages_names_every_folder_with_an_init() -> None:
         for path in sources()
         if path.name == "__init__.py" and ON_THE_PATH not in path.parents
     }
-    assert listed == folders
+    assert listed == folders | {"day6_tui"}
 
 
 def test_every_folder_with_python_in_it_is_a_package() -> None:
@@ -58,8 +58,13 @@ def test_every_folder_with_python_in_it_is_a_package() -> None:
     assert bare == set()
 
 
-def test_the_root_is_no_package() -> None:
-    assert not (ROOT / "__init__.py").exists()
+def test_the_root_imports_nothing() -> None:
+    code = (
+        "import sys; before = set(sys.modules); import day6_tui; "
+        "print({name for name in set(sys.modules) - before if name.startswith('day6_tui.')})"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT.anchor)
+    assert done.stdout == "set()\n"
 
 
 def test_nobody_imports_the_top_folders_by_their_plain_names() -> None:
@@ -76,7 +81,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     ignore = shutil.ignore_patterns("__pycache__", ".*_cache")
     for top in TOPS:
         shutil.copytree(ROOT / top, copy / top, ignore=ignore)
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
+    for name in ("__init__.py", "pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, copy / name)
     code = f"import setuptools.build_meta as b; b.build_wheel({str(folder)!r})"
     done = subprocess.run([sys.executable, "-c", code], cwd=copy, capture_output=True, text=True)
@@ -88,7 +93,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
 def test_the_wheel_holds_every_source_and_data_file(wheel: zipfile.ZipFile) -> None:
     packed = {name for name in wheel.namelist() if ".dist-info/" not in name}
     expected = {"day6_tui/" + path.relative_to(ROOT).as_posix() for path in sources()}
-    assert packed == expected
+    assert packed == expected | {"day6_tui/__init__.py"}
 
 
 def test_the_wheel_brings_no_other_top_level_name(wheel: zipfile.ZipFile) -> None:
