@@ -108,9 +108,9 @@ class TeacherLink:
             if pane.window.kind == KIND:
                 pane.window.close_by_user()
                 return
-        app.machine.start(KIND, self._main)
+        app.machine.start(KIND, self.main)
 
-    async def _main(self, session: Session) -> int:
+    async def main(self, session: Session) -> int:
         """The program behind the window, which runs until it is closed."""
         if session.display is not None:
             session.display.open(KIND, KIND, self)

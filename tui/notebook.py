@@ -93,7 +93,7 @@ class Notebook:
                 from rclpy.executors import SingleThreadedExecutor
 
                 self._executor, self._names = SingleThreadedExecutor(), {}
-            for node in context.nodes():
+            for node in context._living_nodes():
                 if node.executor is None or node not in node.executor.get_nodes():
                     self._replace(node)
                     self._executor.add_node(node)

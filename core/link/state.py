@@ -111,6 +111,6 @@ def _read(path: Path) -> list[Door]:
     with path.open(encoding="utf-8") as file:
         rows = json.loads(file.read(_LONGEST_FILE))
     return [
-        Door(endpoint, listening, DoorState(state), secret, joined, reason, is_class)
-        for endpoint, listening, state, secret, joined, reason, is_class in rows
+        Door(endpoint, listening, DoorState(state), *rest)  # another version's may have fewer fields
+        for endpoint, listening, state, *rest in rows
     ]

@@ -251,7 +251,8 @@ def test_every_graph_is_linked_in_the_background_once_the_link_is_open(tmp_path:
     desk.close()
     assert sorted(graph.domain_id for graph in links.joined) == [0, 4, 5] and early in links.joined
     assert set(links.threads) == {"day6-join"}
-    assert links.how == [{"never_wait": True, "listen": "tcp/0.0.0.0:7", "connect": "tcp/1.2.3.4:7", "secret": "s"}] * 3
+    doors = {"listen": "tcp/0.0.0.0:7", "connect": "tcp/1.2.3.4:7", "secret": "s", "part": None}
+    assert links.how == [{"never_wait": True, **doors}] * 3
     assert sorted(graph.domain_id for graph in links.left) == [0, 4, 5]
 
 

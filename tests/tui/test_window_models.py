@@ -7,12 +7,14 @@ from importlib import import_module
 from pathlib import Path
 
 from day6_tui.core.lessons.program import lessons_of
+from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.session.display import Window
 from day6_tui.core.session.streams import InputStream, OutputStream
 from day6_tui.core.shell.desk import Desk
 from day6_tui.core.shell.language.interpreter import subshell_main
 from day6_tui.core.shell.language.redirection import Streams
 from day6_tui.tui import windows
+from day6_tui.tui.class_link import TeacherLink
 from day6_tui.tui.windows import KINDS, WindowPane
 
 COMMANDS = {
@@ -32,7 +34,7 @@ COMMANDS = {
 }
 """What opens a window of each kind."""
 
-STARTED = ("lesson",)
+STARTED = ("lesson", "classroom")
 """Windows that the desktop itself opens."""
 
 LONGEST = 60.0
@@ -58,6 +60,7 @@ def open_windows(home: Path) -> list[Window[object]]:
         main = subshell_main(shell, lambda: shell.run(lines, streams))
         desk.start_program(["bash"], main, streams, env=shell.environment, cwd=home, shell=shell)
         desk.start_program(["lesson"], lessons_of(desk, "anna", None), streams, env=shell.environment, cwd=home)
+        desk.start_program(["classroom"], TeacherLink(Teacher()).main, streams, env=shell.environment, cwd=home)
         display = desk.display
         assert display is not None
         desk.scheduler.run(lambda: len(display.windows) == len(KINDS), LONGEST)

@@ -167,8 +167,8 @@ class Context:
                 self._arguments.apply_levels(self._logging)
             _living.add(self)
 
-    def nodes(self) -> list[Node]:
-        """Return the nodes that were made with this context and exist; for day6-tui, real rclpy has no such method."""
+    def _living_nodes(self) -> list[Node]:
+        """Return the nodes that were made with this context and exist."""
         return [node for reference in list(self._nodes) if (node := reference()) is not None]
 
     def track_node(self, node: Node) -> None:
