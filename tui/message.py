@@ -51,11 +51,14 @@ class LogModal(Modal):
         self._lines = lines
 
     def inside(self) -> ComposeResult:
-        from textual.widgets import Log
+        from day6_tui.tui.log_view import LogView
 
-        self._log_view = Log()
-        self._log_view.write_lines([one_line(line.replace("\t", "    ")) for line in self._lines])
+        self._log_view = LogView()
         yield self._log_view
+
+    def on_mount(self) -> None:
+        super().on_mount()
+        self._log_view.write_lines([one_line(line.replace("\t", "    ")) for line in self._lines])
 
     @property
     def keyboard(self) -> Widget:

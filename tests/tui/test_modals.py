@@ -11,7 +11,7 @@ from screens import opened, screen_lines, screen_text, step
 from textual import events
 
 from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.message import ErrorModal
+from day6_tui.tui.message import ErrorModal, LogModal
 from day6_tui.tui.prompt import Prompt
 from day6_tui.tui.question import Answer, Question
 
@@ -342,3 +342,15 @@ async def test_settings_that_cannot_be_understood_are_told_and_left_alone(
             await step(app, pilot)
             assert "cannot be read and is left as it is" in screen_text(app) + "".join(told)
             assert path.read_bytes() == text
+
+
+async def test_a_log_that_is_closed_at_once_ends_nothing_else(desk: FakeDesk) -> None:
+    """Textual's Log measures in a worker; one that outlives its widget fails and takes the desktop with it."""
+    async with opened(desk, 80, 24, lang="en") as (app, pilot):
+        app.desktop.open_overlay(LogModal(app.look, "Log", ["well done"] * 3))
+        await step(app, pilot)
+        assert "well done" in screen_text(app)
+        assert not list(app.workers)
+        burst(app, "escape")
+        await step(app, pilot)
+        assert app.desktop.overlay is None and app.is_running
