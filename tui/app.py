@@ -216,7 +216,7 @@ class Day6App(TerminalApp):
         if not self.classroom.is_possible:
             registry.hidden |= self.classroom.actions().keys()
         top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
-        top.classroom = self.classroom.pieces
+        top.classroom, top.offers = self.classroom.pieces, self.classroom.offers
         self.top = Bar(look, top.pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")

@@ -64,6 +64,8 @@ class Classroom:
         self._looked: tuple[object, Trouble | None] = (None, None)
         """What was run last when a card was looked for, and the card."""
         self.sayings: list[str] = []
+        self._unread = 0
+        """How many of them the pupil has not looked up: the toast may have been missed."""
 
     # -- what the pupil does and sees ----------------------------------------------------------------------------------
 
@@ -89,20 +91,31 @@ class Classroom:
         """What the teacher has said."""
         from day6_tui.tui.message import LogModal
 
-        look = self._app.look
+        look, self._unread = self._app.look, 0
         said = self.sayings or [look.texts("class.sayings.none")]
         self._app.desktop.open_overlay(LogModal(look, look.texts("class.sayings"), said))
+        self._app.frames.wake()
 
     def pieces(self) -> list[Piece]:
-        """For the top line: the hand, who watches, who may type."""
-        look, actions = self._app.look, self._app.actions
-        found = []
-        if self._hand:
-            found.append(Piece(f" {look.texts('class.bar.hand')} ", look.colours.hint, actions["hand"]))
+        """For the top line, always: who may type, who watches."""
+        look, found = self._app.look, []
         if self._may_type:
-            found.append(Piece(f" {look.texts('class.bar.types')} ", look.colours.error, actions["take_back"]))
+            text = f" {look.texts('class.bar.types')} "
+            found.append(Piece(text, look.colours.error, self._app.actions["take_back"]))
         if self.is_watched:
             found.append(Piece(f" {look.texts('class.bar.watched')} ", look.colours.warning))
+        return [*found, Piece("  ", look.colours.bar)] if found else []
+
+    def offers(self) -> list[Piece]:
+        """For the top line where there is room: what the teacher said, the hand. A click looks it up, raises or lowers it."""
+        look, actions, found = self._app.look, self._app.actions, []
+        if self._unread:
+            text = look.texts("class.bar.unread", count=self._unread)
+            found.append(Piece(f" {text} ", look.colours.hint, actions["sayings"]))
+        if self._hand:
+            found.append(Piece(f" {look.texts('class.bar.hand')} ", look.colours.hint, actions["hand"]))
+        elif self._observers:
+            found.append(Piece(f" {look.texts('class.bar.raise')} ", look.colours.key, actions["hand"]))
         return [*found, Piece("  ", look.colours.bar)] if found else []
 
     @property
@@ -174,6 +187,7 @@ class Classroom:
     def _say(self, text: str) -> None:
         said = one_line(text)
         self.sayings = [*self.sayings, said][-MOST_SAYINGS:]
+        self._unread += 1
         title = self._app.look.texts("class.says")
         self._app.notify(said, title=title, timeout=SAYING_SECONDS, markup=False)
 

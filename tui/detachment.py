@@ -5,13 +5,13 @@ While it is away nothing is drawn and nothing is written. What the keeper says a
 
 from __future__ import annotations
 
-import asyncio
 import json
 import socket
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from day6_tui.tui.detached import wire
+from day6_tui.tui.detached.loop_line import LoopLine
 
 if TYPE_CHECKING:
     from day6_tui.tui.adaptation import Adaptation
@@ -24,7 +24,7 @@ class Detachment:
     def __init__(self, app: Day6App, descriptor: int | None) -> None:
         self._app = app
         self._adaptation: Adaptation | None = None
-        self._line = None if descriptor is None else wire.Line(socket.socket(fileno=descriptor))
+        self._line = None if descriptor is None else LoopLine(socket.socket(fileno=descriptor))
         self.away = False
         """Whether there is no terminal."""
         self.observed: Callable[[int], None] | None = None
@@ -43,21 +43,13 @@ class Detachment:
     def begin(self) -> None:
         """Listen to the keeper; call it in the event loop, when the simulated machine runs."""
         if self._line is not None:
-            asyncio.get_running_loop().add_reader(self._line.fileno(), self._hear)
+            self._line.on_readable(self._hear)
             self._line.send(wire.HERE)
 
     def tell(self, note: bytes) -> None:
         """Say something to those who observe the desktop."""
         if self._line is not None and not self._line.closed:
             self._line.send(wire.NOTE, note)
-            if self._line.unsent:
-                asyncio.get_running_loop().add_writer(self._line.fileno(), self._flush)
-
-    def _flush(self) -> None:
-        assert self._line is not None
-        self._line.flush()
-        if not self._line.unsent:
-            asyncio.get_running_loop().remove_writer(self._line.fileno())
 
     def detach(self) -> None:
         """Leave the terminal. `day6-tui attach` comes back."""
@@ -101,5 +93,4 @@ class Detachment:
                 elif kind == wire.ORDER and self.ordered is not None:
                     self.ordered(data)
         if self._line.closed:  # the keeper was killed, and the terminal hangs up
-            asyncio.get_running_loop().remove_reader(self._line.fileno())
-            asyncio.get_running_loop().remove_writer(self._line.fileno())
+            self._line.let_go()

@@ -36,6 +36,8 @@ class TopLine:
         self._recording = recording
         self.classroom: Callable[[], list[Piece]] = list
         """What the pupil of a class has to see."""
+        self.offers: Callable[[], list[Piece]] = list
+        """What is of use to the pupil, where there is room."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
         """From the left and from the right."""
@@ -44,6 +46,7 @@ class TopLine:
             *self._recorded(),
             *self.classroom(),
             *self._door_pieces(),
+            *self.offers(),
             *self._running(),
         ], self._switches()
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from mouse import Mouse
 from place import Place
 from test_observed import choose
 
@@ -45,9 +46,11 @@ def teach(desk: Place, address: str, *options: str, lang: str = "en", columns: i
     return desk.terminal(*words, columns=columns, rows=rows)
 
 
-def join(place: Place, address: str, name: str, *options: str, lang: str = "en") -> Terminal:
+def join(
+    place: Place, address: str, name: str, *options: str, lang: str = "en", columns: int = 80, rows: int = 24
+) -> Terminal:
     words = ("class", "--join", address, "--name", name, "--home", str(place.home), "--lang", lang, *options)
-    return place.terminal(*words)
+    return place.terminal(*words, columns=columns, rows=rows)
 
 
 @pytest.mark.parametrize(("lang", "columns", "rows"), [("en", 120, 40), ("zh", 80, 24)])
@@ -58,12 +61,14 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
     with teach(desk, address, lang=lang, columns=columns, rows=rows) as teacher:
         teacher.wait(texts("teacher.empty")[:12])
         teacher.wait("day6-tui class --join")
-        with join(place, address, "anna", "--scene", "empty", lang=lang) as pupil:
+        with join(place, address, "anna", "--scene", "empty", lang=lang, columns=columns, rows=rows) as pupil:
             pupil.wait(PROMPT)
             pupil.wait(texts("bar.door.joined", host="127.0.0.1"))
             pupil.line("ros2 run turtlesim turtlesim_node &")
             teacher.wait("/turtlesim")
-            choose(pupil, texts("action.hand"))
+            pupil.wait(texts("class.bar.raise"))
+            Mouse(pupil).click_on(texts("class.bar.raise"))
+            pupil.wait(texts("class.bar.hand"))
             teacher.wait(texts("teacher.hands", count=1))
             teacher.press("Enter")
             pupil.wait(texts("class.bar.watched"))
@@ -73,6 +78,10 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             teacher.wait(texts("teacher.say", name="anna"))
             teacher.line("well done")
             pupil.wait("well done")
+            pupil.wait(texts("class.bar.unread", count=1))
+            choose(pupil, texts("action.sayings"))
+            pupil.wait_gone(texts("class.bar.unread", count=1))
+            pupil.press("Esc")
             assert "/anna/turtlesim" in desk.nodes()
             assert "/turtlesim" in place.nodes() and "/anna/turtlesim" not in place.nodes()
             pupil.quit()

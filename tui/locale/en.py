@@ -1081,6 +1081,8 @@ commands:
     "manual.classroom": "Class",
     "class.says": "Your teacher",
     "class.opened": "Your teacher opened this lesson",
+    "class.bar.unread": "teacher said: {count}",
+    "class.bar.raise": "raise hand",
     "class.bar.hand": "hand up",
     "class.bar.types": "teacher may type: end",
     "class.bar.watched": "teacher watching",

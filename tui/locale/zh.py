@@ -1237,6 +1237,8 @@ TEXTS = {
     "manual.classroom": "班级",
     "class.says": "老师说",
     "class.opened": "老师打开了这一课",
+    "class.bar.unread": "老师说了 {count} 句",
+    "class.bar.raise": "举手",
     "class.bar.hand": "已举手",
     "class.bar.types": "老师可以打字：点这里结束",
     "class.bar.watched": "老师在看",

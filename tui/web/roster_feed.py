@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import asyncio
 import socket
 from collections.abc import Callable
+from functools import partial
 
 from day6_tui.core.classroom import note
 from day6_tui.core.classroom import order as orders
@@ -12,7 +12,7 @@ from day6_tui.core.classroom.note import NoteError
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.classroom.roster import Roster
 from day6_tui.tui.detached import wire
-from day6_tui.tui.detached.wire import Line
+from day6_tui.tui.detached.loop_line import LoopLine
 
 MOST_ORDERS = 1 << 16
 """Bytes of orders that may wait for a desktop."""
@@ -23,7 +23,7 @@ class RosterFeed:
 
     def __init__(self) -> None:
         self.roster = Roster(self)
-        self._lines: dict[str, Line] = {}
+        self._lines: dict[str, LoopLine] = {}
         self._changed: list[Callable[[], None]] = []
 
     def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
@@ -34,9 +34,9 @@ class RosterFeed:
     def begin(self, name: str, connection: socket.socket) -> None:
         """A desktop runs, and this is a new line to its keeper."""
         self._drop(name)
-        line = self._lines[name] = Line(connection)
+        line = self._lines[name] = LoopLine(connection)
         line.send(wire.WATCH)
-        asyncio.get_running_loop().add_reader(line.fileno(), self._hear, name, line)
+        line.on_readable(partial(self._hear, name, line))
         self.roster.here(name)
         self.tell()
 
@@ -52,8 +52,6 @@ class RosterFeed:
         if line is None or line.closed or line.unsent > MOST_ORDERS:
             return False
         line.send(wire.ORDER, orders.encode(order))
-        if line.unsent:
-            asyncio.get_running_loop().add_writer(line.fileno(), self._flush, line)
         return True
 
     def close(self) -> None:
@@ -64,17 +62,9 @@ class RosterFeed:
     def _drop(self, name: str) -> None:
         line = self._lines.pop(name, None)
         if line is not None:
-            loop = asyncio.get_running_loop()
-            loop.remove_reader(line.fileno())
-            loop.remove_writer(line.fileno())
             line.close()
 
-    def _flush(self, line: Line) -> None:
-        line.flush()
-        if not line.unsent:
-            asyncio.get_running_loop().remove_writer(line.fileno())
-
-    def _hear(self, name: str, line: Line) -> None:
+    def _hear(self, name: str, line: LoopLine) -> None:
         for kind, data in line.receive():
             if kind == wire.NOTE:
                 try:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
 import socket
 import struct
@@ -11,7 +10,7 @@ from collections.abc import Callable
 
 from day6_tui.core.isolation.cell import Cell
 from day6_tui.tui.detached import wire
-from day6_tui.tui.detached.wire import Line
+from day6_tui.tui.detached.loop_line import LoopLine
 from day6_tui.tui.web import starting
 from day6_tui.tui.web.viewer import Viewer
 
@@ -54,7 +53,7 @@ class Session:
         self.is_over_disk = False
         """Whether its home is larger than it may be."""
         self._ended = ended
-        self._line: Line | None = None
+        self._line: LoopLine | None = None
         self._is_read = False
         self._early: bytearray | None = None
         """Keys that came before the desktop draws on the present line: the keeper takes none from a client that waits."""
@@ -75,7 +74,7 @@ class Session:
         """Have the desktop draw its whole screen on this line, and no longer on the last one."""
         self.let_go()
         columns, rows, width, height = self.size
-        self._line = Line(connection)
+        self._line = LoopLine(connection)
         self._early = bytearray()
         self._read(True)
         self._send(
@@ -116,9 +115,6 @@ class Session:
     def let_go(self) -> None:
         """Take nothing from the desktop any more: it goes on without a terminal, or with the next line."""
         if self._line is not None:
-            loop = asyncio.get_running_loop()
-            loop.remove_reader(self._line.fileno())
-            loop.remove_writer(self._line.fileno())
             self._line.close()
             self._line = None
         self._is_read = False
@@ -127,27 +123,15 @@ class Session:
         if self._line is None or on == self._is_read:
             return
         self._is_read = on
-        loop = asyncio.get_running_loop()
-        if on:
-            loop.add_reader(self._line.fileno(), self._hear)
-        else:
-            loop.remove_reader(self._line.fileno())
+        self._line.on_readable(self._hear if on else None)
 
     def has_room(self) -> None:
         """The tab that types takes output again."""
         self._read(True)
 
     def _send(self, kind: bytes, data: bytes) -> None:
-        line = self._line
-        if line is not None:
-            line.send(kind, data)
-            if line.unsent:
-                asyncio.get_running_loop().add_writer(line.fileno(), self._flush, line)
-
-    def _flush(self, line: Line) -> None:
-        line.flush()
-        if not line.unsent:
-            asyncio.get_running_loop().remove_writer(line.fileno())
+        if self._line is not None:
+            self._line.send(kind, data)
 
     def _hear(self) -> None:
         line = self._line
