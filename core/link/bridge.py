@@ -3,8 +3,8 @@
 Messages that the other side subscribes to, queries with their replies, and tokens are forwarded between the two. Nothing
 else is, so announcements from outside are checked and limited here, once, before any process of this user sees them, and are
 dropped together with the machine they came from. A `Naming` says how keys are written outside; everything in here is about
-inner keys. (A Zenoh session presents the same password, or none, to every peer, so one
-session cannot serve both where this machine's own meeting point requires a password.)
+inner keys. (A Zenoh session presents the same password, or none, to every peer, so one session cannot serve both where this
+machine's own meeting point requires a password.)
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Bridge:
         self._own_gids: set[bytes] = set()
         """Outer GIDs of this machine's publishers and clients: nobody else may send in their names."""
         self._foreign: dict[str, str] = {}
-        """The outer keys of the tokens of other machines, if the naming renames."""
+        """inner -> outer key of the tokens of other machines, if the naming renames"""
         self._gids: tuple[dict[bytes, bytes], dict[bytes, bytes]] = {}, {}
         """GIDs as that side knows them, by those of the other side, if the naming renames."""
         self._links: Counter[str] = Counter()
@@ -173,9 +173,7 @@ class Bridge:
         if inner is None:
             self._refusals.add("names")
             return
-        if side == _OUTER and self._naming.renames and present:
-            self._foreign[inner] = key
-        self._work.put(partial(self._take_token, side, inner, present))
+        self._work.put(partial(self._take_token, side, inner, present, key))
 
     def _is_forged(self, attachment: zenoh.ZBytes | None) -> bool:
         return attachment is not None and attachment.to_bytes()[-_GID_BYTES:] in self._own_gids
@@ -233,13 +231,17 @@ class Bridge:
         for key in self._admission.tokens_of(zid):
             self._take_foreign(key, False)
 
-    def _take_token(self, side: int, key: str, present: bool) -> None:
+    def _take_token(self, side: int, key: str, present: bool, written: str) -> None:
         if key in self._tokens[side]:
             return  # our own mirror of a token on the other side
         if side == _INNER:
             self._take_own(key, present)
         else:
+            if present and self._naming.renames:
+                self._foreign[key] = written
             self._take_foreign(key, present)
+            if not present:
+                self._foreign.pop(key, None)
 
     def _take_own(self, key: str, present: bool) -> None:
         token = token_of(key)
@@ -283,7 +285,8 @@ class Bridge:
         if token.kind in declare:
             route = side, token.kind, token.data_key
             awaited = self._naming.awaited(token.data_key) if side == _OUTER else token.data_key
-            if route not in self._routes and awaited is not None:
+            if route not in self._routes:
+                assert awaited is not None  # as for the token of the same topic
                 self._routes[route] = declare[token.kind](side, awaited), Counter()
             self._routes[route][1][key] += 1
         self._pair_gids(side, key, written)
@@ -300,8 +303,6 @@ class Bridge:
             declared.undeclare()
         if (outer := self._gids[_OUTER].pop(gid_of(key), None)) is not None:
             self._gids[_INNER].pop(outer, None)
-        if side == _INNER:
-            self._foreign.pop(key, None)
         route = side, token.kind, token.data_key
         if route in self._routes:
             receiver, users = self._routes[route]

@@ -119,9 +119,9 @@ class Gateway:
         """Open what is not open, and update who has connected and who does not answer."""
         if self._outer is None or self._may_listen_now():
             self._open()
+        if self._outer is not None and self._part is not None:
+            self._take_part(self._part)
         if self._outer is not None:
-            if self._part is not None:
-                self._take_part(self._part)
             self._read_links(self._outer)
         if self.doors != self._written:
             write_doors(self._place, self.doors)

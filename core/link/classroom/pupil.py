@@ -21,6 +21,8 @@ _log = logging.getLogger(__name__)
 
 ASK_SECONDS = 1.0
 """Between two questions for the name, and for how long one waits."""
+PATIENCE_SECONDS = 3.0
+"""Before a machine that is connected counts as one without a class."""
 _REFUSALS = {"taken": DoorState.NAME_TAKEN, "full": DoorState.CLASS_FULL, "domain": DoorState.OTHER_DOMAIN}
 
 
@@ -45,7 +47,7 @@ class Pupil:
         """The token that keeps the name."""
         self._teachers: set[str] = set()
         self._granted = False
-        self._asked = 0.0
+        self._asked = self._begun = 0.0
 
     def tell(self, note: bytes) -> None:
         """Send a note to the teacher. Any thread."""
@@ -61,6 +63,7 @@ class Pupil:
 
     def begin(self, session: zenoh.Session, domain_id: int) -> None:
         self._session, self._domain_id = session, domain_id
+        self._begun, self.problem = time.monotonic(), DoorState.OPENING
         self._outbox = Outbox(session, _report)
         self._declared = [
             session.declare_subscriber(keys.order_key(self.name), self._on_order),
@@ -69,6 +72,8 @@ class Pupil:
 
     def poll(self) -> None:
         now = time.monotonic()
+        if self.problem == DoorState.OPENING and now - self._begun >= PATIENCE_SECONDS:
+            self.problem = DoorState.NO_CLASS
         if self._teachers and not self._granted and now - self._asked >= ASK_SECONDS:
             self._asked = now
             self._ask()
