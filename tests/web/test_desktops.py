@@ -228,3 +228,24 @@ def test_a_desktop_nobody_types_at_ends_and_its_files_stay() -> None:
         assert serving.end() == 0 and serving.cells() == []
         assert Path(folder, "class", "homes", "anna", "kept.txt").exists()
         assert any("anna: ended after 0.05 minutes without a key" in line for line in serving.said)
+
+
+def test_a_home_that_grows_too_large_is_told_and_then_the_desktop_ends_with_its_files(tmp_path: Path) -> None:
+    table = tmp_path / "pupils.csv"
+    table.write_text("name\nanna\n")
+    words = ("--class", str(table), "--isolation", "none", "--disk", "16", "--idle", "0.4")
+    with Serving(make_short_folder("d6w-"), *words) as serving:
+
+        async def deed() -> None:
+            async with browser(serving.base) as door:
+                tab = await anna(door, serving)
+                await tab.type("head -c 9000000 /dev/zero > one; cp one two\r")
+                await tab.see("Your home")
+                await tab.type("cp one three\r")
+                assert await tab.end() == "disk"
+
+        run(deed())
+        home = serving.folder / "class" / "homes" / "anna"
+        assert [(home / name).stat().st_size for name in ("one", "two", "three")] == [9_000_000] * 3
+        assert serving.end() == 0
+    assert any("ended, 25 MB in the home folder where 16 MB are allowed" in line for line in serving.said)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from urllib.parse import urlsplit
 
+from day6_tui.core.isolation.cell import Limits
 from day6_tui.core.isolation.modes import NAMES
 from day6_tui.core.places import default_home
 from day6_tui.tui.command_line import Formatter, folder
@@ -40,6 +41,14 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     add("--idle", type=_minutes, default=120.0, metavar="MIN", help=texts("cli.serve.idle"))
     add("--keep", action="store_true", help=texts("cli.serve.keep"))
     add("--isolation", choices=("auto", *NAMES), default="auto", help=texts("cli.serve.isolation"))
+    most = Limits()
+    mb = partial(_number, least=16, most=1_000_000)
+    add("--memory", type=mb, default=most.memory >> 20, metavar="MB", help=texts("cli.serve.memory"))
+    add("--disk", type=mb, default=most.disk >> 20, metavar="MB", help=texts("cli.serve.disk"))
+    number = partial(_number, least=16, most=100_000)
+    add("--processes", type=number, default=most.processes, metavar="N", help=texts("cli.serve.processes"))
+    weight = partial(_number, least=1, most=10_000)
+    add("--cpu-weight", type=weight, default=most.cpu_weight, metavar="N", help=texts("cli.serve.cpu_weight"))
     add("--trust-pupils", action="store_true", help=texts("cli.serve.trust"))
     add("--host", default="127.0.0.1", metavar="ADDRESS", help=texts("cli.serve.host"))
     add("--port", type=partial(_number, least=0, most=65535), default=8006, metavar="N", help=texts("cli.serve.port"))
@@ -63,6 +72,9 @@ def parse(words: list[str], language: str) -> Settings:
         parser.error("argument --proxied: not allowed with --class or --word")
     if found["proxied"] and found["unix"] is None:  # any user of this machine reaches a port
         parser.error("argument --proxied: needs --unix")
+    memory, disk = found.pop("memory") << 20, found.pop("disk") << 20
+    processes, weight = found.pop("processes"), found.pop("cpu_weight")
+    found["limits"] = Limits(memory=memory, disk=disk, processes=processes, cpu_weight=weight)
     found["data"] = _data(found["data"])
     found["base_url"] = found["base_url"] or ""
     found["lang"] = found["lang"] or language

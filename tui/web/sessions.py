@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable
 
 from day6_tui.core.classroom.order import Order
-from day6_tui.core.isolation.cell import IsolationError, Limits
+from day6_tui.core.isolation.cell import IsolationError
 from day6_tui.core.isolation.mode import Mode
 from day6_tui.core.isolation.modes import survey
 from day6_tui.tui.detached import meeting
@@ -135,7 +135,7 @@ class Sessions:
         return session
 
     async def _session(self, name: str, domain: int) -> Session:
-        cell = await asyncio.to_thread(self._places.cell, name, self._mode, Limits())
+        cell = await asyncio.to_thread(self._places.cell, name, self._mode, self._settings.limits)
         return Session(name, cell, domain, self._has_ended)
 
     async def _connect(self, session: Session) -> socket.socket:
@@ -243,7 +243,7 @@ class Sessions:
                 return
             mode = offer.mode
         try:
-            cell = await asyncio.to_thread(self._places.cell, record.name, mode, Limits())
+            cell = await asyncio.to_thread(self._places.cell, record.name, mode, self._settings.limits)
             session = Session(record.name, cell, record.domain, self._has_ended)
             probe = await asyncio.to_thread(self._found, session) if mode is self._mode else None
             if probe is None:

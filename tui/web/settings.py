@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+
+from day6_tui.core.isolation.cell import Limits
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,8 @@ class Settings:
     isolation: str = "auto"
     """A name of core.isolation.modes, or "auto": the best this machine has."""
     trust_pupils: bool = False
+    limits: Limits = field(default_factory=Limits)
+    """What each pupil may take at most."""
     most: int = 40
     """Desktops at a time."""
     idle: float = 120.0
