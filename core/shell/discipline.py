@@ -104,7 +104,7 @@ class Discipline:
                     self.terminal.write("^C" if key == INTERRUPT else "^\\")
                 if key == INTERRUPT:
                     self.interrupts += 1
-                    self.terminal.shell.interrupt()
+                    self.terminal.shell.interrupt_line()
                 else:
                     self.terminal.shell.quit()
                 return

@@ -9,7 +9,7 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.shell.completion import Completer
 from day6_tui.core.shell.history import History
 from day6_tui.core.shell.language import parser
-from day6_tui.core.shell.language.control_flow import ExitShell, Interrupted, LoopControl, ReturnFromSource
+from day6_tui.core.shell.language.control_flow import ExitShell
 from day6_tui.core.shell.language.hints import hint_at_open_quote
 from day6_tui.core.shell.language.interpreter import Shell
 from day6_tui.core.shell.language.words import Incomplete, SyntaxProblem
@@ -35,7 +35,7 @@ async def login(session: Session, terminal: Terminal) -> int:
     session.on_interrupt = shell.interrupt
     try:
         if Path(shell.variables.get("HOME", "/"), ".bashrc").is_file():
-            await _run(shell, 'source "$HOME/.bashrc"', terminal)
+            await shell.run_typed('source "$HOME/.bashrc"', streams)
         warned = False
         while True:
             for line in shell.jobs.take_finished():
@@ -56,7 +56,7 @@ async def login(session: Session, terminal: Terminal) -> int:
                 history.add(source)
                 terminal.runs.begin(source, shell.cwd, terminal.desk.clock.now_ns())
                 try:
-                    await _run(shell, source, terminal)
+                    await shell.run_typed(source, streams)
                 finally:
                     terminal.runs.end(shell.status, terminal.desk.clock.now_ns())
     except ExitShell as end:
@@ -72,7 +72,7 @@ async def run_command(session: Session, terminal: Terminal, command: str) -> int
     shell = terminal.shell
     session.on_interrupt = shell.interrupt
     try:
-        await _run(shell, command, terminal)
+        await shell.run_typed(command, terminal.streams)
         return shell.status
     except ExitShell as end:
         return end.status
@@ -114,12 +114,3 @@ async def _read_command(editor: LineEditor, shell: Shell, terminal: Terminal) ->
         except SyntaxProblem:
             return source
         return source
-
-
-async def _run(shell: Shell, source: str, terminal: Terminal) -> None:
-    try:
-        await shell.run(source, terminal.streams)
-    except Interrupted:
-        shell.status = 130
-    except (LoopControl, ReturnFromSource):
-        return

@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from day6_tui.core.session.task import let_others_run
+
 PROMPT = "student@day6:~$"
 
 
@@ -44,6 +46,20 @@ def test_ctrl_c_ends_the_running_command_and_the_rest_of_its_line(seat: Any) -> 
     assert seat.terminal.title == "sleep 100"
     screen = seat.type("\x03")
     assert screen.splitlines() == [f"{PROMPT} sleep 100; echo never", "^C", PROMPT]
+    assert seat.line("echo $?").splitlines()[-2] == "130"
+
+
+def test_ctrl_c_between_two_commands_ends_the_line(seat: Any) -> None:
+    terminal = seat.terminal
+
+    async def press_in_between() -> None:
+        while terminal.runs.running is None or terminal.busy:
+            await let_others_run()
+        terminal.discipline.type("\x03")
+
+    seat.desk.scheduler.spawn(press_in_between())
+    screen = seat.line("for x in {1..99999}; do :; done; echo never")
+    assert screen.splitlines()[-2:] == ["^C", PROMPT]
     assert seat.line("echo $?").splitlines()[-2] == "130"
 
 

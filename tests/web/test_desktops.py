@@ -133,7 +133,7 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
             tab = await anna(door, class_server, "cols=200&rows=60")
             tab.acknowledges = False
             await tab.type(
-                "\x1b[200~while :; do echo $RANDOM$RANDOM$RANDOM$RANDOM$RANDOM$RANDOM$RANDOM; done\x1b[201~\r"
+                "\x1b[200~while :; do echo number $((++n)) of many lines; done\x1b[201~\r"
             )
             with pytest.raises(asyncio.TimeoutError):
                 while tab.got < 2 * MOST_UNACKNOWLEDGED:

@@ -52,6 +52,8 @@ class Shell(ShellState):
         """Status of the last `$(…)` in the command being prepared: that of an assignment is this one's."""
         self._front: list[Job] = []
         """Jobs being waited for, the innermost last."""
+        self._interrupted = False
+        """Whether Ctrl-C came between two commands of the line."""
         self.wanted: WeakKeyDictionary[Session, Exception] = WeakKeyDictionary()
         """What built-ins request after they have returned: to exit, to break out of a loop …"""
 
@@ -69,6 +71,20 @@ class Shell(ShellState):
             return False
         front.interrupt()
         return True
+
+    def interrupt_line(self) -> None:
+        """Ctrl-C at the terminal: for the foreground job or, between two commands, for the line, as bash gets it too."""
+        self._interrupted = not self.interrupt()
+
+    async def run_typed(self, source: str, streams: Streams) -> None:
+        """Run what was typed at the terminal, with Ctrl-C and whatever else ends a line early. Raises ExitShell."""
+        self._interrupted = False
+        try:
+            await self.run(source, streams)
+        except Interrupted:
+            self.status = 130
+        except (LoopControl, ReturnFromSource):
+            return
 
     def quit(self) -> bool:
         """Ctrl-\\ for the foreground job: ends programs that do not listen to Ctrl-C."""
@@ -230,6 +246,9 @@ class Shell(ShellState):
         if node.timed:
             await self._timed(node, streams)
             return
+        if self._interrupted:
+            streams.stderr.write("\n")
+            raise Interrupted
         command = node.commands[0]
         if len(node.commands) > 1:
             front = replace(streams, stdin=streams.stdin.fork())
