@@ -187,6 +187,7 @@ def orphans_of_ended(mode: Mode, top: Path) -> list[int]:
     mark = f"orphan-of-{os.getpid()}"
     done = school.python(cell, ORPHANS, mark, "0.3")
     mode.end(cell)
+    _let_the_kernel_end(mark)
     return [len(done.stdout.split()), len(found(mark)), len(mode.processes(cell))]
 
 
@@ -210,11 +211,15 @@ def forgotten(mode: Mode, top: Path) -> list[int]:
     os.kill(server, 9)
     os.waitpid(server, 0)
     mode.end(cell)
-    # bwrap may have died with the server, before it was looked for: then the kernel is just ending what was in its namespace.
+    _let_the_kernel_end(mark)
+    return [before, len(found(mark))]
+
+
+def _let_the_kernel_end(mark: str) -> None:
+    """bwrap may have ended before it was looked for: then the kernel is just ending what was in its namespace."""
     until = time.monotonic() + PATIENCE
     while found(mark) and time.monotonic() < until:
         time.sleep(0.01)
-    return [before, len(found(mark))]
 
 
 def limits(mode: Mode, top: Path) -> dict[str, int]:
