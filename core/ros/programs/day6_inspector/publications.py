@@ -71,13 +71,16 @@ class Publications:
             at, (change, subject) = self._events.popleft()
             if not isinstance(subject, Publisher) or subject.origin is None or not is_shown(subject.node.name):
                 continue
+            said = (subject.node.full_name, subject.topic)
             if change is Change.ENDPOINT_ADDED:
                 self._began[subject] = at
+                self._since.pop(said, None)
             elif change is Change.ENDPOINT_REMOVED:
                 lived = at - self._began.pop(subject, float("-inf"))
                 volatile = subject.qos.durability != Durability.TRANSIENT_LOCAL
                 own = subject.topic in ("/rosout", "/parameter_events")
-                if lived < SHORT and volatile and not own and not subject.delivered:
+                once = self._since.get(said, (0, 0.0))[0] <= FEW
+                if lived < SHORT and once and volatile and not own and not subject.delivered:
                     self._gone.append(_Gone(subject.topic, subject.node.full_name, lived, at))
 
     def _nobody_heard(self, topic: str, received: Mapping[tuple[str, str], int]) -> bool:
