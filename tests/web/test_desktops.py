@@ -132,9 +132,7 @@ def test_a_tab_that_takes_nothing_gets_no_more_than_it_may_have_and_goes_on_late
         async with browser(class_server.base) as door:
             tab = await anna(door, class_server, "cols=200&rows=60")
             tab.acknowledges, before = False, tab.got
-            await tab.type(
-                "\x1b[200~while :; do x=$((++n*999331)); echo $x$x$x$x$x$x$x$x$x$x$x$x; done\x1b[201~\r"
-            )
+            await tab.type("\x1b[200~while :; do x=$((++n*999331)); echo $x$x$x$x$x$x$x$x$x$x$x$x; done\x1b[201~\r")
             with pytest.raises(asyncio.TimeoutError):
                 while tab.got - before < 2 * MOST_UNACKNOWLEDGED:
                     await tab.hear(1.0)
@@ -184,7 +182,10 @@ def test_a_pupil_more_than_there_may_be_is_told_so(class_server: Serving) -> Non
     run(deed())
 
 
-def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_leaves_nothing() -> None:
+@pytest.mark.parametrize("record", [b"", None, b"{"], ids=["whole", "missing", "broken"])
+def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_leaves_nothing(
+    record: bytes | None,
+) -> None:
     folder = make_short_folder("d6w-")
     with Serving(folder, "--word", WORD, "--isolation", "none") as serving:
 
@@ -198,6 +199,10 @@ def test_a_server_that_was_killed_finds_its_desktops_again_and_one_that_ends_lea
                 cookies = door.session.cookie_jar
                 serving.end(signal.SIGKILL)
                 assert serving.cells()
+                if record is None:  # the disk was full when the desktop began
+                    (folder / "class" / "server" / "sessions.json").unlink()
+                elif record:
+                    (folder / "class" / "server" / "sessions.json").write_bytes(record)
                 serving.start()
                 assert any("1 desktops of the last server go on" in line for line in serving.said)
                 async with aiohttp.ClientSession(cookie_jar=cookies) as session:

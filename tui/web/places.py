@@ -45,14 +45,18 @@ class Places:
             if sys.platform != "win32":
                 folder.chmod(0o700)
 
+    def home(self, name: str) -> Path:
+        """The home folder of a pupil."""
+        return self.homes / folder_name(name)
+
     def cell(self, name: str, mode: Mode, limits: Limits, *, network: bool = False) -> Cell:
         """The cell of a pupil. Raises IsolationError."""
-        folder = folder_name(name)
+        home = self.home(name)
         return Cell(
             name=same_name(name),
-            home=self.homes / folder,
+            home=home,
             runtime=self.runtimes / f"{crc32(same_name(name).encode()):08x}",
-            uid=mode.uid_of(folder, self.homes),
+            uid=mode.uid_of(home.name, self.homes),
             limits=limits,
             network=network,
             hidden=(self.server, self.keepers),

@@ -20,6 +20,7 @@ from day6_tui.core.isolation.modes import Offer
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.tui.web import class_list
 from day6_tui.tui.web.application import Application
+from day6_tui.tui.web.gate import PROXIED_NAME
 from day6_tui.tui.web.links import Links
 from day6_tui.tui.web.places import Places
 from day6_tui.tui.web.sessions import Sessions, Tell
@@ -66,7 +67,7 @@ class Server:
         new = links.enrol(names, anew=self._settings.new_links)
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
-        again = await self._sessions.find_again()
+        again = await self._sessions.find_again([PROXIED_NAME] if self._settings.proxied else links.all_names())
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is
         application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell, lessons)

@@ -9,7 +9,8 @@ import os
 import socket
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from pathlib import Path
 
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.isolation.cell import IsolationError
@@ -127,12 +128,14 @@ class Sessions:
     async def _new(self, name: str) -> Session:
         if len(self.running) >= self._settings.most:
             raise Full
-        used = {session.domain for session in self.running.values()}
-        domain = next((number for number in DOMAINS if number not in used), DOMAINS[0])
-        session = await self._session(name, domain)
+        session = await self._session(name, self._free_domain())
         self.running[same_name(name)] = session
         await self._remember()
         return session
+
+    def _free_domain(self) -> int:
+        used = {session.domain for session in self.running.values()}
+        return next((number for number in DOMAINS if number not in used), DOMAINS[0])
 
     async def _session(self, name: str, domain: int) -> Session:
         cell = await asyncio.to_thread(self._places.cell, name, self._mode, self._settings.limits)
@@ -141,7 +144,7 @@ class Sessions:
     async def _connect(self, session: Session) -> socket.socket:
         """A line to the keeper, which is started if there is none."""
         for _ in range(3):
-            found = await asyncio.to_thread(self._found, session)
+            found = await asyncio.to_thread(self._found, session.cell.home)
             if found is not None:
                 return found
             with contextlib.suppress(BlockingIOError):  # one was just started, or is just ending
@@ -155,7 +158,7 @@ class Sessions:
         """Let the teacher hear of the desktop; without that it runs as well."""
         if not session.is_observed:
             with contextlib.suppress(OSError):
-                found = await asyncio.to_thread(self._found, session)
+                found = await asyncio.to_thread(self._found, session.cell.home)
                 if found is not None:
                     session.is_observed = True
                     self.feed.begin(session.name, found)
@@ -166,10 +169,10 @@ class Sessions:
         session = self.running.get(same_name(name))
         return session is not None and session.writer is not None
 
-    def _found(self, session: Session) -> socket.socket | None:
+    def _found(self, home: Path) -> socket.socket | None:
         if sys.platform == "win32":  # which has no keepers
             raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
-        return meeting.connect(session.cell.home, self._places.keepers)
+        return meeting.connect(home, self._places.keepers)
 
     def _words(self) -> list[str]:
         words = ["--lang", self._settings.lang]
@@ -223,14 +226,21 @@ class Sessions:
             except OSError as error:  # a full disk: the class goes on
                 self._tell("serve.no_record", file=str(self._file), reason=error.strerror or str(error))
 
-    async def find_again(self) -> int:
-        """Take over the desktops of a server that was killed, end what cannot be; return how many go on. Raises OSError."""
+    async def find_again(self, names: Iterable[str]) -> int:
+        """Take over the desktops of a server that was killed, end what cannot be; return how many go on. Raises OSError.
+
+        Those of the pupils in `names` are found although they are not recorded, as after a full disk.
+        """
         try:
             found = await asyncio.to_thread(records.read, self._file)
         except ValueError:
             self._tell("serve.bad_record", file=str(self._file))
-            return 0
+            found = []
         await asyncio.gather(*map(self._find, found))
+        recorded = {same_name(record.name) for record in found}
+        for name in names:
+            if same_name(name) not in recorded:
+                await self._find_unrecorded(name)
         await self._remember()
         return len(self.running)
 
@@ -245,15 +255,26 @@ class Sessions:
         try:
             cell = await asyncio.to_thread(self._places.cell, record.name, mode, self._settings.limits)
             session = Session(record.name, cell, record.domain, self._has_ended)
-            probe = await asyncio.to_thread(self._found, session) if mode is self._mode else None
+            probe = await asyncio.to_thread(self._found, session.cell.home) if mode is self._mode else None
             if probe is None:
                 await asyncio.to_thread(starting.stop, mode, cell, self._places.keepers)
                 return
-            self.running[same_name(record.name)] = session
-            session.is_observed = True
-            self.feed.begin(session.name, probe)
+            self._take_over(session, probe)
         except (IsolationError, OSError):
             self._tell("serve.left", name=record.name)
+
+    async def _find_unrecorded(self, name: str) -> None:
+        try:
+            probe = await asyncio.to_thread(self._found, self._places.home(name))
+            if probe is not None:
+                self._take_over(await self._session(name, self._free_domain()), probe)
+        except (IsolationError, OSError):
+            self._tell("serve.left", name=name)
+
+    def _take_over(self, session: Session, connection: socket.socket) -> None:
+        self.running[same_name(session.name)] = session
+        session.is_observed = True
+        self.feed.begin(session.name, connection)
 
     # -- what is looked at now and then --------------------------------------------------------------------------------
 
