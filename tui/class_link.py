@@ -9,7 +9,6 @@ import asyncio
 import contextlib
 import contextvars
 import logging
-import socket
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -19,6 +18,7 @@ from day6_tui.core.classroom import note as notes
 from day6_tui.core.classroom import order as orders
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.classroom.roster import Roster
+from day6_tui.core.link.addresses import own_address
 from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.session.harmless import one_line
@@ -139,16 +139,6 @@ class TeacherLink:
         except notes.NoteError as error:
             _log.warning("a note of %s that is none: %s", name, one_line(str(error)))
         self.changed()
-
-
-def own_address() -> str:
-    """Return the address by which others reach this machine: that of its way to elsewhere. Nothing is sent."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect(("192.0.2.1", 9))
-        except OSError:
-            return socket.gethostname()
-        return str(probe.getsockname()[0])
 
 
 def _soon() -> Callable[[Callable[[], object]], None]:

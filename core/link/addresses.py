@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 import re
+import socket
 from typing import NamedTuple
 
 PROTOCOLS = ("tcp", "udp", "ws")
@@ -59,3 +60,13 @@ def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
     elif not _NAME.fullmatch(host):
         raise ValueError(f"{endpoint!r} has no valid host name: {host or 'it is empty'}")
     return host
+
+
+def own_address() -> str:
+    """Return the address by which others reach this machine: that of its way to elsewhere. Nothing is sent."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))  # an address for documentation: RFC 5737
+        except OSError:
+            return socket.gethostname()
+        return str(probe.getsockname()[0])

@@ -17,6 +17,7 @@ from aiohttp import web
 
 from day6_tui.core.isolation.cell import Words
 from day6_tui.core.isolation.modes import Offer
+from day6_tui.core.link.addresses import own_address
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.tui.web import class_list
 from day6_tui.tui.web.application import Application
@@ -183,13 +184,3 @@ def _unix_listener(path: str) -> socket.socket:
         listener.close()
         raise OSError(error.errno, error.strerror or str(error), path) from None
     return listener
-
-
-def own_address() -> str:
-    """The address of this machine in its network; nothing is sent to find it."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect(("192.0.2.1", 9))  # an address for documentation: RFC 5737
-            return str(probe.getsockname()[0])
-        except OSError:
-            return socket.gethostname()
