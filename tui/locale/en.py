@@ -992,7 +992,7 @@ commands:
     "serve.idle": "{name}: ended after {minutes} minutes without a key; the files stay",
     "serve.refused": "{name}: no desktop: {reason}",
     "serve.no_record": "{file}: cannot be written ({reason})",
-    "serve.bad_record": "{file} is not what this program writes there; desktops of the last server are found by the names of the pupils",
+    "serve.bad_record": "{file} is not what this program writes there; the last desktops are found by the names of the pupils",
     "serve.disk.over": "{name}: {used} MB in the home folder, more than {most} MB",
     "serve.disk.ended": "{name}: ended, {used} MB in the home folder where {most} MB are allowed; the files stay",
     "serve.class.large": "{file} is too large for a list of names",
