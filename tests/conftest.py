@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
@@ -35,6 +36,10 @@ if importlib.util.find_spec("day6_tui") is None:
     namespace = types.ModuleType("day6_tui")
     namespace.__path__ = [str(ROOT)]
     sys.modules["day6_tui"] = namespace
+
+# How long an example takes says something about the machine.
+settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("patient")
 
 KEPT = frozenset(
     [

@@ -401,6 +401,10 @@ class Day6App(TerminalApp):
         if not self.detachment.away:
             super()._display(screen, renderable)
 
+    def _write_picture(self, text: str) -> None:
+        self.classroom.has_drawn = True
+        super()._write_picture(text)
+
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def read_flood(self) -> float | None:

@@ -5,15 +5,12 @@ from __future__ import annotations
 import argparse
 from functools import partial
 
-from day6_tui.core.link.addresses import address_of
+from day6_tui.core.link.addresses import ROUTER_PORT, address_of
 from day6_tui.core.link.classroom.keys import LONGEST_NAME, is_name
 from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.tui.command_line import build_parser
 from day6_tui.tui.locale import Texts
-
-PORT = 7447
-"""rmw_zenoh's, as of any router of Zenoh."""
 
 
 def class_parser(language: str = "en") -> argparse.ArgumentParser:
@@ -40,7 +37,7 @@ def take_part(parser: argparse.ArgumentParser, options: argparse.Namespace, text
     elif options.teacher:
         if options.name is not None:
             parser.error(texts("cli.class.with_join", option="--name"))
-        options.listen = options.listen or f"tcp/0.0.0.0:{PORT}"
+        options.listen = options.listen or f"tcp/0.0.0.0:{ROUTER_PORT}"
         options.part = Teacher(room=options.room)
     elif options.join is None:
         parser.error(texts("cli.class.one"))
@@ -58,7 +55,7 @@ def _endpoint(text: str, texts: Texts) -> str:
     bare_ipv6 = text.count(":") > 1 and not text.startswith("[")
     host = f"[{text}]" if bare_ipv6 else text
     has_port = host.rpartition(":")[2].isdecimal() and not host.endswith("]") and ":" in host
-    for endpoint in (text, f"tcp/{host}" if has_port else f"tcp/{host}:{PORT}"):
+    for endpoint in (text, f"tcp/{host}" if has_port else f"tcp/{host}:{ROUTER_PORT}"):
         try:
             address_of(endpoint, listening=False)
         except ValueError:

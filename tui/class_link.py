@@ -18,7 +18,7 @@ from day6_tui.core.classroom import note as notes
 from day6_tui.core.classroom import order as orders
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.classroom.roster import Roster
-from day6_tui.core.link.addresses import own_address
+from day6_tui.core.link.addresses import ROUTER_PORT, own_address
 from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.session.harmless import one_line
@@ -32,6 +32,7 @@ _log = logging.getLogger(__name__)
 
 SOURCE = "class"
 """The name of the link among those who observe a desktop."""
+MOST_TURNED_AWAY = 20
 KIND = "classroom"
 """The kind of the teacher's window."""
 
@@ -87,15 +88,21 @@ class TeacherLink:
         self.roster = Roster(self)
         self.changed: Callable[[], None] = lambda: None
         """Called after every change; the window writes it."""
-        self.port = ""
+        self._listen = ""
+        """The endpoint."""
+        self._has_secret = False
+        self.turned_away: tuple[tuple[str, str], ...] = ()
+        """Who asked to join lately and was refused, and why: taken, full, domain."""
         self.home = Path()
         """Where the report goes."""
 
     def begin(self, app: Day6App) -> None:
         soon = _soon()
-        self.port = (app.options.listen or "").rpartition(":")[2]
+        self._listen, self._has_secret = app.options.listen or "", app.options.secret is not None
         self._part.came = lambda name, is_here: soon(partial(self._came, name, is_here))
         self._part.noted = lambda name, data: soon(partial(self._noted, name, data))
+        self._part.turned_away = lambda name, why: soon(partial(self._turned_away, name, why))
+        self.roster.attend(True)
         if app.machine.desk is not None:
             self.home = app.machine.desk.home
         self.show(app)
@@ -119,7 +126,10 @@ class TeacherLink:
 
     def invitation(self, name: str) -> str:
         """Return what a pupil types to join."""
-        return f"day6-tui class --join {own_address()}{'' if self.port == '7447' else ':' + self.port} --name {name}"
+        host, _, port = self._listen.partition("/")[2].rpartition(":")
+        at = own_address() if host in ("0.0.0.0", "[::]") else host
+        secret = " --secret FILE" if self._has_secret else ""
+        return f"day6-tui class --join {at}{'' if port == str(ROUTER_PORT) else ':' + port} --name {name}{secret}"
 
     def send(self, name: str, order: Order) -> bool:
         """Send an order; False if that pupil cannot be reached."""
@@ -129,8 +139,13 @@ class TeacherLink:
         if is_here:
             self.roster.here(name)
             self.send(name, Order("tell"))
+            self.turned_away = tuple(each for each in self.turned_away if each[0] != name)
         else:
             self.roster.gone(name)
+        self.changed()
+
+    def _turned_away(self, name: str, why: str) -> None:
+        self.turned_away = (*self.turned_away, (name, why))[-MOST_TURNED_AWAY:]
         self.changed()
 
     def _noted(self, name: str, data: bytes) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from textual.widgets import Static
 
 GRACE_SECONDS = 1.0
-"""Who was typing when the question came has not answered it."""
+"""Without a key, before one is an answer: who was typing when the question came, and types on, has not read it."""
 
 
 class Frozen(Modal):
@@ -53,12 +53,14 @@ class Consent(Question):
 
     def __init__(self, look: Look, answer: Answer) -> None:
         texts = look.texts
-        super().__init__(look, texts("class.consent.title"), texts("class.consent.text"), [answer], careful=True)
+        title, text, no = (texts(f"class.consent.{part}") for part in ("title", "text", "no"))
+        super().__init__(look, title, text, [answer], careful=True, back=no)
         self._since = time.monotonic()
 
     def on_key(self, event: events.Key) -> None:
         if time.monotonic() - self._since >= GRACE_SECONDS or event.character is None:
             super().on_key(event)
         else:
+            self._since = time.monotonic()
             event.stop()
             event.prevent_default()

@@ -13,7 +13,7 @@ _LONGEST_HOST = 20
 _FINE = ("open", "joined", "opening", "calling")
 
 
-def door_words(door: Door, ellipsis: str) -> tuple[str, bool, dict[str, object]]:
+def door_words(door: Door, ellipsis: str, *, short: bool = False) -> tuple[str, bool, dict[str, object]]:
     """Return the text for a connection in the top line: its id, whether all is well, its parameters."""
     address = door.endpoint.partition("/")[2]
     host, _, port = address.rpartition(":")
@@ -21,4 +21,4 @@ def door_words(door: Door, ellipsis: str) -> tuple[str, bool, dict[str, object]]
     if not door.listening:
         name = {"open": "joined", "opening": "calling"}.get(name, name)
     words = {"host": clip(host, _LONGEST_HOST, ellipsis), "port": port, "joined": door.joined}
-    return f"bar.door.{name}", name in _FINE, words
+    return f"bar.door.{name}{'.short' if short and name == 'joined' else ''}", name in _FINE, words

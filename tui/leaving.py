@@ -77,10 +77,11 @@ class Leaving:
         self._asked = None if lost else question
         self._desktop.open_overlay(question)
 
-    def end_by_signal(self) -> None:
-        """End after a closed terminal or `kill`: the user cannot be asked, but what is lost is reported."""
+    def end_by_signal(self, why: str = "") -> None:
+        """End after a closed terminal, `kill` or by a teacher: the user is not asked, but told what is lost, and why."""
         lost = self.lost()
         if lost:
-            self._app.exit(return_code=1, message=self._look.texts("quit.was_lost", what="; ".join(lost)))
+            told = self._look.texts("quit.was_lost", what="; ".join(lost))
+            self._app.exit(return_code=1, message=f"{why}\n{told}" if why else told)
         else:
-            self._app.exit()
+            self._app.exit(message=why or None)

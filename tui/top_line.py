@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from day6_tui.tui.actions import Actions
+from day6_tui.tui.cells import cell_len
 from day6_tui.tui.desktop import Desktop
 from day6_tui.tui.doors import door_words
 from day6_tui.tui.look import Look
@@ -34,21 +35,20 @@ class TopLine:
         self._look = look
         self._doors = doors
         self._recording = recording
-        self.classroom: Callable[[], list[Piece]] = list
-        """What the pupil of a class has to see."""
-        self.offers: Callable[[], list[Piece]] = list
+        self.classroom: Callable[[bool], list[Piece]] = _nothing
+        """What the pupil of a class has to see; in short words, if asked for."""
+        self.offers: Callable[[bool], list[Piece]] = _nothing
         """What is of use to the pupil, where there is room."""
 
     def pieces(self, width: int) -> tuple[list[Piece], list[Piece]]:
-        """From the left and from the right."""
-        return [
-            *self._name(),
-            *self._recorded(),
-            *self.classroom(),
-            *self._door_pieces(),
-            *self.offers(),
-            *self._running(),
-        ], self._switches()
+        """From the left and from the right; in short words where not all that matters has room."""
+        switches = self._switches()
+        for short in (False, True):
+            left = [*self._name(), *self._recorded(), *self.classroom(short), *self._door_pieces(short)]
+            left += self.offers(short)
+            if sum(cell_len(piece.text) for piece in (*left, *switches)) <= width:
+                break
+        return [*left, *self._running()], switches
 
     def _recorded(self) -> list[Piece]:
         """That the screen is being recorded; a click ends it."""
@@ -69,12 +69,12 @@ class TopLine:
             Piece(f"{self._look.texts(name)}   ", colours.bar_strong),
         ]
 
-    def _door_pieces(self) -> list[Piece]:
+    def _door_pieces(self, short: bool) -> list[Piece]:
         """The state of the connections to other machines; a click opens the inspector, which gives details."""
         colours = self._look.colours
         pieces = []
         for door in self._machine.doors() if self._doors else ():
-            key, fine, words = door_words(door, self._look.glyphs.ellipsis)
+            key, fine, words = door_words(door, self._look.glyphs.ellipsis, short=short)
             style = colours.bar if fine else colours.warning
             pieces.append(Piece(f"{self._look.texts(key, **words)}   ", style, self._actions["inspector"]))
         return pieces
@@ -102,3 +102,7 @@ class TopLine:
             Piece(f" {mark} {speed} ", time_style, self._actions["pause"]),
             Piece(f" {texts('bar.help')} ", colours.bar, self._actions["help"]),
         ]
+
+
+def _nothing(short: bool) -> list[Piece]:
+    return []

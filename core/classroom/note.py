@@ -17,7 +17,7 @@ MOST_NAMES = 64
 LANGUAGES = ("zh", "en")
 COLUMNS, ROWS = (1, 500), (1, 200)
 MOST_STEPS = 10_000
-REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "place", "unknown"))
+REFUSALS = tuple(f"class.refused.{why}" for why in ("busy", "type", "no", "taken_back", "place", "unknown", "full"))
 """Why an order was not followed: keys of the catalogue."""
 
 
@@ -64,8 +64,14 @@ class Note:
     programs: tuple[str, ...] = ()
     hand: bool = False
     idle: float = 0.0
+    attended: bool = False
+    """Whether it knows of a teacher who is there."""
     watched: bool = False
+    seen: bool = False
+    """Whether it knows of somebody who looks by a link that only watches."""
     frozen: bool = False
+    asked: bool = False
+    """Whether the question is open whether the teacher may type."""
     may_type: bool = False
     """Whether the pupil lets the teacher type."""
     refused: str = ""
@@ -102,8 +108,11 @@ def decode(data: bytes) -> Note:
             programs=_names(found.get("programs")),
             hand=found.get("hand") is True,
             idle=_seconds(found.get("idle")),
+            attended=found.get("attended") is True,
             watched=found.get("watched") is True,
+            seen=found.get("seen") is True,
             frozen=found.get("frozen") is True,
+            asked=found.get("asked") is True,
             may_type=found.get("may_type") is True,
             refused=found["refused"] if found.get("refused") in REFUSALS else "",
             screen=_picture(found.get("screen")),

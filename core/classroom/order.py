@@ -14,7 +14,8 @@ MOST_SECONDS = 60.0
 
 WITH_TEXT = {"say": LONGEST_SAYING, "scene": LONGEST_NAME, "lesson": LONGEST_NAME, "type": 256}
 """Orders with a text, and how long that may be: a sentence, a name, keys as a terminal sends them."""
-WITH_SWITCH = ("freeze",)
+WITH_SWITCH = ("freeze", "attend", "seen")
+"""Stop the keyboard; a teacher is there; somebody looks by a link that only watches."""
 PLAIN = ("tell", "unwatch", "ask_to_type", "stop_typing", "lower_hand", "end")
 
 

@@ -5,8 +5,13 @@ from __future__ import annotations
 import ipaddress
 import re
 import socket
+import struct
+import sys
+from collections.abc import Iterator
 from typing import NamedTuple
 
+ROUTER_PORT = 7447
+"""rmw_zenoh's, as of any router of Zenoh."""
 PROTOCOLS = ("tcp", "udp", "ws")
 """The installed Zenoh's protocols that need neither certificates nor a path."""
 _NAME = re.compile(r"(?!-)[A-Za-z0-9_-]{1,63}(\.(?!-)[A-Za-z0-9_-]{1,63})*\.?")
@@ -63,10 +68,29 @@ def _host(endpoint: str, protocol: str, host: str, *, listening: bool) -> str:
 
 
 def own_address() -> str:
-    """Return the address by which others reach this machine: that of its way to elsewhere. Nothing is sent."""
+    """Return the address by which others reach this machine: that of its way to elsewhere, else of its first network.
+
+    Nothing is sent. Without any network it is the machine's name.
+    """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.connect(("192.0.2.1", 9))  # an address for documentation: RFC 5737
+            return str(probe.getsockname()[0])
+        except OSError:  # a room without internet
+            found = next((each for each in _of_interfaces(probe) if not ipaddress.ip_address(each).is_loopback), None)
+    return found or socket.gethostname()
+
+
+def _of_interfaces(probe: socket.socket) -> Iterator[str]:
+    """Yield the IPv4 addresses of this machine's network interfaces (Linux, macOS)."""
+    if sys.platform == "win32":
+        return
+    import fcntl
+
+    get_address = 0x8915 if sys.platform == "linux" else 0xC0206921  # SIOCGIFADDR
+    for _, name in socket.if_nameindex():
+        try:
+            answer = fcntl.ioctl(probe.fileno(), get_address, struct.pack("16s240x", name.encode()[:15]))
         except OSError:
-            return socket.gethostname()
-        return str(probe.getsockname()[0])
+            continue  # it has none
+        yield socket.inet_ntoa(answer[20:24])

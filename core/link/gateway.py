@@ -226,8 +226,9 @@ class Gateway:
         for door in self.doors:
             if door.listening:
                 port = address_of(door.endpoint, listening=True).port
-                joined = {far for near, far in links if near.endswith(f":{port}")}
-                self._change(door.endpoint, True, joined=len(joined))
+                links_here = {far for near, far in links if near.endswith(f":{port}")}
+                joined = self._part.joined if self._part is not None else None
+                self._change(door.endpoint, True, joined=len(links_here) if joined is None else joined)
             else:
                 self._check_connection(door, {far.split("?")[0].partition("/")[2] for _, far in links})
 

@@ -78,6 +78,8 @@ FIELDS = (
     "rows",
     "ansi",
     "idle",
+    "asked",
+    "on",
     "do",
     "text",
 )

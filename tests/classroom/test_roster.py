@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from day6_tui.core.classroom.note import LessonPlace, Note, Trouble
 from day6_tui.core.classroom.order import Order
-from day6_tui.core.classroom.roster import STUCK_SECONDS, Roster
+from day6_tui.core.classroom.roster import FROZEN_SECONDS, STUCK_SECONDS, Roster
 
 ERROR = Trouble({"en": "Not found"}, "Package 'turtlesin' not found")
 
@@ -85,3 +85,78 @@ def test_a_crowd_that_is_no_class_has_an_end() -> None:
     for number in range(1000):
         roster.heard(f"n{number}", Note())
     assert len(roster.rows()) == 200
+
+
+def test_who_is_expected_and_has_not_come_is_in_the_list_at_its_end() -> None:
+    roster = Roster(clock=Clock())
+    roster.expect(["anna", "ben", "carl"])
+    roster.here("carl")
+    roster.here("ben")
+    roster.gone("ben")
+    assert [(row.name, row.is_here, row.has_come) for row in roster.rows()] == [
+        ("carl", True, True),
+        ("ben", False, True),
+        ("anna", False, False),
+    ]
+    assert roster.everybody() == ["carl"]
+
+
+def test_who_comes_while_the_class_is_frozen_is_frozen_too() -> None:
+    clock, carrier = Clock(), Carrier("anna", "ben")
+    roster = Roster(carrier, clock)
+    roster.attend(True)
+    roster.here("anna")
+    assert roster.freeze(True) == [] and roster.is_frozen
+    carrier.sent.clear()
+    roster.here("ben")
+    assert carrier.sent == [("ben", Order("attend", on=True)), ("ben", Order("freeze", on=True))]
+    roster.freeze(False)
+    carrier.sent.clear()
+    roster.here("anna")
+    assert carrier.sent == [("anna", Order("attend", on=True))]
+    carrier.sent.clear()
+    roster.heard("anna", Note())  # what was sent had not arrived
+    roster.heard("anna", Note(attended=True))
+    roster.heard("anna", Note(attended=True, frozen=True))
+    assert carrier.sent == [("anna", Order("attend", on=True)), ("anna", Order("freeze"))]
+    roster.freeze(True)
+    clock.now += FROZEN_SECONDS
+    assert not roster.is_frozen
+
+
+def test_a_teacher_who_goes_leaves_nobody_frozen() -> None:
+    carrier = Carrier("anna")
+    roster = Roster(carrier, Clock())
+    roster.here("anna")
+    roster.attend(True)
+    roster.freeze(True)
+    carrier.sent.clear()
+    roster.attend(False)
+    roster.attend(False)
+    assert carrier.sent == [("anna", Order("attend"))] and not roster.is_frozen
+
+
+def test_what_happened_in_the_lesson_is_kept_with_its_time() -> None:
+    wall = Clock()
+    roster = Roster(clock=Clock(), wall=wall)
+    roster.here("anna")
+    for note in (
+        Note(lesson=LessonPlace("day3", {}, 1, 12)),
+        Note(lesson=LessonPlace("day3", {}, 1, 12), trouble=ERROR),
+        Note(lesson=LessonPlace("day3", {}, 1, 12), trouble=ERROR, hand=True),
+        Note(lesson=LessonPlace("day3", {}, 2, 12)),
+    ):
+        wall.now += 1
+        roster.heard("anna", note)
+    roster.gone("anna")
+    roster.gone("anna")
+    assert [tuple(event) for event in roster.events] == [
+        (100.0, "anna", "came", ""),
+        (101.0, "anna", "lesson", "day3 1/12"),
+        (102.0, "anna", "error", ERROR.line),
+        (103.0, "anna", "hand", ""),
+        (104.0, "anna", "step", "day3 2/12"),
+        (104.0, "anna", "mended", ERROR.line),
+        (104.0, "anna", "lowered", ""),
+        (104.0, "anna", "left", ""),
+    ]

@@ -57,7 +57,7 @@ def join(
 def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
     place: Place, desk: Place, address: str, lang: str, columns: int, rows: int
 ) -> None:
-    texts = Texts(lang)
+    texts, unread = Texts(lang), "class.bar.unread" if columns > 100 else "class.bar.unread.short"
     with teach(desk, address, lang=lang, columns=columns, rows=rows) as teacher:
         teacher.wait(texts("teacher.empty")[:12])
         teacher.wait("day6-tui class --join")
@@ -78,9 +78,9 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             teacher.wait(texts("teacher.say", name="anna"))
             teacher.line("well done")
             pupil.wait("well done")
-            pupil.wait(texts("class.bar.unread", count=1))
+            pupil.wait(texts(unread, count=1))
             choose(pupil, texts("action.sayings"))
-            pupil.wait_gone(texts("class.bar.unread", count=1))
+            pupil.wait_gone(texts(unread, count=1))
             pupil.press("Esc")
             assert "/anna/turtlesim" in desk.nodes()
             assert "/turtlesim" in place.nodes() and "/anna/turtlesim" not in place.nodes()
@@ -99,13 +99,13 @@ def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, de
         teacher.wait(texts("teacher.asked", name="anna"))
         pupil.look(1.2)  # who was typing when the question came has not answered it
         pupil.send("y")
-        pupil.wait(texts("class.bar.types"))
+        pupil.wait(texts("class.bar.types.short"))
         teacher.press("t")
         teacher.wait(texts("teacher.typing", name="anna"))
         teacher.send("echo typed-$((40 + 2))\r")
         pupil.wait("typed-42")
         teacher.send(END_TYPING)
-        pupil.wait_gone(texts("class.bar.types"))
+        pupil.wait_gone(texts("class.bar.types.short"))
         teacher.press("e")
         teacher.wait(texts("teacher.csv"))
         teacher.press("Enter")

@@ -96,6 +96,9 @@ def test_the_teacher_hears_and_the_pupil_sees_that_somebody_does(
         screen.wait(PROMPT)
         with observer(place) as teacher:
             teacher.wait(lambda note: not note.hand and not note.watched and note.screen is None)
+            assert texts("class.bar.raise") not in screen.look()  # a server looks on, and no teacher
+            teacher.order("attend", on=True)
+            teacher.wait(lambda note: note.attended)
             screen.line("ros2 run turtlesin turtlesim_node")
             note = teacher.wait(lambda note: note.trouble is not None)
             assert note.trouble is not None and "turtlesin" in note.trouble.line and note.trouble.title["zh"]
@@ -128,6 +131,7 @@ def test_a_frozen_screen_takes_no_keys_and_is_free_again_when_the_teacher_goes(p
     with place.desktop("--detach", "--scene", "empty") as screen:
         screen.wait(PROMPT)
         with observer(place) as teacher:
+            teacher.order("attend", on=True)
             teacher.order("freeze", on=True)
             screen.wait(texts("class.frozen.title"))
             teacher.wait(lambda note: note.frozen)
@@ -140,6 +144,11 @@ def test_a_frozen_screen_takes_no_keys_and_is_free_again_when_the_teacher_goes(p
             screen.wait("Alt+-")
             screen.send("half a wo")
             screen.wait("half a wo")
+            teacher.order("freeze", on=True)
+            screen.wait(texts("class.frozen.title"))
+            teacher.order("attend", on=False)
+            screen.wait_gone(texts("class.frozen.title"))
+            teacher.order("attend", on=True)
             teacher.order("freeze", on=True)
             screen.wait(texts("class.frozen.title"))
         screen.wait_gone(texts("class.frozen.title"))
@@ -155,8 +164,15 @@ def test_the_teacher_types_after_consent_and_not_before_or_after(place: Place) -
     with place.desktop("--detach", "--scene", "empty") as screen:
         screen.wait(PROMPT)
         with observer(place) as teacher:
+            teacher.order("attend", on=True)
             teacher.order("type", text="echo early\r")
             teacher.wait(lambda note: note.refused == "class.refused.type")
+            teacher.order("ask_to_type")
+            teacher.wait(lambda note: note.asked)
+            screen.wait(texts("class.consent.title"))
+            screen.look(1.2)
+            screen.press("Esc")
+            teacher.wait(lambda note: not note.asked and note.refused == "class.refused.no")
             teacher.order("ask_to_type")
             screen.wait(texts("class.consent.title"))
             screen.press("y")  # too early to be an answer: somebody was typing
@@ -164,11 +180,11 @@ def test_the_teacher_types_after_consent_and_not_before_or_after(place: Place) -
             assert texts("class.consent.title") in screen.look()
             screen.press("y")
             teacher.wait(lambda note: note.may_type)
-            screen.wait(texts("class.bar.types"), lambda seen: texts("class.consent.title") not in seen)
+            screen.wait(texts("class.bar.types.short"), lambda seen: texts("class.consent.title") not in seen)
             teacher.order("type", text="echo by-$((1 + 1))\r")
             screen.wait_lines("by-2")
             choose(screen, texts("action.take_back"))
-            teacher.wait(lambda note: not note.may_type)
+            teacher.wait(lambda note: not note.may_type and note.refused == "class.refused.taken_back")
             teacher.order("type", text="echo late\r")
             teacher.wait(lambda note: note.refused == "class.refused.type")
             assert "late" not in screen.look() and "early" not in screen.look()

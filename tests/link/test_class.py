@@ -111,11 +111,14 @@ def test_services_and_kept_messages_reach_through_the_names(school: Class) -> No
 
 
 def test_a_name_is_given_once_and_again_when_it_is_free(school: Class) -> None:
-    school.teacher()
+    part, turned_away = Teacher(), list[tuple[str, str]]()
+    part.turned_away = lambda *who: turned_away.append(who)
+    school.teacher(part)
     first = school.pupil("anna")
     assert until(lambda: state(first) == DoorState.OPEN, PATIENCE)
     second = school.pupil("anna")
     assert until(lambda: state(second) == DoorState.NAME_TAKEN, PATIENCE)
+    assert until(lambda: turned_away == [("anna", "taken")], PATIENCE) and part.joined == 1
     leave(first.graph)
     assert until(lambda: state(second) == DoorState.OPEN, PATIENCE)
 
@@ -186,6 +189,15 @@ def test_in_a_room_all_are_in_one_graph(school: Class) -> None:
     assert until(lambda: teacher.nodes() == anna.nodes() == ben.nodes() == both, PATIENCE)
     assert until(lambda: state(other) == DoorState.OTHER_DOMAIN, PATIENCE)
     assert other.nodes() == []
+
+
+def test_a_pupil_follows_a_teacher_who_begins_again_with_a_room_and_back(school: Class) -> None:
+    anna = school.pupil("anna")
+    anna.node("turtlesim")
+    for room, seen in ((False, "/anna/turtlesim"), (True, "/turtlesim"), (False, "/anna/turtlesim")):
+        teacher = school.teacher(Teacher(room=room))
+        assert until(partial(sees, teacher, seen), PATIENCE), seen
+        leave(teacher.graph)
 
 
 @pytest.mark.parametrize(

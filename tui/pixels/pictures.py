@@ -24,6 +24,8 @@ from day6_tui.tui.look import Look
 from day6_tui.tui.pixels.ask import FIRST, IS_READY, ITERM, KITTY, READY, Ability, Inquiry, closes
 
 if TYPE_CHECKING:
+    from textual.strip import Strip
+
     from day6_tui.tui.pixels.bands import Array, Piece, Writer
 
 MOST_PIXELS = 700_000
@@ -227,6 +229,16 @@ class Pictures:
         """The pane has no picture any more."""
         if (picture := self._pictures.pop(pane, None)) is not None:
             self._erase(picture)
+
+    def drawn_over(self, strips: list[Strip]) -> list[Strip]:
+        """The lines of the screen with the pictures in them, as half blocks."""
+        from day6_tui.tui.pixels.halves import halved, over
+
+        for pane, picture in self._pictures.items() if self.on else ():
+            if pane.is_attached and (visible := self._visible(pane, picture)):
+                halves = halved(picture.pixels, picture.cell)
+                strips = over(strips, (picture.region.x, picture.region.y), visible, halves)
+        return strips
 
     # -- writing -------------------------------------------------------------------------------------------------------
 

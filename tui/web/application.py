@@ -44,7 +44,7 @@ class Application:
         self._what_it_is = what_it_is
         self._tell = tell
         self._gate = Gate(settings, tokens)
-        self._class = ClassPage(self._gate, self._texts, sessions.feed, sessions.is_looked_at, lessons)
+        self._class = ClassPage(self._gate, self._texts, sessions.feed, sessions.state_of, lessons)
 
     def build(self) -> web.Application:
         """The application that aiohttp serves."""

@@ -24,6 +24,8 @@ class RosterFeed:
     def __init__(self) -> None:
         self.roster = Roster(self)
         self._lines: dict[str, LoopLine] = {}
+        self._seen: set[str] = set()
+        """Whose desktops somebody looks at by a link that only watches."""
         self._changed: list[Callable[[], None]] = []
 
     def subscribe(self, changed: Callable[[], None]) -> Callable[[], None]:
@@ -39,6 +41,12 @@ class RosterFeed:
         line.on_readable(partial(self._hear, name, line))
         self.roster.here(name)
         self.tell()
+
+    def seen(self, name: str, is_seen: bool) -> None:
+        """Somebody looks at this desktop by a link that only watches, or nobody does any more: the pupil is told."""
+        if is_seen != (name in self._seen):
+            (self._seen.add if is_seen else self._seen.discard)(name)
+            self.send(name, Order("seen", on=is_seen))
 
     def end(self, name: str) -> None:
         """The desktop has ended."""
@@ -68,9 +76,12 @@ class RosterFeed:
         for kind, data in line.receive():
             if kind == wire.NOTE:
                 try:
-                    self.roster.heard(name, note.decode(data))
+                    heard = note.decode(data)
                 except NoteError:
                     continue  # a desktop that was tampered with: its pupil stays where the last note said
+                self.roster.heard(name, heard)
+                if heard.seen != (name in self._seen):  # it was not ready when it was told
+                    self.send(name, Order("seen", on=name in self._seen))
         if line.closed and self._lines.get(name) is line:
             self._drop(name)
             self.roster.gone(name)

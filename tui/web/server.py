@@ -68,6 +68,7 @@ class Server:
         new = links.enrol(names, anew=self._settings.new_links)
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
+        self._sessions.feed.roster.expect(names)
         again = await self._sessions.find_again([PROXIED_NAME] if self._settings.proxied else links.all_names())
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is

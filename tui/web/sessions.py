@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import errno
+import math
 import os
 import socket
 import sys
@@ -13,6 +14,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from day6_tui.core.classroom.order import Order
+from day6_tui.core.classroom.roster import Row
 from day6_tui.core.isolation.cell import IsolationError
 from day6_tui.core.isolation.mode import Mode
 from day6_tui.core.isolation.modes import survey
@@ -39,6 +41,9 @@ DISK_PATIENCE = 1.5
 DOMAINS = range(1, 102)
 """For ROS_DOMAIN_ID; what really keeps the graphs apart is the runtime folder."""
 
+WAITING_SECONDS = 30.0
+"""After which somebody who found the class full counts as gone again."""
+
 Tell = Callable[..., None]
 """Prints a text of the catalogue: its key, and what fills it."""
 
@@ -60,6 +65,8 @@ class Sessions:
         self.feed = RosterFeed()
         """What the teacher is told."""
         self._tabs: dict[str, list[Viewer]] = {}
+        self._waiting: dict[str, float] = {}
+        """Who found the class full, and when."""
         self._locks: dict[str, asyncio.Lock] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._writing = asyncio.Lock()
@@ -98,6 +105,7 @@ class Sessions:
             _seat(session, viewer)
             session.greet(connection)
             await self._observe(session)
+            self.feed.seen(session.name, bool(session.watchers))
             return session
 
     async def leave(self, name: str, viewer: Viewer) -> None:
@@ -112,6 +120,7 @@ class Sessions:
             return
         if viewer in session.watchers:
             session.watchers.remove(viewer)
+            self.feed.seen(session.name, bool(session.watchers))
         elif session.writer is viewer:
             session.writer = None
         if session.is_watched:
@@ -127,11 +136,24 @@ class Sessions:
 
     async def _new(self, name: str) -> Session:
         if len(self.running) >= self._settings.most:
+            self._turn_away(name)
             raise Full
         session = await self._session(name, self._free_domain())
         self.running[same_name(name)] = session
+        self._waiting.pop(same_name(name), None)
         await self._remember()
         return session
+
+    def _turn_away(self, name: str) -> None:
+        if not self.waits(name):
+            self._tell("serve.full", name=name, most=self._settings.most)
+        self._waiting[same_name(name)] = time.monotonic()
+        self.feed.roster.expect([name])
+        self.feed.tell()
+
+    def waits(self, name: str) -> bool:
+        """Whether the pupil has lately found the class full; the page tries again by itself."""
+        return time.monotonic() - self._waiting.get(same_name(name), -math.inf) < WAITING_SECONDS
 
     def _free_domain(self) -> int:
         used = {session.domain for session in self.running.values()}
@@ -164,10 +186,12 @@ class Sessions:
                     self.feed.begin(session.name, found)
         self.feed.tell()
 
-    def is_looked_at(self, name: str) -> bool:
-        """Whether the pupil has a tab open."""
-        session = self.running.get(same_name(name))
-        return session is not None and session.writer is not None
+    def state_of(self, row: Row) -> str:
+        """What the teacher sees of a pupil: here, away (without a tab), full (who found no room), gone, absent."""
+        session = self.running.get(same_name(row.name))
+        if row.is_here:
+            return "here" if session is not None and session.writer is not None else "away"
+        return "full" if self.waits(row.name) else "gone" if row.has_come else "absent"
 
     def _found(self, home: Path) -> socket.socket | None:
         if sys.platform == "win32":  # which has no keepers

@@ -28,6 +28,10 @@ class Part(Protocol):
     def problem(self) -> DoorState | None:
         """Why it does not, if the other machine is connected."""
 
+    @property
+    def joined(self) -> int | None:
+        """How many belong to the class now; None where that is not known here."""
+
     is_closed: bool
     """Whether others reach only this machine by it, and only as pupils."""
 

@@ -30,6 +30,7 @@ class Pupil:
     """`ordered` gets the teacher's orders, `met` whether the teacher is there; both are called on foreign threads."""
 
     is_closed = False
+    joined = None
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -110,6 +111,9 @@ class Pupil:
             return
         if refusal is not None:
             self.problem, self._here, self.naming = _REFUSALS.get(str(refusal), DoorState.NOT_LET_IN), None, None
+            return
+        if self.naming is not None and is_room != self.is_room:
+            self.naming, self._here = None, None  # the class has become another: the gateway opens anew
             return
         if self._here is None:
             self._here = session.liveliness().declare_token(keys.here_token(self.name, str(session.info.zid())))

@@ -20,18 +20,20 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger(__name__)
 
+MOST_REFUSED = 1000
 RESERVED_SECONDS = 5.0
 """How long a granted name waits for its pupil's token."""
 
 
 class Teacher:
-    """`noted(name, note)` and `came(name, is_here)` are called on foreign threads."""
+    """`noted(name, note)`, `came(name, is_here)` and `turned_away(name, why)` are called on foreign threads."""
 
     def __init__(self, *, room: bool = False) -> None:
         self.is_room = room
         self.is_closed = not room
         self.noted: Callable[[str, bytes], None] = _ignore
         self.came: Callable[[str, bool], None] = _ignore
+        self.turned_away: Callable[[str, str], None] = _ignore
         self.problem = None
         self.naming: Naming | None = None
         self._outbox: Outbox | None = None
@@ -41,6 +43,13 @@ class Teacher:
         self._here: dict[str, str] = {}
         """name -> session of the pupil who has it"""
         self._reserved: dict[str, tuple[str, float]] = {}
+        self._refused: dict[str, tuple[str, str]] = {}
+        """session -> name and reason, for those who were told"""
+
+    @property
+    def joined(self) -> int:
+        """How many pupils are here."""
+        return len(self._here)
 
     def order(self, name: str, order: bytes) -> bool:
         """Send an order to a pupil; False if that pupil is not here. Any thread."""
@@ -74,7 +83,7 @@ class Teacher:
             self._outbox.close()
             self._outbox = None
         with self._lock:
-            names, self._here, self._reserved = list(self._here), {}, {}
+            names, self._here, self._reserved, self._refused = list(self._here), {}, {}, {}
         for name in names:
             self.came(name, False)
 
@@ -88,8 +97,13 @@ class Teacher:
         except (ValueError, TypeError, KeyError):
             return
         if name is not None:
-            answer = {"refused": self._refusal(name, zid, domain_id), "room": self.is_room}
-            query.reply(query.key_expr, json.dumps(answer).encode())
+            refusal = self._refusal(name, zid, domain_id)
+            query.reply(query.key_expr, json.dumps({"refused": refusal, "room": self.is_room}).encode())
+            if refusal is not None and self._refused.get(zid) != (name, refusal):  # it asks again every second
+                if len(self._refused) >= MOST_REFUSED:
+                    self._refused.clear()
+                self._refused[zid] = (name, refusal)
+                self.turned_away(name, refusal)
 
     def _refusal(self, name: str, zid: str, domain_id: object) -> str | None:
         """Return why this session cannot have the name, and keep it for it if it can."""
