@@ -28,6 +28,14 @@ def test_pupils_in_sandboxes_see_nothing_of_each_other_and_outlive_the_server() 
         user = {"user": school.PLAIN_USER, "group": school.PLAIN_USER, "extra_groups": []} if os.geteuid() == 0 else {}
         with Serving(folder, "--word", WORD, "--isolation", "bubblewrap", python=python, user=user) as serving:
             run(deed(serving, folder))
+            serving.end(signal.SIGKILL)
+            assert serving.cells()
+            serving.start("--isolation", "none")  # another way, in which these desktops cannot go on
+            ended = [line for line in serving.said if "was ended: it was kept apart by --isolation bubblewrap" in line]
+            assert len(ended) == 2 and serving.cells() == [], serving.said
+            assert serving.end() == 0
+            serving.start("--isolation", "auto")
+            assert any("--isolation none, as before in this folder" in line for line in serving.said), serving.said
             assert serving.end() == 0
             assert serving.cells() == []
 

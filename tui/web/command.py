@@ -16,6 +16,7 @@ from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.command_line import language_of
 from day6_tui.tui.locale import Texts
 from day6_tui.tui.web.options import is_loopback, parse
+from day6_tui.tui.web.places import isolation_before
 from day6_tui.tui.web.settings import Settings
 
 
@@ -32,13 +33,14 @@ def main(words: list[str]) -> int:
     language = language_of(words)
     texts = Texts(language)
     settings = parse(words, language)
+    tell = _teller(texts)
     try:
         if sys.platform == "win32":
             raise Refused("serve.windows")
         _look_for_packages()
-        offer = _offer(settings, texts)
+        offer = _offer(settings, texts, tell)
         _refuse_strangers(settings, offer)
-        return asyncio.run(_run(settings, offer, texts))
+        return asyncio.run(_run(settings, offer, tell))
     except Refused as error:
         return _fail(texts(error.words.key, **error.words.values), 2)
     except IsolationError as error:
@@ -62,25 +64,34 @@ def _look_for_packages() -> None:
     del aiohttp, segno
 
 
-def _offer(settings: Settings, texts: Texts) -> Offer:
-    """How pupils will be kept apart. Raises Refused where that is not to be had."""
+def _offer(settings: Settings, texts: Texts, tell: Callable[..., None]) -> Offer:
+    """How pupils will be kept apart; why not better is told. Raises Refused where that is not to be had."""
     name = settings.isolation
     if name == "auto" and settings.proxied:
         name = "none"  # there is one pupil, in an account or a container of their own
+    if name == "auto" and (before := isolation_before(settings.data)) is not None:
+        # The homes belong to its users, and its desktops may still run.
+        (offer,) = modes.survey((before,))
+        if offer.mode is not None:
+            tell("serve.as_before", name=before)
+            return offer
     if name != "auto":
         (offer,) = modes.survey((name,))
         if offer.mode is None:
-            reason = "" if offer.reason is None else texts(offer.reason.key, **offer.reason.values)
-            raise Refused("serve.no_mode", name=name, reason=reason)
+            raise Refused("serve.no_mode", name=name, reason=_reason(offer, texts))
         return offer
-    last: Offer | None = None
+    offers: list[Offer] = []
     for each in modes.NAMES:
-        (offer,) = modes.survey((each,))
-        if offer.mode is not None and offer.mode.separates:
-            return offer
-        last = offer
-    assert last is not None
-    return last
+        offers += modes.survey((each,))
+        if (mode := offers[-1].mode) is not None and mode.separates:
+            return offers[-1]
+    for offer in offers[:-1]:
+        tell("serve.not_mode", name=offer.name, reason=_reason(offer, texts))
+    return offers[-1]
+
+
+def _reason(offer: Offer, texts: Texts) -> str:
+    return "" if offer.reason is None else texts(offer.reason.key, **offer.reason.values)
 
 
 def _refuse_strangers(settings: Settings, offer: Offer) -> None:
@@ -90,7 +101,7 @@ def _refuse_strangers(settings: Settings, offer: Offer) -> None:
         raise Refused("serve.not_apart", name=offer.name, host=settings.host)
 
 
-async def _run(settings: Settings, offer: Offer, texts: Texts) -> int:
+async def _run(settings: Settings, offer: Offer, tell: Callable[..., None]) -> int:
     from day6_tui.tui.web.class_list import BadList
     from day6_tui.tui.web.server import InUse, Server
     from day6_tui.tui.web.tokens import BadTokens
@@ -102,7 +113,7 @@ async def _run(settings: Settings, offer: Offer, texts: Texts) -> int:
     told = asyncio.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, told.set)
-    server = Server(settings, offer, _teller(texts))
+    server = Server(settings, offer, tell)
     try:
         await server.open()
     except BadList as error:

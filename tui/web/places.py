@@ -9,13 +9,27 @@ from zlib import crc32
 
 from day6_tui.core.isolation.cell import Cell, Limits
 from day6_tui.core.isolation.mode import Mode
+from day6_tui.core.isolation.modes import NAMES
 from day6_tui.core.link.paths import base_folders
+from day6_tui.core.whole_file import write_private
 from day6_tui.tui.web.names import folder_name, same_name
 
 OPEN_TO_PASS = 0o711
 """Pupils that are Unix users of their own have to go through, and see no names."""
 
+_ISOLATION = "isolation"
+"""In the folder of the server: the name of the mode."""
+
 _FOR_ALL_USERS = Path("/run/day6-tui")
+
+
+def isolation_before(data: Path) -> str | None:
+    """Return how the pupils of this folder were kept apart by the last server; None if there was none."""
+    try:
+        name = (data / "server" / _ISOLATION).read_text(encoding="utf-8").strip()
+    except (OSError, ValueError):
+        return None
+    return name if name in NAMES else None
 
 
 class Places:
@@ -27,6 +41,7 @@ class Places:
         self.server = data / "server"
         """What the server remembers: tokens and sessions. No pupil's business."""
         base = _FOR_ALL_USERS if mode.name == "users" and "DAY6_RUNTIME_DIR" not in os.environ else base_folders()[0]
+        self._isolation = mode.name
         self._run = base.resolve() / f"c{crc32(os.fsencode(data)):08x}"
         self.runtimes = self._run / "p"
         """The runtime folders of the pupils."""
@@ -44,6 +59,10 @@ class Places:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if sys.platform != "win32":
                 folder.chmod(0o700)
+
+    def remember(self) -> None:
+        """Write down how pupils are kept apart. Raises OSError."""
+        write_private(self.server / _ISOLATION, f"{self._isolation}\n".encode())
 
     def home(self, name: str) -> Path:
         """The home folder of a pupil."""

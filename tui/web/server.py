@@ -70,6 +70,7 @@ class Server:
         await links.keep()
         self._sessions.feed.roster.expect(names)
         again = await self._sessions.find_again([PROXIED_NAME] if self._settings.proxied else links.all_names())
+        await asyncio.to_thread(self._places.remember)
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is
         application = Application(self._settings, self._tokens, links, self._sessions, what, self._tell, lessons)

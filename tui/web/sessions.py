@@ -269,23 +269,29 @@ class Sessions:
         return len(self.running)
 
     async def _find(self, record: Record) -> None:
-        mode = self._mode
-        if record.mode != mode.name:
-            (offer,) = await asyncio.to_thread(survey, (record.mode,))
-            if offer.mode is None:
-                self._tell("serve.left", name=record.name)
-                return
-            mode = offer.mode
         try:
-            cell = await asyncio.to_thread(self._places.cell, record.name, mode, self._settings.limits)
-            session = Session(record.name, cell, record.domain, self._has_ended)
-            probe = await asyncio.to_thread(self._found, session.cell.home) if mode is self._mode else None
+            if record.mode != self._mode.name:
+                await self._end_other(record)
+                return
+            session = await self._session(record.name, record.domain)
+            probe = await asyncio.to_thread(self._found, session.cell.home)
             if probe is None:
-                await asyncio.to_thread(starting.stop, mode, cell, self._places.keepers)
+                await asyncio.to_thread(starting.stop, self._mode, session.cell, self._places.keepers)
                 return
             self._take_over(session, probe)
         except (IsolationError, OSError):
             self._tell("serve.left", name=record.name)
+
+    async def _end_other(self, record: Record) -> None:
+        """A desktop of a server that kept pupils apart in another way: it cannot go on. Raises IsolationError, OSError."""
+        (offer,) = await asyncio.to_thread(survey, (record.mode,))
+        if offer.mode is None:
+            self._tell("serve.left", name=record.name)
+            return
+        places = Places(self._settings.data, offer.mode)
+        cell = await asyncio.to_thread(places.cell, record.name, offer.mode, self._settings.limits)
+        gone = await asyncio.to_thread(starting.stop, offer.mode, cell, places.keepers)
+        self._tell("serve.other_mode" if gone else "serve.left", name=record.name, mode=record.mode)
 
     async def _find_unrecorded(self, name: str) -> None:
         try:
