@@ -101,6 +101,22 @@ def test_sizes_that_no_screen_has_are_made_fit(class_server: Serving) -> None:
     run(deed())
 
 
+def test_a_tab_that_changes_its_size_while_the_desktop_begins_gets_the_last_one() -> None:
+    with Serving(make_short_folder("d6w-"), "--word", WORD, "--isolation", "none") as serving:
+
+        async def deed() -> None:
+            async with browser(serving.base) as door:
+                assert (await door.post("enter", word=WORD, name="anna"))[0] == 303
+                tab = await door.tab()
+                while len(tab.said) < 2:
+                    assert await tab.hear()
+                tab.screen.resize(30, 100)
+                await tab.ws.send_json({"t": "size", "cols": 100, "rows": 30, "w": 0, "h": 0})
+                await tab.see(lambda text: "F2 Terminal" in text.splitlines()[29])
+
+        run(deed())
+
+
 @pytest.mark.parametrize(
     ("sent", "code"),
     [

@@ -211,15 +211,21 @@ class Keeper:
         environ = {name: value for name, value in os.environ.items() if name not in _FIXED_SIZE}
         environ["DAY6_KEEPER"] = f"{theirs.fileno()}:{self._folder}"
         environ[meeting.INSIDE] = self._home
+        reading, writing = os.pipe()
         self._pid, self._master = pty.fork()
         if self._pid == 0:
             try:
-                _set_size(0, size)
+                os.close(writing)
+                os.read(reading, 1)  # until the size is set: set from here it could come after the next one
+                os.close(reading)
                 for number in (signal.SIGINT, signal.SIGHUP, signal.SIGPIPE):
                     signal.signal(number, signal.SIG_DFL)
                 os.execve(sys.executable, [sys.executable, "-m", "day6_tui.tui.main", *self._words], environ)
             finally:
                 os._exit(127)
+        _set_size(self._master, size)
+        os.close(reading)
+        os.close(writing)
         theirs.close()
         os.set_blocking(self._master, False)
         self._desktop = Line(ours)
