@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -59,10 +61,16 @@ def test_a_folder_has_one_server_and_files_of_others_stay(class_server: Serving)
     assert status == 1 and (folder / "socket").read_text() == "no socket"
 
 
-def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link() -> None:
+def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link_and_has_one_graph(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     folder = make_short_folder("d6w-")
-    path = str(folder / "socket")
-    with Serving(folder, "--unix", path, "--proxied", "--base-url", "http://hub.example/user/me/day6") as serving:
+    path, home = str(folder / "socket"), folder / "mine"
+    monkeypatch.setenv("ROS_DOMAIN_ID", "7")
+    monkeypatch.setenv("DAY6_RUNTIME_DIR", str(folder / "run"))
+    monkeypatch.setenv("JUPYTERHUB_USER", "anna")
+    words = ("--unix", path, "--proxied", "--home", str(home), "--base-url", "http://hub.example/user/me/day6")
+    with Serving(folder, *words) as serving:
 
         async def deed() -> None:
             connector = aiohttp.UnixConnector(path)
@@ -71,7 +79,16 @@ def test_behind_a_proxy_on_a_unix_socket_the_user_needs_no_link() -> None:
                 assert (await door.get(""))[0] == 303  # straight to the desktop
                 assert (await door.get("desk"))[0] == 200
                 tab = await door.tab()
-                await tab.see("me@day6:~$")
+                await tab.see("anna@day6:~$")
+                await tab.type('echo seen > mine.txt; ros2 topic pub -r 5 /told std_msgs/msg/String "{data: hi}"\r')
+                await tab.see("publishing #1")
+                echo = [sys.executable, "-m", "day6_tui.tui.main", "ros2", "topic", "echo", "--once", "/told"]
+                env = {name: value for name, value in os.environ.items() if name != "DAY6_LINK"}
+                heard = await asyncio.to_thread(
+                    subprocess.run, echo, env=env, capture_output=True, text=True, timeout=PATIENCE
+                )
+                assert heard.stdout == "data: hi\n---\n", heard  # another program of the same user
 
         run(deed())
         assert serving.end() == 0 and serving.cells() == [] and not Path(path).exists()
+    assert (home / "mine.txt").read_text() == "seen\n"

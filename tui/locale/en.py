@@ -981,6 +981,7 @@ commands:
     "cli.serve.key": "the certificate's private key (PEM)",
     "cli.serve.base_url": "address or path at which browsers reach the server, behind a proxy",
     "cli.serve.unix": "listen on a Unix socket, for a proxy",
+    "cli.serve.home": "with --proxied: the folder that is ~ in the desktop",
     "cli.serve.proxied": "whoever reaches the server is the user: one desktop, no link (for jupyter-server-proxy)",
     "serve.no_packages": "serve needs more packages: pip install 'day6-tui[serve]'",
     "serve.not_apart": "--host {host}: pupils are not kept apart here (--isolation {name}), "

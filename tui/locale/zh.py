@@ -1140,6 +1140,7 @@ TEXTS = {
     "cli.serve.key": "证书的私钥（PEM）",
     "cli.serve.base_url": "在代理后面时，浏览器访问服务器用的地址或路径",
     "cli.serve.unix": "监听一个 Unix 套接字，给代理用",
+    "cli.serve.home": "和 --proxied 一起用：桌面里的 ~ 是哪个目录",
     "cli.serve.proxied": "能连到服务器的就是用户本人：一个桌面，不要链接（给 jupyter-server-proxy 用）",
     "serve.no_packages": "serve 还需要几个包：pip install 'day6-tui[serve]'",
     "serve.not_apart": "--host {host}：这里没有把学生隔开（--isolation {name}），"

@@ -11,6 +11,7 @@ from zlib import crc32
 
 from aiohttp import web
 
+from day6_tui.tui.web.places import login_name
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.tokens import PUPIL, Ticket, Tokens
 from day6_tui.tui.web.tries import Tries
@@ -26,9 +27,6 @@ _POLICY = (
     "worker-src 'self' blob:; manifest-src 'self'; form-action 'self'; base-uri 'none'; frame-ancestors {frames}"
 )
 """No script but ours. The terminal needs styles of its own making and WebAssembly for pictures (xterm.js and its image addon)."""
-
-PROXIED_NAME = "me"
-"""Behind a proxy that lets in one user only."""
 
 MOST_FIELDS = 10
 """Of a form."""
@@ -51,7 +49,7 @@ class Gate:
     def ticket(self, request: web.Request, kind: str) -> Ticket | None:
         """Who this is, by the cookie for this kind; None for a stranger. A teacher can try a pupil's link beside the class."""
         if self._settings.proxied:
-            return Ticket(PUPIL, PROXIED_NAME) if kind == PUPIL else None
+            return Ticket(PUPIL, login_name()) if kind == PUPIL else None
         token = request.cookies.get(f"{self._cookie}-{kind}")
         if token is None:
             return None

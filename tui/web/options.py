@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 import ipaddress
+import os
 from functools import partial
 from pathlib import Path
 from urllib.parse import urlsplit
 
+from day6_tui.core.graph.domain import VARIABLE, DomainError, domain_from_text
 from day6_tui.core.isolation.cell import Limits
 from day6_tui.core.isolation.modes import NAMES
 from day6_tui.core.places import default_home
@@ -57,6 +59,7 @@ def build_parser(language: str = "en") -> argparse.ArgumentParser:
     add("--base-url", type=_address, metavar="URL", help=texts("cli.serve.base_url"))
     add("--unix", type=Path, metavar="SOCKET", help=texts("cli.serve.unix"))
     add("--proxied", action="store_true", help=texts("cli.serve.proxied"))
+    add("--home", type=Path, metavar="DIR", help=texts("cli.serve.home"))
     return parser
 
 
@@ -70,8 +73,15 @@ def parse(words: list[str], language: str) -> Settings:
         parser.error("argument --new-links: needs --class")
     if found["proxied"] and (found["class_file"] or found["word"]):
         parser.error("argument --proxied: not allowed with --class or --word")
+    if found["home"] is not None and not found["proxied"]:
+        parser.error("argument --home: needs --proxied")
     if found["proxied"] and found["unix"] is None:  # any user of this machine reaches a port
         parser.error("argument --proxied: needs --unix")
+    if found["proxied"]:
+        try:
+            found["domain"] = domain_from_text(os.environ.get(VARIABLE, ""))
+        except DomainError as error:
+            parser.error(str(error))
     memory, disk = found.pop("memory") << 20, found.pop("disk") << 20
     processes, weight = found.pop("processes"), found.pop("cpu_weight")
     found["limits"] = Limits(memory=memory, disk=disk, processes=processes, cpu_weight=weight)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import getpass
 import os
 import sys
 from pathlib import Path
@@ -11,6 +12,7 @@ from day6_tui.core.isolation.cell import Cell, Limits
 from day6_tui.core.isolation.mode import Mode
 from day6_tui.core.isolation.modes import NAMES
 from day6_tui.core.link.paths import base_folders
+from day6_tui.core.places import default_home
 from day6_tui.core.whole_file import write_private
 from day6_tui.tui.web.names import folder_name, same_name
 
@@ -30,6 +32,14 @@ def isolation_before(data: Path) -> str | None:
     except (OSError, ValueError):
         return None
     return name if name in NAMES else None
+
+
+def login_name() -> str:
+    """Return the user's name, as JupyterHub knows it or this machine does."""
+    try:
+        return os.environ.get("JUPYTERHUB_USER") or getpass.getuser()
+    except (KeyError, OSError):  # nobody's number, as in some containers
+        return "student"
 
 
 class Places:
@@ -59,6 +69,15 @@ class Places:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if sys.platform != "win32":
                 folder.chmod(0o700)
+
+    def own_cell(self, mode: Mode, limits: Limits, home: Path | None) -> Cell:
+        """The cell of a user who is alone: the user's own runtime folder, so that all of the user's programs share a graph."""
+        return Cell(
+            name=login_name(),
+            home=(default_home() if home is None else home).expanduser().resolve(),
+            runtime=base_folders()[0].resolve(),
+            limits=limits,
+        )
 
     def remember(self) -> None:
         """Write down how pupils are kept apart. Raises OSError."""

@@ -21,9 +21,8 @@ from day6_tui.core.link.addresses import own_address
 from day6_tui.core.link.file_lock import FileLock
 from day6_tui.tui.web import class_list
 from day6_tui.tui.web.application import Application
-from day6_tui.tui.web.gate import PROXIED_NAME
 from day6_tui.tui.web.links import Links
-from day6_tui.tui.web.places import Places
+from day6_tui.tui.web.places import Places, login_name
 from day6_tui.tui.web.sessions import Sessions, Tell
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
@@ -69,7 +68,7 @@ class Server:
         teacher = None if self._settings.proxied else links.make(Ticket(TEACHER))
         await links.keep()
         self._sessions.feed.roster.expect(names)
-        again = await self._sessions.find_again([PROXIED_NAME] if self._settings.proxied else links.all_names())
+        again = await self._sessions.find_again([login_name()] if self._settings.proxied else links.all_names())
         await asyncio.to_thread(self._places.remember)
         lessons = await asyncio.to_thread(_lessons, self._settings.lessons)
         what = self._offer.what_it_is

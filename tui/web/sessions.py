@@ -15,7 +15,7 @@ from pathlib import Path
 
 from day6_tui.core.classroom.order import Order
 from day6_tui.core.classroom.roster import Row
-from day6_tui.core.isolation.cell import IsolationError
+from day6_tui.core.isolation.cell import Cell, IsolationError
 from day6_tui.core.isolation.mode import Mode
 from day6_tui.core.isolation.modes import survey
 from day6_tui.tui.detached import meeting
@@ -156,12 +156,19 @@ class Sessions:
         return time.monotonic() - self._waiting.get(same_name(name), -math.inf) < WAITING_SECONDS
 
     def _free_domain(self) -> int:
+        if self._settings.proxied:
+            return self._settings.domain
         used = {session.domain for session in self.running.values()}
         return next((number for number in DOMAINS if number not in used), DOMAINS[0])
 
     async def _session(self, name: str, domain: int) -> Session:
-        cell = await asyncio.to_thread(self._places.cell, name, self._mode, self._settings.limits)
-        return Session(name, cell, domain, self._has_ended)
+        return Session(name, await asyncio.to_thread(self._cell, name), domain, self._has_ended)
+
+    def _cell(self, name: str) -> Cell:
+        settings = self._settings
+        if settings.proxied:
+            return self._places.own_cell(self._mode, settings.limits, settings.home)
+        return self._places.cell(name, self._mode, settings.limits)
 
     async def _connect(self, session: Session) -> socket.socket:
         """A line to the keeper, which is started if there is none."""
@@ -295,7 +302,10 @@ class Sessions:
 
     async def _find_unrecorded(self, name: str) -> None:
         try:
-            probe = await asyncio.to_thread(self._found, self._places.home(name))
+            home = (
+                (await asyncio.to_thread(self._cell, name)).home if self._settings.proxied else self._places.home(name)
+            )
+            probe = await asyncio.to_thread(self._found, home)
             if probe is not None:
                 self._take_over(await self._session(name, self._free_domain()), probe)
         except (IsolationError, OSError):

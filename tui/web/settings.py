@@ -42,4 +42,8 @@ class Settings:
     base_url: str = ""
     """The address at which the pupils reach the server, where it is not the one it listens on."""
     proxied: bool = False
-    """Who reaches the socket is the user: one desktop, no token."""
+    """Who reaches the socket is the user: one desktop, no token, in the user's own ROS graph."""
+    domain: int = 0
+    """With `proxied`: the ROS_DOMAIN_ID of the user's other programs."""
+    home: Path | None = None
+    """With `proxied`: the folder that is ~ in the desktop; None: that of a desktop without a server."""
