@@ -83,9 +83,10 @@ def executable(scene: Scene) -> Found | None:
     near = near or next(iter(get_close_matches(name, installed, 1, CLOSE_AMONG_FEW)), "")
     folder = _source_of(package, scene)
     if folder is None:
-        return (
-            found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near) if near else None
-        )
+        if near:
+            return found("executable.near", shlex.join(["ros2", "run", package, near]), name=name, near=near)
+        has = ", ".join(installed)
+        return found("executable.has", f"ros2 pkg executables {package}", package=package, names=has) if has else None
     if (comma := _comma(folder / "setup.py", scene)) is not None:
         return comma
     build = _build(_workspace_of(folder, scene), package, scene)

@@ -224,6 +224,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "the package has no program {name}, but it has {near}",
         "这个包里没有叫 {name} 的程序，不过有 {near}",
     ),
+    "executable.has": (
+        "{package} has these programs: {names}",
+        "{package} 里有这些程序：{names}",
+    ),
     "executable.not_built": (
         "setup.py of {package} names {name}, but it was not installed: build the package, then source it",
         "{package} 的 setup.py 里写了 {name}，可是还没有安装：编译这个包，再 source",

@@ -35,6 +35,11 @@ def test_why_explains_the_last_message_and_says_what_to_type(machine: Any, tall:
     assert said(tall, "why 9 > out; echo $?").endswith("1 student@day6:~$")
 
 
+def test_a_program_that_a_package_of_ros_does_not_have(tall: Any) -> None:
+    said(tall, "ros2 run turtlesim nope")
+    assert "turtlesim has these programs: draw_square, mimic" in said(tall, "why")
+
+
 def test_a_new_terminal_has_nothing_to_explain_and_says_so(seat: Any) -> None:
     assert "why: Nothing that this terminal printed lately has a card" in said(seat, "why; echo status $?")
 
