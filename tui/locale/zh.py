@@ -1313,27 +1313,30 @@ TEXTS = {
     "wheelhouse.no_pip": "这里没有 pip，没法下载（{command}）",
     "wheelhouse.foreign": "{file} 不是以前做出来的，或者后来被改过：请换一个文件夹",
     "wheelhouse.failed": "什么都没有写：{reason}",
+    "wheelhouse.no_internet": "没有网络：需要的文件没法下载（{reason}），什么都没有写",
     "wheelhouse.done": "{count} 个 wheel，共 {size} MB，在 {folder}",
     "wheelhouse.next": "怎么安装，写在 {file} 里",
+    "wheelhouse.guide.unix": "Linux、树莓派、macOS",
+    "wheelhouse.guide.other": "\n如果用上面列出的另一个 Python 版本，就把 {python} 换成那个版本号。\n",
     "wheelhouse.guide": """\
 不联网安装 day6-tui
 ===================
 
-电脑上要有 Python，版本和做这个文件夹时选的一样。Debian、Ubuntu 和 64 位树莓派系统还要有 python3-venv 这个包。
-把这个文件夹拷到电脑上，在里面打开终端，输入：
+这个文件夹只适合：
 
-1. 文件都完整吗？
-   python3 check.py                         （Windows：py check.py）
+{targets}
+
+不能用在别的电脑或别的 Python 版本上。linux-aarch64 也包括 64 位树莓派系统。Debian、Ubuntu 和树莓派系统还要有 python3-venv
+这个包。把这个文件夹拷到电脑上，在里面打开终端，输入：
+
+1. 文件夹对不对，文件都完整吗？
+{check}
 
 2. 安装。
-   Linux、树莓派、macOS：
-     python3 -m venv ~/day6 && ~/day6/bin/pip install --no-index --find-links . day6-tui
-   Windows（PowerShell）：
-     py -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\pip install --no-index --find-links . day6-tui
-
+{install}
+{other}
 3. 运行。
-   Linux、树莓派、macOS：  ~/day6/bin/day6-tui
-   Windows：               & $HOME\\day6\\Scripts\\day6-tui
+{run}
 
 老师的电脑如果要让学员在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
 """,
