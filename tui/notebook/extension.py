@@ -51,6 +51,7 @@ class Notebook:
         from day6_tui.tui.notebook.init_in_cells import InitInCells
 
         os.environ.update(program_environment())  # for !ros2 and !python3
+        os.environ.setdefault("RCUTILS_LOGGING_USE_STDOUT", "1")  # notebooks show stderr as errors, in red
         self._shell = shell
         self._texts = Texts(language_of([]))
         self._spinners: dict[Node, Spinner] = {}
