@@ -61,13 +61,13 @@ class Kernel:
     def _take(self, message: dict[str, Any]) -> None:
         kind, content, cell = message["msg_type"], message["content"], message["parent_header"].get("msg_id", "")
         if kind == "stream":
-            text = re.sub(r"\x1b\[[\d;]*m", "", content["text"])
+            text = _plain(content["text"])
             self.shown[cell] += text
             self.troubles += text if content["name"] == "stderr" else ""
         elif kind == "execute_result":
             self.shown[cell] += f"{content['data']['text/plain']}\n"
         elif kind == "error":
-            self.shown[cell] += f"{content['ename']}: {content['evalue']}"
+            self.shown[cell] += _plain("\n".join(content["traceback"]))
         elif kind == "status" and content["execution_state"] == "idle":
             self._idle.add(cell)
 
@@ -81,3 +81,8 @@ class Kernel:
     def close(self) -> None:
         self.client.stop_channels()
         self.manager.shutdown_kernel(now=True)
+
+
+def _plain(text: str) -> str:
+    """The text without colours."""
+    return re.sub(r"\x1b\[[\d;]*m", "", text)

@@ -18,6 +18,18 @@ def picture(shell: Shell, error: BaseException) -> str:
     return tracebacks.stb2text(tracebacks.structured_traceback(type(error), error.with_traceback(trace), trace, 0))
 
 
+def show_interrupt(
+    shell: Shell,
+    kind: type[BaseException],
+    error: BaseException,
+    trace: TracebackType | None,
+    tb_offset: int | None = None,
+) -> None:
+    """Show in which of the pupil's lines a cell was interrupted, for IPython's `set_custom_exc`: not how rclpy waits."""
+    kept = without_our_frames(trace)
+    shell.showtraceback((kind, error.with_traceback(kept), kept), tb_offset=tb_offset)
+
+
 def without_our_frames(trace: TracebackType | None) -> TracebackType | None:
     """Leave the calls of rclpy out, unless nothing else is there."""
     found: list[TracebackType] = []

@@ -14,7 +14,7 @@ from day6_tui.core.graph.graph import Change
 from day6_tui.core.ros.environment import activate, program_environment
 from day6_tui.tui.command_line import language_of
 from day6_tui.tui.locale import Texts
-from day6_tui.tui.notebook.errors import picture, place
+from day6_tui.tui.notebook.errors import picture, place, show_interrupt
 from day6_tui.tui.notebook.ros2_line import Ros2Line
 from day6_tui.tui.notebook.shell import Shell
 
@@ -64,6 +64,8 @@ class Notebook:
         self._ros2 = Ros2Line(self._texts)
         shell.events.register("post_run_cell", self._take_nodes)
         shell.register_magic_function(self._ros2.run, "line", "ros2")
+        if not shell.custom_exceptions:
+            shell.set_custom_exc((KeyboardInterrupt,), show_interrupt)
         threading.Thread(target=self._watch_callbacks, name="day6 callbacks", daemon=True).start()
         print(self._texts("notebook.here"))
 
@@ -72,6 +74,8 @@ class Notebook:
         self._closed.set()
         self._shell.events.unregister("post_run_cell", self._take_nodes)
         self._shell.magics_manager.magics["line"].pop("ros2", None)
+        if self._shell.custom_exceptions == (KeyboardInterrupt,):
+            self._shell.set_custom_exc((), None)
         self._init.restore()
         self._ros2.close()
         for remove in self._watched.values():

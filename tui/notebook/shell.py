@@ -68,3 +68,15 @@ class Shell(Protocol):
 
     def register_magic_function(self, function: Callable[[str], None], magic_kind: str, magic_name: str) -> None:
         """Add a command that begins with %."""
+
+    @property
+    def custom_exceptions(self) -> tuple[type[BaseException], ...]:
+        """The exceptions that are shown in a way of their own."""
+
+    def set_custom_exc(self, kinds: tuple[type[BaseException], ...], handler: Callable[..., None] | None) -> None:
+        """Show these exceptions by a function of shell, kind, exception, traceback and the number of frames to leave out."""
+
+    def showtraceback(
+        self, error: tuple[type[BaseException], BaseException, TracebackType | None], *, tb_offset: int | None
+    ) -> None:
+        """Show an exception of a cell, after `tb_offset` frames are left out."""
