@@ -84,3 +84,17 @@ def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cann
     page.navigate(f"{serving.base}watch")
     shows(page, "ben@day6")
     assert "nobody types here" not in page.evaluate(SCREEN)
+
+
+def test_on_paper_there_are_names_pictures_and_addresses_and_nothing_else(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("the teacher"))
+    page.wait_for("location.pathname.endsWith('/class')")
+    page.navigate(f"{serving.base}links")
+    assert "New links for all…" in page.evaluate("document.body.innerText")
+    page.ask("Emulation.setEmulatedMedia", media="print")
+    names = page.evaluate("[...document.querySelectorAll('section')].map(e => e.querySelector('h2').innerText)")
+    links = page.evaluate("[...document.querySelectorAll('section > p:not(.screen) code')].map(e => e.innerText)")
+    printed = page.evaluate("document.body.innerText").split()
+    assert sorted(printed) == sorted([*names, *links]) and len(links) == 2
+    assert page.evaluate("[...document.querySelectorAll('svg')].every(e => e.checkVisibility())")
+    assert not page.evaluate("[...document.querySelectorAll('summary, button, a')].some(e => e.checkVisibility())")
