@@ -64,6 +64,22 @@ def test_a_pupil_opens_a_link_types_sees_pixels_and_finds_everything_again(servi
     assert all(serving.base.split("//")[1].split("/")[0] in address for address in page.requests)
 
 
+def test_a_pupil_who_detaches_is_told_that_the_desktop_goes_on_and_opens_it_again(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("ben"))
+    shows(page, "What would you like")
+    page.press("5")
+    page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
+    page.compose("s", result="sleep 600")
+    page.press("Enter")
+    shows(page, "1 sleep 600")  # the title: it runs
+    page.press("q", "ctrl")
+    shows(page, "Detach")
+    page.press("d")
+    page.wait_for("document.getElementById('strip').dataset.state === 'left'", PATIENCE)
+    page.click_on("#strip button")
+    shows(page, "sleep 600")
+
+
 def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cannot_type(
     serving: Serving, page: Page
 ) -> None:
