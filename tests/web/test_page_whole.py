@@ -70,6 +70,7 @@ def test_a_pupil_who_detaches_is_told_that_the_desktop_goes_on_and_opens_it_agai
     page.press("5")
     page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
     page.compose("s", result="sleep 600")
+    shows(page, "sleep 600")
     page.press("Enter")
     shows(page, "1 sleep 600")  # the title: it runs
     page.press("q", "ctrl")
