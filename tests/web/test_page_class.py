@@ -224,6 +224,22 @@ def test_a_watched_screen_is_drawn_and_cannot_answer(classroom: ClassPage) -> No
     )
 
 
+def test_a_line_with_chinese_punctuation_is_as_long_as_any_other(classroom: ClassPage) -> None:
+    lines = "".join(
+        f"{text}{' ' * (39 - 2 * len(text))}|\n" for text in ("左边，那个：（终端）。", "，，，。。。（（））", "")
+    )
+    classroom.show(row("anna", screen=SCREEN | {"ansi": lines}))
+    classroom.page.click_on(".pupil .open")
+    classroom.page.wait_for("document.querySelector('.pane .xterm-rows')?.innerText.includes('终端')")
+    within = (
+        "getBoundingClientRect().right - document.querySelector('.pane .xterm-screen').getBoundingClientRect().right"
+    )
+    ends = classroom.page.evaluate(
+        f"[...document.querySelectorAll('.pane .xterm-rows > div')].slice(0, 3).map(e => e.lastChild.{within})"
+    )
+    assert ends == pytest.approx([0, 0, 0], abs=3)
+
+
 def test_nobody_is_watched_before_the_teacher_looks(classroom: ClassPage) -> None:
     classroom.show(row("anna"), row("ben"))
     classroom.page.evaluate("classPage._watch()")
