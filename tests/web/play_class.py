@@ -1,8 +1,9 @@
 """A class in a real browser, to be looked at: python tests/web/play_class.py FOLDER [--pupils 8] [--isolation auto] [--lang zh]
 
 Every pupil has a browser tab with a profile of its own and plays the first lesson; the teacher's page is open beside them, with
-all screens in small. Two more pupils are on the list: one never comes, one finds the class full. Screenshots go to FOLDER. Prints what the server and the desktops took of a core meanwhile, and the seconds
-until a reloaded tab shows its desktop again. Needs Chromium and the extra `serve`.
+all screens in small. Two more pupils are on the list: one never comes, one finds the class full. Screenshots go to FOLDER.
+Prints what the server and the desktops took of a core meanwhile, and the seconds until a reloaded tab shows its desktop again.
+Needs Chromium and the extra `serve`.
 """
 
 from __future__ import annotations

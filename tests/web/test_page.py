@@ -63,6 +63,12 @@ class Desk:
         self.is_fresh = True
         return self
 
+    def part(self, why: str) -> None:
+        """Say goodbye and hang up; what is cut off at once may take the last word with it."""
+        self.server.say({"t": "bye", "why": why})
+        self.page.wait_for(f"desk._connection._bye === {why!r}")
+        self.server.hang_up()
+
     def device(self, width: int, height: int, *, mobile: bool = False) -> None:
         """Take another device for this test."""
         self.is_fresh = False
@@ -458,8 +464,7 @@ def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
 @anew
 def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> None:
     desk.open()
-    desk.server.say({"t": "bye", "why": "taken"})
-    desk.server.hang_up()
+    desk.part("taken")
     desk.page.wait_for("document.getElementById('strip').dataset.state === 'taken'")
     desk.page.evaluate("dispatchEvent(new Event('online'))")
     assert len(desk.server.connections) == 1
@@ -478,8 +483,7 @@ def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> Non
 )
 def test_a_desktop_that_was_left_is_said_to_go_on(desk: Desk, read_only: bool, words: str) -> None:
     desk.open(read_only=read_only)
-    desk.server.say({"t": "bye", "why": "left"})
-    desk.server.hang_up()
+    desk.part("left")
     desk.page.wait_for("!document.getElementById('strip').hidden")
     assert desk.page.evaluate("document.querySelector('#strip span').textContent") == words
     assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
@@ -491,8 +495,7 @@ def test_a_desktop_that_was_left_is_said_to_go_on(desk: Desk, read_only: bool, w
 @pytest.mark.parametrize("why", ["ended", "idle", "disk"])
 def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -> None:
     desk.open()
-    desk.server.say({"t": "bye", "why": why})
-    desk.server.hang_up()
+    desk.part(why)
     desk.page.wait_for(f"document.getElementById('strip').dataset.state === '{why}'")
     assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
 
