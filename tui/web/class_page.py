@@ -171,6 +171,7 @@ class ClassPage:
             names = roster.everybody() if name == ALL else [name]
             if order.do == "freeze":
                 missed = roster.freeze(order.on, None if name == ALL else name)
+                self._feed.tell()
             else:
                 missed = roster.order(names, order)
             if order.do not in SILENT:
