@@ -144,7 +144,13 @@ def test_in_a_room_scenes_begin_below_the_pupils_name(place: Place, desk: Place,
         ((), "--teacher"),
         (("--join", "host"), "--name"),
         (("--join", "host", "--name", "安娜"), "安娜"),
+        (("--join", "host", "--name", "安娜"), "wang_xiaoming"),
+        (("--join", "host", "--name", "a__b"), "no two _ in a row"),
+        (("--join", "host", "--name", "a" * 33), "at most 32"),
+        (("--join", "host", "--name", "Teacher"), "the teacher's"),
         (("--join", "a b", "--name", "anna"), "a b"),
+        (("--join", "127.0.0.1:99999", "--name", "anna"), "99999 is no port"),
+        (("--join", "host:" + "9" * 5000, "--name", "anna"), "is no port"),
         (("--teacher", "--join", "host"), "not allowed with"),
         (("--teacher", "--name", "anna"), "--join"),
         (("--join", "host", "--name", "anna", "--room"), "--teacher"),
@@ -156,3 +162,8 @@ def test_what_does_not_fit_is_told(place: Place, words: tuple[str, ...], says: s
     assert done.returncode == 2
     assert says in done.stderr.splitlines()[-1]
     assert "Traceback" not in done.stderr
+
+
+def test_the_help_names_the_port_and_how_another_one_is_written(place: Place) -> None:
+    told = place.run("class", "--help", "--lang", "zh").stdout
+    assert "7447" in told and "HOST:PORT" in told and "\n班级：\n" in told and "\n选项：\n" in told
