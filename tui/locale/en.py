@@ -233,6 +233,7 @@ TEXTS = {
     "rqt.refresh": "refresh",
     "inspector.title": "Inspector",
     "inspector.count": "{errors} errors, {all} in all",
+    "inspector.count.one": "{errors} error, {all} in all",
     "inspector.quiet": "quiet",
     "action.inspector": "Inspect",
     "help.action.inspector": "what is wrong right now, and what to type next",

@@ -418,6 +418,7 @@ TEXTS = {
     "inspector.well": "一切正常",
     "inspector.well_so_far": "看过的地方一切正常",
     "inspector.count": "{errors} 个错误，共 {all} 条",
+    "inspector.count.one": "{errors} 个错误，共 {all} 条",
     "action.inspector": "检查",
     "help.action.inspector": "现在有什么问题，接下来输入什么",
     "editor.save": "保存",
@@ -886,7 +887,7 @@ TEXTS = {
   export [PKG ...] [-o FILE]  把工作空间的包打成 zip，拿到真正的 ROS 2 上编译
   submit [-o FILE.zip]        把程序和回答打成一个文件，交给老师
   grade FILE ...              用隐藏的情景重新运行作业来评分（--csv、--html）
-  report [--csv|--html FILE]  这台电脑上所有学员的学习进度
+  report [--csv|--html FILE]  这台电脑上所有学生的学习进度
   env [--vscode|--pycharm]    打印让普通终端也能用的变量，或者设置好 IDE""",
     "cli.more": "想知道更多：day6-tui 命令 --help",
     "cli.no_command": "没有叫 {name} 的命令；day6-tui --help 列出所有命令",
@@ -966,8 +967,8 @@ TEXTS = {
     "lesson.name.control": "名字里有不能显示的字符",
     "action.lessons": "课程",
     "help.action.lessons": "一步一步的课程；这一步做好了，就去下一步",
-    "action.pupil": "换一个学员",
-    "help.action.pupil": "学习进度按学员的名字保存",
+    "action.pupil": "换一个学生",
+    "help.action.pupil": "学习进度按学生的名字保存",
     "help.lesson": (
         "一步一步地学。旁边的终端是你的：照着做，这里会看着正在运行的系统，做到了就打勾，没做到会说看见了什么。\n\n"
         "做好一步按 F5 去下一步。没做好的时候，F5 在课程和终端之间来回。"
@@ -1175,7 +1176,7 @@ TEXTS = {
     "serve.links.watching": "只看不操作：",
     "serve.links.new": "新链接",
     "serve.links.watch": "观看用的链接",
-    # 一个班：学员看到的
+    # 一个班：学生看到的
     "action.hand": "举手，或者放下手",
     "action.sayings": "老师说过的话",
     "action.take_back": "不再让老师打字",
@@ -1325,6 +1326,6 @@ TEXTS = {
    Linux、树莓派、macOS：  ~/day6/bin/day6-tui
    Windows：               & $HOME\\day6\\Scripts\\day6-tui
 
-老师的电脑如果要让学员在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
+老师的电脑如果要让学生在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
 """,
 }
