@@ -1107,6 +1107,25 @@ commands:
         "In your terminals each pupil's graph is below the pupil's name: ros2 topic echo /anna/turtle1/pose."
     ),
     "manual.classroom": "Class",
+    "help.classroom_pupil": (
+        "A class: your teacher's desktop, or the teacher's page, knows of yours. The top line says so, and what the teacher "
+        "does there.\n\n"
+        "Raise your hand: click “raise hand” in the top line, or F7 and hand. Click again to lower it. The teacher can lower it "
+        "too, and then has seen it.\n\n"
+        "The teacher sees which lesson and step you are in, the names of your nodes, the card of your last error, and since "
+        "when you have not touched a key. The teacher may say something (F7: what the teacher said), and open a lesson or a "
+        "scene; what runs goes on.\n\n"
+        "Your screen is seen only while the top line says “teacher watching”. Nothing changes for you.\n\n"
+        "“Eyes to the front”: the teacher has frozen the screens of all. Your programs go on, nothing is lost, and it goes away "
+        "by itself, after ten minutes at the latest.\n\n"
+        "The teacher can type in your terminal only if you say yes. You can take that back at any time: click “teacher may "
+        "type” in the top line, or F7 and teacher. What is typed goes to the terminal that has your keyboard.\n\n"
+        "The teacher can end your desktop; your files stay.\n\n"
+        "To join a class on a network: day6-tui class --join HOST --name NAME, in which the teacher's window tells HOST. "
+        "Pupils see nothing of each other, unless it is a room (--room): then all are in one graph, and a scene runs below "
+        "your name."
+    ),
+    "manual.classroom_pupil": "Class: hand, teacher",
     "class.says": "Your teacher",
     "class.opened": "Your teacher opened this lesson",
     "class.bar.unread": "new from the teacher: {count}",
