@@ -69,7 +69,8 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             pupil.wait(texts("class.bar.raise"))
             Mouse(pupil).click_on(texts("class.bar.raise"))
             pupil.wait(texts("class.bar.hand"))
-            teacher.wait(texts("teacher.hands", count=1))
+            teacher.wait(texts("teacher.hand"), texts("teacher.bar.hand"))
+            assert texts("class.bar.watched") not in pupil.look()
             teacher.press("Enter")
             pupil.wait(texts("class.bar.watched"))
             pupil.line("echo here-$((40 + 2))")
@@ -78,6 +79,7 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             teacher.wait(texts("teacher.say", name="anna"))
             teacher.line("well done")
             pupil.wait("well done")
+            teacher.wait(texts("teacher.sent", name="anna"))
             pupil.wait(texts(unread, count=1))
             choose(pupil, texts("action.sayings"))
             pupil.wait_gone(texts(unread, count=1))
@@ -96,11 +98,10 @@ def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, de
         teacher.wait(texts("teacher.here", here=1, all=1))
         teacher.press("t")
         pupil.wait(texts("class.consent.yes"))
-        teacher.wait(texts("teacher.asked", name="anna"))
+        teacher.wait(texts("teacher.awaited"))
         pupil.look(1.2)  # who was typing when the question came has not answered it
         pupil.send("y")
         pupil.wait(texts("class.bar.types.short"))
-        teacher.press("t")
         teacher.wait(texts("teacher.typing", name="anna"))
         teacher.send("echo typed-$((40 + 2))\r")
         pupil.wait("typed-42")
@@ -110,9 +111,50 @@ def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, de
         teacher.wait(texts("teacher.csv"))
         teacher.press("Enter")
         teacher.wait_gone(texts("prompt.keys"))
-    (report,) = desk.home.glob("class-*.csv")
+        log, report = sorted(desk.home.glob("class-*.csv"))
+        teacher.wait(f"{report.name}, {log.name}")
     with report.open(encoding="utf-8-sig", newline="") as file:
         assert list(csv.reader(file))[1] == ["anna", "", "", ""]
+    with log.open(encoding="utf-8-sig", newline="") as file:
+        assert list(csv.reader(file))[1][1:3] == ["anna", "came"]
+
+
+@pytest.mark.parametrize("how", ["taken_back", "gone"])
+def test_keys_for_a_pupil_never_become_commands_for_the_class(
+    place: Place, desk: Place, address: str, how: str
+) -> None:
+    texts = Texts("en")
+    with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
+        pupil.wait(PROMPT)
+        teacher.wait(texts("teacher.here", here=1, all=1))
+        teacher.press("t")
+        pupil.wait(texts("class.consent.yes"))
+        pupil.look(1.2)
+        pupil.send("y")
+        teacher.wait(texts("teacher.typing", name="anna"))
+        teacher.send("echo")
+        pupil.wait("echo")
+        if how == "gone":
+            pupil.quit()
+        else:
+            Mouse(pupil).click_on(texts("class.bar.types.short"))
+        teacher.wait(texts(f"teacher.over.{how}", name="anna"))
+        teacher.send("fxSd")
+        teacher.look(0.5)
+        teacher.wait(texts(f"teacher.over.{how}", name="anna"))
+        assert texts("teacher.frozen") not in teacher.look() and texts("teacher.end", name="anna") not in teacher.look()
+        teacher.press("Esc")
+        teacher.wait_gone(texts(f"teacher.over.{how}", name="anna"))
+
+
+def test_a_class_whose_port_is_taken_invites_nobody(desk: Place, address: str) -> None:
+    with socket.socket() as other:
+        host, port = address.split(":")
+        other.bind((host, int(port)))
+        other.listen()
+        with teach(desk, address) as teacher:
+            teacher.wait(Texts("en")("teacher.port_in_use", port=port)[:40])
+            assert "--join" not in teacher.look()
 
 
 def test_a_taken_name_is_told_and_the_own_machine_works_on(place: Place, desk: Place, address: str) -> None:
