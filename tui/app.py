@@ -185,6 +185,8 @@ class Day6App(TerminalApp):
         self.detachment.ordered = self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
+        if self.class_link is not None:
+            self.leaving.joined = self.class_link.joined
         self.recording = Recording(self, machine, desktop, looks, notices, look)
         self.actions = registry = actions.Actions()
         for owner in (

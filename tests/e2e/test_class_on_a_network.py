@@ -157,6 +157,18 @@ def test_a_class_whose_port_is_taken_invites_nobody(desk: Place, address: str) -
             assert "--join" not in teacher.look()
 
 
+def test_leaving_a_class_asks_while_a_pupil_is_joined(place: Place, desk: Place, address: str) -> None:
+    texts = Texts("en")
+    with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
+        teacher.wait(texts("teacher.here", here=1, all=1))
+        teacher.press("Ctrl-Q")
+        teacher.wait(texts("quit.class"), "1 pupil is joined")
+        teacher.press("Ctrl-Q")
+        assert teacher.wait_end() == 0
+        pupil.line("echo still-$((40 + 2))")
+        pupil.wait("still-42")
+
+
 def test_a_taken_name_is_told_and_the_own_machine_works_on(place: Place, desk: Place, address: str) -> None:
     other = desk.home.parent / "other"
     other.mkdir()

@@ -554,6 +554,27 @@ async def test_the_action_of_the_class_brings_the_window_to_the_front_and_never_
             assert window.app.desktop.focused_pane is window.pane
 
 
+@pytest.mark.parametrize(("names", "told"), [(["anna"], "1 pupil is joined"), (["anna", "ben"], "2 pupils are joined")])
+async def test_leaving_asks_while_pupils_are_joined(class_of: Class, names: list[str], told: str) -> None:
+    async with class_of() as window:
+        left: list[object] = []
+        window.app.exit = lambda *result, **more: left.append(more)  # type: ignore[method-assign]
+        await window.come(*names)
+        await window.press("ctrl+q")
+        assert told in window.text and left == []
+        await window.press("escape")
+        await window.press("ctrl+q", "ctrl+q")
+        assert left == [{}]
+
+
+async def test_leaving_an_empty_class_asks_nothing(class_of: Class) -> None:
+    async with class_of() as window:
+        left: list[object] = []
+        window.app.exit = lambda *result, **more: left.append(more)  # type: ignore[method-assign]
+        await window.press("ctrl+q")
+        assert left == [{}]
+
+
 @pytest.mark.parametrize("lang", ["en", "zh"])
 async def test_at_80_columns_the_keys_used_most_are_on_the_key_line_and_all_in_the_help(
     class_of: Class, lang: str
