@@ -1235,7 +1235,7 @@ TEXTS = {
     "teacher.bar.hand": "1 人举手",
     "teacher.bar.hands": "{count} 人举手",
     "teacher.raised": "{name} 举手了",
-    "teacher.frozen": "全班已暂停",
+    "teacher.frozen": "全班键盘已锁定",
     "teacher.stuck": "{count} 人卡住",
     "teacher.typing": "你正在替 {name} 打字",
     "teacher.awaited": "已经问了能不能代打字：同意后自动开始",
@@ -1245,8 +1245,8 @@ TEXTS = {
     "teacher.key.back": "名单",
     "teacher.key.say": "说一句",
     "teacher.key.open": "打开课程",
-    "teacher.key.freeze": "全班暂停",
-    "teacher.key.thaw": "继续",
+    "teacher.key.freeze": "全班锁定",
+    "teacher.key.thaw": "全班解锁",
     "teacher.key.type": "代打字",
     "teacher.key.end_typing": "不再打字",
     "teacher.key.acknowledge": "知道了",
@@ -1277,7 +1277,7 @@ TEXTS = {
     "teacher.head.name": "名字",
     "teacher.head.lesson": "课程",
     "teacher.head.state": "现在",
-    "teacher.head.frozen": "现在：全班已暂停",
+    "teacher.head.frozen": "现在：全班已锁定",
     "teacher.above": "↑ 还有 {count} 人",
     "teacher.below": "↓ 还有 {count} 人",
     "teacher.state.gone": "不在",
@@ -1288,7 +1288,7 @@ TEXTS = {
     "teacher.state.may_type": "可以代打字：t",
     "teacher.state.idle.short": "停了 {minutes} 分",
     "teacher.state.hand": "举手 {minutes} 分钟",
-    "teacher.state.frozen": "已暂停",
+    "teacher.state.frozen": "已锁定",
     "teacher.state.idle": "{minutes} 分钟没有按键",
     "teacher.hints": "看过提示：{count}",
     "teacher.no_screen": "正在等屏幕",
@@ -1323,7 +1323,7 @@ TEXTS = {
         "t 问学生能不能代打字。学生同意时，如果你还在看这块屏幕，就自动开始；否则再按一次 t。之后按键都送到学生的终端，"
         "直到 Ctrl-]。只有 F1 到 F9、Alt 加数字或方向键、Ctrl-Q 仍然归你的桌面，和在每个终端里一样。"
         "学生收回同意或者断开以后，按键不起作用，直到你按 Ctrl-] 或 Esc。\n\n"
-        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 让全班暂停，后来加入的也一样，"
+        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 锁定全班的键盘，后来加入的也一样，"
         "再按 f 继续，最长十分钟。x 结束的是这个学生的桌面，不是你的。d 删去已经走了的人那一行。\n\n"
         "e 写出每个人学到了哪里，旁边再写一份课堂记录；不会覆盖任何文件。\n\n"
         "在你的终端里，每个学生的计算图都在他的名字下面：ros2 topic echo /anna/turtle1/pose。"
@@ -1335,7 +1335,7 @@ TEXTS = {
         "老师看得到你在哪一课的哪一步、你的节点的名字、上一个错误的卡片，还有多久没有按键。"
         "老师可以对你说话（F7：老师说过的话），也可以打开一课或一个场景；正在运行的程序不会停。\n\n"
         "只有顶栏写着“老师在看”的时候，老师才看得到你的屏幕。你这里什么都不会变。\n\n"
-        "“请看前面”：老师让全班暂停。程序照常运行，什么都不会丢，它会自己消失，最长十分钟。\n\n"
+        "“请看前面”：老师锁定了全班的键盘。程序照常运行，什么都不会丢，它会自己消失，最长十分钟。\n\n"
         "你说可以，老师才能在你的终端里打字。随时可以收回：点顶栏里的“老师可以打字”，或者按 F7 输入“老师”。"
         "老师打的字会进到你的键盘所在的终端。\n\n"
         "老师可以结束你的桌面；文件都留着。\n\n"
