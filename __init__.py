@@ -5,16 +5,21 @@ Everything is in the packages below; this is imported before each of them and im
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
 
-def load_ipython_extension(shell: object) -> None:
-    """Make the cells of a notebook ROS programs (`tui/notebook.py`); called by IPython."""
-    from day6_tui.tui.notebook import load
+if TYPE_CHECKING:
+    from day6_tui.tui.notebook.shell import Shell
+
+
+def load_ipython_extension(shell: Shell) -> None:
+    """Make the cells of a notebook ROS programs (`tui/notebook`); called by IPython."""
+    from day6_tui.tui.notebook.extension import load
 
     load(shell)
 
 
-def unload_ipython_extension(shell: object) -> None:
+def unload_ipython_extension(shell: Shell) -> None:
     """Stop spinning their nodes."""
-    from day6_tui.tui.notebook import unload
+    from day6_tui.tui.notebook.extension import unload
 
     unload(shell)

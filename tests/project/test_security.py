@@ -53,6 +53,7 @@ REASONS = {
     ("core/workspace/sourcing.py", "exec"): "two lines of our own with the name of a package, which was checked",
     ("core/ros/ros2/pkg/xml.py", "xml"): "expat opens nothing and stops entities that grow; tried below",
     ("core/ros/ros2/launch/_declared.py", "xml"): "a text that defines entities is passed over",
+    ("tui/notebook/ros2_line.py", "shell=True"): "the line of a cell, which may run anything anyway, as after `!`",
     ("core/ros/ros2/doctor/__init__.py", "xml"): "as for pkg xml: expat opens nothing and stops entities that grow",
 }
 """Where something dangerous is used all the same, and why it is not dangerous there."""

@@ -2,11 +2,13 @@
 
 BIN is the bin folder of an environment with jupyterhub, jupyterlab, jupyter-server-proxy and day6-tui[serve], PROXY that of
 configurable-http-proxy; screenshots go to FOLDER. Prints PSS and CPU of the hub, its proxy and a pupil's server, and when the
-desktop is on the screen; fails if one pupil's turtle is seen by the other.
+desktop is on the screen; fails if one pupil's turtle is seen by the other, if the first notebook does not drive the turtle of its
+pupil's desktop, or if the word lets in the teacher.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import socket
 import subprocess
@@ -19,7 +21,9 @@ from background import Background
 from chromium import Chromium, Page, program
 
 WORD = "chalk-and-sponge"
-CONFIG = Path(__file__).resolve().parents[2] / "hub" / "jupyterhub_config.py"
+TEACHER_WORD = "a sentence that only the teacher knows"
+HUB = Path(__file__).resolve().parents[2] / "hub"
+CONFIG, NOTEBOOK = HUB / "jupyterhub_config.py", HUB / "first_steps.ipynb"
 PARTS = {
     "hub": b"bin/jupyterhub\0",
     "proxy": b"configurable-http-proxy",
@@ -43,7 +47,9 @@ def main() -> None:
         **os.environ,
         "PATH": os.pathsep.join([str(tools), proxy, os.environ["PATH"]]),
         "DAY6_HUB_WORD": WORD,
+        "DAY6_HUB_TEACHER_WORD": TEACHER_WORD,
         "DAY6_HUB_URL": address,
+        "DAY6_HUB_AS_ROOT": "1",  # this is run as root, too
     }
     with open(folder / "hub.log", "w", encoding="utf-8") as log:
         hub = subprocess.Popen(
@@ -73,17 +79,20 @@ def main() -> None:
         assert "nodes-42" in seen, seen
         assert "/turtlesim" not in seen, "ben sees anna's turtle"
         measure("two desktops")
+        drive_by_notebook(browser.page(), address, pages["anna"], folder)
+        refuse_the_pupils_word(browser.page(), address)
     finally:
         browser.close()
         background.close()
         hub.terminate()
-        hub.wait(60)
+        hub.wait(90)
     time.sleep(3)
     left = [name for name in filter(str.isdigit, os.listdir("/proc")) if belongs(name, home)]
     print(f"processes left: {len(left)}")
 
 
-def log_in(page: Page, address: str, name: str) -> None:
+def enter(page: Page, address: str, name: str, word: str) -> None:
+    """Fill in the page on which everybody logs in, as soon as the hub has it."""
     page.device(1280, 800)
     end = time.monotonic() + 60
     while time.monotonic() < end:
@@ -93,10 +102,45 @@ def log_in(page: Page, address: str, name: str) -> None:
         time.sleep(0.5)
     page.evaluate(
         f"document.querySelector('#username_input').value = {name!r};"
-        f"document.querySelector('#password_input').value = {WORD!r};"
+        f"document.querySelector('#password_input').value = {word!r};"
         "document.querySelector('form').submit()"
     )
+
+
+def log_in(page: Page, address: str, name: str) -> None:
+    enter(page, address, name, WORD)
     page.wait_for("location.pathname.includes('/lab') && document.body.innerText.includes('ROS 2')", 120)
+
+
+def drive_by_notebook(page: Page, address: str, desk: Page, folder: Path) -> None:
+    """Run the first notebook as far as it drives the turtle, which stands on anna's desktop."""
+    assert "x 5.54" in screen(desk), screen(desk)
+    cells = json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]
+    last = next(number for number, cell in enumerate(cells) if "driver = Driver()" in cell["source"])
+    log_in(page, address, "anna")
+    page.navigate(f"{address}/user/anna/lab/tree/{NOTEBOOK.name}")
+    page.wait_for("document.body.innerText.includes('Python 3 (ipykernel) | Idle')", 60)
+    page.click_on(".jp-MarkdownOutput")
+    page.press("Escape")
+    for _ in range(last + 1):
+        page.press("Enter", "shift")
+        time.sleep(1)
+    page.wait_for("document.body.innerText.includes('driver.destroy_node() ends it')", 30)
+    time.sleep(4)
+    page.screenshot(folder / "anna-notebook.png")
+    desk.screenshot(folder / "anna-driven.png")
+    assert "x 5.54" not in screen(desk), screen(desk)
+    print("the notebook drives the turtle of the desktop")
+
+
+def refuse_the_pupils_word(page: Page, address: str) -> None:
+    enter(page, address, "teacher", WORD)
+    page.wait_for("document.body.innerText.includes('Invalid username or password')")
+    enter(page, address, "teacher", TEACHER_WORD)
+    page.wait_for("location.pathname.includes('/lab')", 120)
+    page.navigate(f"{address}/hub/admin")
+    page.wait_for("document.body.innerText.includes('anna')", 20)
+    print("the teacher has a word, and sees the pupils")
 
 
 def type_line(page: Page, text: str) -> None:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import ast
+import errno
 import hashlib
+import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -11,8 +15,12 @@ from pathlib import Path
 
 import pytest
 
-from day6_tui.tui.wheelhouse import closure, command, folder, own_wheel
-from day6_tui.tui.wheelhouse.targets import PLATFORMS, Target, this_platform
+from day6_tui.tui.wheelhouse import closure, command, folder, guide, own_wheel
+from day6_tui.tui.wheelhouse.targets import PLATFORMS, Target, this_platform, this_python
+
+
+def texts_for(targets: list[Target]) -> dict[str, str]:
+    return {folder.GUIDE: guide.guide(targets), folder.CHECK: guide.checker(targets)}
 
 
 def wheel_of(place: Path, name: str, version: str, *requires: str) -> Path:
@@ -27,11 +35,29 @@ def wheel_of(place: Path, name: str, version: str, *requires: str) -> Path:
     return path
 
 
+HERE = [Target(PLATFORMS["linux-x86_64"], "3.12"), Target(PLATFORMS["windows-x86_64"], "3.12")]
+
+NO_NETWORK = """\
+WARNING: Retrying (Retry(total=0, connect=None, read=None, redirect=None, status=None)) after connection broken by \
+'NewConnectionError('<pip._vendor.urllib3.connection.HTTPSConnection object at 0x7f9864d61910>: Failed to establish a new \
+connection: [Errno -3] Temporary failure in name resolution')': /simple/rich/
+ERROR: Could not find a version that satisfies the requirement rich>=14 (from versions: none)
+ERROR: No matching distribution found for rich>=14
+"""
+"""What pip 23 says in `unshare -n`."""
+NO_NETWORK_26 = re.sub(
+    r"'New.*?\[",
+    "'NameResolutionError(\"HTTPSConnection(host='pypi.org', port=443): Failed to resolve 'pypi.org' ([",
+    NO_NETWORK,
+)
+
+
 class Index:
-    """Stands in for pip and its index: the newest wheel that the specifier allows."""
+    """Stands in for pip and its index: the newest wheel that the specifier allows, or `says` for all it is asked for."""
 
     def __init__(self, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.place, self.asked = place, list[str]()
+        self.says = ""
         monkeypatch.setattr(closure.subprocess, "run", self.run)
 
     def run(self, words: Sequence[str], **_: object) -> subprocess.CompletedProcess[str]:
@@ -40,6 +66,8 @@ class Index:
 
         wanted = Requirement(words[-1])
         self.asked.append(words[-1])
+        if self.says:
+            return subprocess.CompletedProcess(words, 1, "", self.says)
         fitting = [
             (parse_wheel_filename(path.name)[1], path)
             for path in self.place.glob(f"{wanted.name.replace('-', '_')}-*.whl")
@@ -98,8 +126,8 @@ def test_circles_end_and_what_is_missing_is_named(index: Index, tmp_path: Path) 
 def test_a_folder_is_filled_again_and_nothing_foreign_is_touched(tmp_path: Path) -> None:
     stick, place = tmp_path / "stick", tmp_path / "place"
     first, second = wheel_of(place, "a", "1.0"), wheel_of(place, "a", "2.0")
-    folder.fill(stick, [first], {folder.GUIDE: "read me", folder.CHECK: folder.CHECKER})
-    folder.fill(stick, [second], {folder.GUIDE: "read me too", folder.CHECK: folder.CHECKER})
+    folder.fill(stick, [first], {folder.GUIDE: "read me", folder.CHECK: "pass"})
+    folder.fill(stick, [second], {folder.GUIDE: "read me too", folder.CHECK: "pass"})
     assert {path.name for path in stick.iterdir()} == {second.name, folder.GUIDE, folder.CHECK, folder.SUMS}
     lines = (stick / folder.SUMS).read_text(encoding="utf-8").splitlines()
     assert f"{hashlib.sha256(second.read_bytes()).hexdigest()}  {second.name}" in lines and len(lines) == 3
@@ -114,19 +142,129 @@ def test_a_folder_is_filled_again_and_nothing_foreign_is_touched(tmp_path: Path)
     assert (stick / folder.GUIDE).read_text(encoding="utf-8") == "my own notes" and (stick / second.name).exists()
 
 
+def test_a_damaged_and_a_missing_wheel_are_repaired_by_the_next_run(tmp_path: Path) -> None:
+    stick, place = tmp_path / "stick", tmp_path / "place"
+    wheels = [wheel_of(place, "a", "1.0"), wheel_of(place, "b", "1.0"), wheel_of(place, "c", "1.0")]
+    folder.fill(stick, wheels, {})
+    (stick / wheels[0].name).write_bytes(b"?")
+    (stick / wheels[1].name).unlink()
+    folder.fill(stick, wheels, {})
+    assert all((stick / wheel.name).read_bytes() == wheel.read_bytes() for wheel in wheels)
+
+
+@pytest.mark.parametrize("before", [(), ("a", "1.0")])
+def test_a_full_disk_names_the_users_folder_and_the_next_run_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, before: tuple[str, ...]
+) -> None:
+    stick, place = tmp_path / "stick", tmp_path / "place"
+    if before:
+        folder.fill(stick, [wheel_of(tmp_path / "before", *before)], {folder.GUIDE: "old"})
+    wheels = [wheel_of(place, "a", "2.0"), wheel_of(place, "b", "1.0")]
+    copy = folder.shutil.copyfile
+
+    def copy_half(source: Path, target: Path) -> None:
+        if source == wheels[1]:
+            Path(target).write_bytes(b"half")
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(source))
+        copy(source, target)
+
+    monkeypatch.setattr(folder.shutil, "copyfile", copy_half)
+    with pytest.raises(OSError) as full:
+        folder.fill(stick, wheels, texts_for(HERE))
+    assert full.value.filename == str(stick)
+    assert not [path for path in stick.iterdir() if "part" in path.name]
+    monkeypatch.undo()
+    (stick / ".c-1.0-py3-none-any.whl.part").write_bytes(b"pulled out")
+    (stick / ".day6-0123456789ab").write_bytes(b"killed")
+    folder.fill(stick, wheels, texts_for(HERE))
+    names = {*(wheel.name for wheel in wheels), folder.GUIDE, folder.CHECK, folder.SUMS}
+    assert {path.name for path in stick.iterdir()} == names
+
+
+def test_a_folder_nobody_can_write_to_is_told_before_anything_is_fetched(
+    tmp_path: Path, index: Index, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+    stick = tmp_path / "file" / "stick"
+    assert command.main([str(stick), "--lang", "en", "--platform", "linux-x86_64"]) == 1
+    said = capsys.readouterr()
+    assert said.err.startswith(f"day6-tui wheelhouse: {stick}: ") and not index.asked and not said.out
+    folder.try_to_write(tmp_path / "new" / "stick")
+    assert not (tmp_path / "new").exists()
+
+
+def test_no_network_and_no_such_project_are_told_apart(index: Index, tmp_path: Path) -> None:
+    own = wheel_of(tmp_path, "own", "1.0", "rich>=14")
+    for index.says in (NO_NETWORK, NO_NETWORK_26):
+        with pytest.raises(closure.NoInternet, match=r"^Temporary failure in name resolution$"):
+            needed(index, tmp_path, own, "linux-x86_64")
+    index.says = "ERROR: No matching distribution found for rich>=14\n"
+    with pytest.raises(closure.FetchError, match="No matching distribution found") as missing:
+        needed(index, tmp_path, own, "linux-x86_64")
+    assert not isinstance(missing.value, closure.NoInternet)
+    index.says = "ERROR: Could not install packages due to an OSError: [Errno 28] No space left on device\n"
+    with pytest.raises(OSError, match="No space left on device"):
+        needed(index, tmp_path, own, "linux-x86_64")
+
+
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_without_internet_one_line_says_so(
+    tmp_path: Path, lang: str, index: Index, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    index.says = NO_NETWORK
+    monkeypatch.setattr(own_wheel, "make", lambda place: wheel_of(place, "own", "1.0", "rich>=14"))
+    assert command.main([str(tmp_path / "stick"), "--lang", lang, "--platform", "linux-x86_64"]) == 1
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "Temporary failure in name resolution" in said and "matching" not in said
+    assert {"en": "no internet", "zh": "没有网络"}[lang] in said
+    assert not (tmp_path / "stick").exists()
+
+
+def check(stick: Path, *before: str) -> subprocess.CompletedProcess[str]:
+    """Run check.py; `before` are lines of Python that make this machine another one."""
+    code = "\n".join((*before, "import runpy", f"runpy.run_path({str(stick / folder.CHECK)!r}, run_name='__main__')"))
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", cwd="/")
+
+
 def test_the_check_on_the_stick_finds_what_was_damaged_on_the_way(tmp_path: Path) -> None:
     stick = tmp_path / "stick"
-    folder.fill(stick, [wheel_of(tmp_path, "a", "1.0")], {folder.CHECK: folder.CHECKER})
-
-    def check() -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            [sys.executable, str(stick / folder.CHECK)], capture_output=True, encoding="utf-8", cwd="/"
-        )
-
-    assert check().returncode == 0
+    here = Target(PLATFORMS[this_platform() or "linux-x86_64"], this_python())
+    folder.fill(stick, [wheel_of(tmp_path, "a", "1.0")], texts_for([here]))
+    assert check(stick).returncode == (0 if this_platform() else 1)
     with open(next(stick.glob("*.whl")), "r+b") as file:
         file.write(b"?")
-    assert check().returncode == 1 and "a-1.0" in check().stdout
+    assert check(stick).returncode == 1 and "a-1.0" in check(stick).stdout
+
+
+def test_the_check_on_the_stick_says_which_machine_and_python_it_is_for(tmp_path: Path) -> None:
+    stick = tmp_path / "stick"
+    folder.fill(stick, [], texts_for(HERE))
+    linux = "import platform, sys; sys.platform = 'linux'; platform.machine = lambda: 'x86_64'; sys.version_info = (3, {}, 0)"
+    assert check(stick, linux.format(12)).returncode == 0
+    other = check(stick, linux.format(8))
+    assert other.returncode == 1
+    assert "this is Python 3.8, the folder is for Python 3.12: python3.12 check.py" in other.stdout
+    windows = "import platform, sys; sys.platform = 'win32'; platform.machine = lambda: 'AMD64'; sys.version_info = (3, 11, 0)"
+    assert "py -3.12 check.py" in check(stick, windows).stdout
+    pi = check(stick, "import platform; platform.machine = lambda: 'aarch64'")
+    assert pi.returncode == 1
+    assert "not for this machine (linux-aarch64): the folder is for linux-x86_64, windows-x86_64" in pi.stdout
+    narrow = check(stick, linux.format(12), "sys.maxsize = 2**31 - 1")
+    assert "not for this machine (linux-32-bit)" in narrow.stdout
+
+
+def test_the_check_is_written_for_old_pythons() -> None:
+    ast.parse(guide.checker(HERE), feature_version=(3, 8))
+
+
+def test_the_guide_names_machines_and_versions_and_types_the_right_python() -> None:
+    text = guide.guide(HERE)
+    assert text.count("  linux-x86_64, Python 3.12\n") == text.count("  windows-x86_64, Python 3.12\n") == 2
+    assert text.count("py -3.12 -m venv") == text.count("python3.12 -m venv") == 2
+    assert "in place of" not in text and "{" not in text
+    assert "Windows" not in guide.guide(HERE[:1]) and "Linux" not in guide.guide(HERE[1:]).replace("Debian", "")
+    several = guide.guide([*HERE, Target(PLATFORMS["linux-x86_64"], "3.10")])
+    assert "write its number in place of 3.12" in several and "python3.12 -m venv" in several
 
 
 def test_the_wheel_of_an_installed_day6_holds_what_was_installed(tmp_path: Path) -> None:

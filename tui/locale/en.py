@@ -1227,6 +1227,22 @@ commands:
     "class.refused.unknown": "it is not there",
     "serve.disk.say": "Your home folder holds {used} MB, and {most} MB are allowed. "
     "Remove what you do not need, or your desktop will be ended.",
+    # notebook
+    "notebook.here": "ROS 2 is here: import rclpy, and %ros2 topic list. Nodes go on after their cell.",
+    "notebook.init_again": "ROS is initialised already, so this rclpy.init() does nothing. rclpy.shutdown() ends ROS.",
+    "notebook.again": "{name}: the node made here before has been destroyed",
+    "notebook.goes_on": "{name} goes on in the background; {end} ends it",
+    "notebook.go_on": "{names} go on in the background; destroy_node() ends one of them, rclpy.shutdown() all",
+    "notebook.failed": (
+        "{name} is not spun any more after this error, as a program would have ended. "
+        "Correct it, and run the cell again that makes the node."
+    ),
+    "notebook.ended": "{name} is not spun any more: a callback has called exit, which would have ended a program",
+    "notebook.stuck": (
+        "{name}: a callback has not returned for {seconds} s{where}. Until it does, no other callback of this node runs. "
+        "destroy_node() ends it."
+    ),
+    "notebook.ros2.background": "goes on in the background until the kernel ends; {end} ends it now",
     # wheelhouse
     "cli.wheelhouse": "Put everything that installs day6-tui without internet into a folder, for a USB stick.",
     "wheelhouse.folder": "a new folder, an empty one, or one that this command has made",
@@ -1239,27 +1255,30 @@ commands:
     "wheelhouse.no_pip": "there is no pip here, which fetches the files ({command})",
     "wheelhouse.foreign": "{file} is not from an earlier run, or was changed since: choose another folder",
     "wheelhouse.failed": "nothing was written: {reason}",
+    "wheelhouse.no_internet": "no internet: what is needed could not be fetched ({reason}), and nothing was written",
     "wheelhouse.done": "{count} wheels, {size} MB in {folder}",
     "wheelhouse.next": "how to install them is in {file}",
+    "wheelhouse.guide.unix": "Linux, Raspberry Pi OS, macOS",
+    "wheelhouse.guide.other": "\nFor another version of Python that is named above write its number in place of {python}.\n",
     "wheelhouse.guide": """\
 Installing day6-tui without internet
 ====================================
 
-Needed on the machine: Python in the version that this folder was made for. On Debian, Ubuntu and Raspberry Pi OS (64 bit)
-also the package python3-venv. Copy this folder to the machine, open a terminal in it, and type:
+This folder is for
 
-1. Are all files whole?
-   python3 check.py                         (Windows: py check.py)
+{targets}
+
+and for no other machine or version of Python. linux-aarch64 is also Raspberry Pi OS with 64 bits. On Debian, Ubuntu and
+Raspberry Pi OS the package python3-venv is needed, too. Copy this folder to the machine, open a terminal in it, and type:
+
+1. Is it the right folder, and are all files whole?
+{check}
 
 2. Install.
-   Linux, Raspberry Pi OS, macOS:
-     python3 -m venv ~/day6 && ~/day6/bin/pip install --no-index --find-links . day6-tui
-   Windows (PowerShell):
-     py -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\pip install --no-index --find-links . day6-tui
-
+{install}
+{other}
 3. Run.
-   Linux, Raspberry Pi OS, macOS:  ~/day6/bin/day6-tui
-   Windows:                        & $HOME\\day6\\Scripts\\day6-tui
+{run}
 
 For the teacher's machine, whose browsers' tabs are desktops (day6-tui serve), write "day6-tui[serve]" instead of day6-tui in 2.
 """,

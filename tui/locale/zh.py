@@ -1372,6 +1372,19 @@ TEXTS = {
     "class.refused.place": "那边的键盘不在终端里",
     "class.refused.unknown": "没有这个",
     "serve.disk.say": "你的主目录里有 {used} MB，只允许 {most} MB。请删掉不要的文件，否则桌面会被结束。",
+    # notebook
+    "notebook.here": "ROS 2 已经就绪：可以 import rclpy，也可以用 %ros2 topic list。单元格运行完以后，节点会继续运行。",
+    "notebook.init_again": "ROS 已经初始化过了，这次 rclpy.init() 什么都不做。rclpy.shutdown() 会结束 ROS。",
+    "notebook.again": "{name}：之前在这里创建的节点已经销毁",
+    "notebook.goes_on": "{name} 在后台继续运行；用 {end} 结束",
+    "notebook.go_on": "{names} 在后台继续运行；destroy_node() 结束其中一个，rclpy.shutdown() 结束全部",
+    "notebook.failed": "出了上面的错误，{name} 不再执行回调（如果是程序，到这里就结束了）。改好以后，重新运行创建节点的单元格。",
+    "notebook.ended": "{name} 不再执行回调：有一个回调调用了 exit，程序到这里就会结束",
+    "notebook.stuck": (
+        "{name}：有一个回调 {seconds} 秒还没有返回{where}。在它返回之前，这个节点的其他回调都不会执行。"
+        "destroy_node() 可以结束它。"
+    ),
+    "notebook.ros2.background": "在后台继续运行，直到内核结束；现在就结束：{end}",
     # wheelhouse
     "cli.wheelhouse": "把不联网安装 day6-tui 所需的一切放进一个文件夹，可以拷到 U 盘上。",
     "wheelhouse.folder": "新的文件夹、空文件夹，或者这条命令以前做出来的文件夹",
@@ -1384,27 +1397,30 @@ TEXTS = {
     "wheelhouse.no_pip": "这里没有 pip，没法下载（{command}）",
     "wheelhouse.foreign": "{file} 不是以前做出来的，或者后来被改过：请换一个文件夹",
     "wheelhouse.failed": "什么都没有写：{reason}",
+    "wheelhouse.no_internet": "没有网络：需要的文件没法下载（{reason}），什么都没有写",
     "wheelhouse.done": "{count} 个 wheel，共 {size} MB，在 {folder}",
     "wheelhouse.next": "怎么安装，写在 {file} 里",
+    "wheelhouse.guide.unix": "Linux、树莓派、macOS",
+    "wheelhouse.guide.other": "\n如果用上面列出的另一个 Python 版本，就把 {python} 换成那个版本号。\n",
     "wheelhouse.guide": """\
 不联网安装 day6-tui
 ===================
 
-电脑上要有 Python，版本和做这个文件夹时选的一样。Debian、Ubuntu 和 64 位树莓派系统还要有 python3-venv 这个包。
-把这个文件夹拷到电脑上，在里面打开终端，输入：
+这个文件夹只适合：
 
-1. 文件都完整吗？
-   python3 check.py                         （Windows：py check.py）
+{targets}
+
+不能用在别的电脑或别的 Python 版本上。linux-aarch64 也包括 64 位树莓派系统。Debian、Ubuntu 和树莓派系统还要有 python3-venv
+这个包。把这个文件夹拷到电脑上，在里面打开终端，输入：
+
+1. 文件夹对不对，文件都完整吗？
+{check}
 
 2. 安装。
-   Linux、树莓派、macOS：
-     python3 -m venv ~/day6 && ~/day6/bin/pip install --no-index --find-links . day6-tui
-   Windows（PowerShell）：
-     py -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\pip install --no-index --find-links . day6-tui
-
+{install}
+{other}
 3. 运行。
-   Linux、树莓派、macOS：  ~/day6/bin/day6-tui
-   Windows：               & $HOME\\day6\\Scripts\\day6-tui
+{run}
 
 老师的电脑如果要让学生在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
 """,

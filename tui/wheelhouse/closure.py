@@ -6,6 +6,9 @@ on. So each project is fetched by itself here, and what it requires is read from
 
 from __future__ import annotations
 
+import errno
+import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -24,8 +27,18 @@ from day6_tui.tui.wheelhouse.targets import Target
 MOST_FETCHES = 400
 
 
+_CONNECTION = re.compile(
+    r"(NewConnectionError|NameResolutionError|ConnectTimeoutError|ReadTimeoutError|ProxyError|ConnectionResetError)"
+)
+"""What pip's HTTP library (urllib3) calls it when nobody answers."""
+
+
 class FetchError(Exception):
     """A project cannot be had for a target; the message is pip's."""
+
+
+class NoInternet(FetchError):
+    """Nobody answers; the message is the system's."""
 
 
 @dataclass
@@ -107,9 +120,22 @@ def _fetched(requirement: str, target: Target, folder: Path) -> Path:
         )
         wheels = list(Path(place).glob("*.whl"))
         if done.returncode or len(wheels) != 1:
-            said = [line for line in done.stderr.splitlines() if line.startswith("ERROR:")] or done.stderr.splitlines()
-            raise FetchError(f"{requirement} ({target}): {said[-1] if said else 'pip fetched nothing'}")
+            raise _why(done.stderr, f"{requirement} ({target})")
         kept = folder / wheels[0].name
         if not kept.exists():
             wheels[0].rename(kept)
     return kept
+
+
+def _why(said: str, what: str) -> Exception:
+    """What is wrong, from what pip has said on stderr: it names a project missing, too, when no index can be reached."""
+    lines = said.splitlines()
+    if os.strerror(errno.ENOSPC) in said:
+        return OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    broken = [line for line in lines if _CONNECTION.search(line)]
+    if broken and "(from versions: none)" in said:
+        reason = re.search(r"\[Errno -?\d+\] ([^'\")]+)", broken[-1])
+        kind = _CONNECTION.search(broken[-1])
+        return NoInternet(reason[1] if reason else kind[1] if kind else "")
+    errors = [line for line in lines if line.startswith("ERROR:")] or lines
+    return FetchError(f"{what}: {errors[-1] if errors else 'pip fetched nothing'}")

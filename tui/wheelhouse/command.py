@@ -11,8 +11,9 @@ from pathlib import Path
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.command_line import Formatter, language_of
-from day6_tui.tui.locale import LANGUAGES, Texts, catalogue
+from day6_tui.tui.locale import Texts
 from day6_tui.tui.wheelhouse import closure, folder, own_wheel
+from day6_tui.tui.wheelhouse.guide import checker, guide
 from day6_tui.tui.wheelhouse.targets import PLATFORMS, PYTHONS, Target, this_platform, this_python
 
 EXTRAS = ("serve",)
@@ -33,13 +34,15 @@ def main(words: list[str]) -> int:
     targets = [Target(PLATFORMS[each], python) for each in platforms for python in options.python or [this_python()]]
     try:
         if name := folder.foreign(options.folder):
-            return _refuse(texts("wheelhouse.foreign", file=options.folder / name), 1)
+            raise folder.NotOurs(name)
+        folder.try_to_write(options.folder)
         with tempfile.TemporaryDirectory(prefix="day6-wheelhouse-") as place:
             wheels = _fetch(targets, Path(place))
-            guide = "\n\n".join(_guide(each) for each in LANGUAGES)
-            folder.fill(options.folder, wheels, {folder.GUIDE: guide, folder.CHECK: folder.CHECKER})
+            folder.fill(options.folder, wheels, {folder.GUIDE: guide(targets), folder.CHECK: checker(targets)})
     except folder.NotOurs as error:
         return _refuse(texts("wheelhouse.foreign", file=options.folder / str(error)), 1)
+    except closure.NoInternet as error:
+        return _refuse(texts("wheelhouse.no_internet", reason=error), 1)
     except (closure.FetchError, own_wheel.WheelError) as error:
         return _refuse(texts("wheelhouse.failed", reason=error), 1)
     except OSError as error:
@@ -51,19 +54,18 @@ def main(words: list[str]) -> int:
 
 
 def _fetch(targets: list[Target], place: Path) -> list[Path]:
-    """Everything for all targets, in a folder of ours."""
+    """Everything for all targets, in a folder of ours, of which errors name what it is in."""
     own, others = place / "own", place / "others"
-    own.mkdir()
-    others.mkdir()
-    wheel = own_wheel.make(own)
     names = set()
-    for target in targets:
-        names |= closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
+    try:
+        own.mkdir()
+        others.mkdir()
+        wheel = own_wheel.make(own)
+        for target in targets:
+            names |= closure.fetch(wheel, EXTRAS, target, others, lambda line: print(one_line(line), flush=True))
+    except OSError as error:
+        raise closure.FetchError(f"{place.parent}: {error.strerror or error}") from error
     return [wheel, *(others / name for name in sorted(names))]
-
-
-def _guide(language: str) -> str:
-    return catalogue(language)["wheelhouse.guide"]
 
 
 def _refuse(text: object, status: int) -> int:
