@@ -54,6 +54,7 @@ from day6_tui.tui.looks import Looks
 from day6_tui.tui.machine import Machine
 from day6_tui.tui.notices import HINT_SECONDS, NOTICE_SECONDS, Notices
 from day6_tui.tui.options import Options
+from day6_tui.tui.pane import Piece
 from day6_tui.tui.recording import Recording
 from day6_tui.tui.scene_play import ScenePlay
 from day6_tui.tui.session import Session
@@ -184,6 +185,8 @@ class Day6App(TerminalApp):
         self.detachment.ordered = self.classroom.hear
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(self, desktop, look, detach)
+        if self.class_link is not None:
+            self.leaving.joined = self.class_link.joined
         self.recording = Recording(self, machine, desktop, looks, notices, look)
         self.actions = registry = actions.Actions()
         for owner in (
@@ -216,7 +219,7 @@ class Day6App(TerminalApp):
         if not self.classroom.is_possible:
             registry.hidden |= self.classroom.actions().keys()
         top = TopLine(machine, desktop, registry, look, doors=options.has_doors, recording=self.recording.words)
-        top.classroom, top.offers = self.classroom.pieces, self.classroom.offers
+        top.classroom, top.offers = self._class_pieces, self.classroom.offers
         self.top = Bar(look, top.pieces, name="top")
         keys = KeyLine(machine, desktop, self.scenes, notices, registry, look)
         self.bottom = Bar(look, keys.pieces, name="bottom")
@@ -286,8 +289,13 @@ class Day6App(TerminalApp):
         if self.class_link is not None:
             self.class_link.tell(note)
 
+    def _class_pieces(self, short: bool) -> list[Piece]:
+        """What pupil or teacher have to see in the top line."""
+        pieces = self.classroom.pieces(short)
+        return pieces if self.class_link is None else [*pieces, *self.class_link.pieces(short)]
+
     def show_class(self) -> None:
-        """Open the teacher's view of the class, or close it."""
+        """Bring the teacher's view of the class to the front."""
         if self.class_link is not None:
             self.class_link.show(self)
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import re
 from functools import partial
 
 from day6_tui.core.link.addresses import ROUTER_PORT, address_of
-from day6_tui.core.link.classroom.keys import LONGEST_NAME, is_name
+from day6_tui.core.link.classroom.keys import LONGEST_NAME, TEACHER, is_name
 from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.tui.command_line import build_parser
@@ -21,8 +22,10 @@ def class_parser(language: str = "en") -> argparse.ArgumentParser:
     options = parser.add_argument_group(texts("cli.class.group"))
     parser._action_groups.insert(-2, parser._action_groups.pop())
     part = options.add_mutually_exclusive_group()
-    part.add_argument("--teacher", action="store_true", help=texts("cli.class.teacher"))
-    part.add_argument("--join", type=partial(_endpoint, texts=texts), metavar="HOST", help=texts("cli.class.join"))
+    told = texts("cli.class.teacher", port=ROUTER_PORT)
+    part.add_argument("--teacher", action="store_true", help=told)
+    told = texts("cli.class.join", port=ROUTER_PORT)
+    part.add_argument("--join", type=partial(_endpoint, texts=texts), metavar="HOST[:PORT]", help=told)
     options.add_argument("--name", type=partial(_name, texts=texts), metavar="NAME", help=texts("cli.class.name"))
     options.add_argument("--room", action="store_true", help=texts("cli.class.room"))
     return parser
@@ -54,7 +57,10 @@ def _endpoint(text: str, texts: Texts) -> str:
     """Read a host with or without a port, or an endpoint."""
     bare_ipv6 = text.count(":") > 1 and not text.startswith("[")
     host = f"[{text}]" if bare_ipv6 else text
-    has_port = host.rpartition(":")[2].isdecimal() and not host.endswith("]") and ":" in host
+    port = host.rpartition(":")[2] if ":" in host and not host.endswith("]") else ""
+    has_port = port.isascii() and port.isdecimal()
+    if has_port and (len(port) > 5 or not 1 <= int(port) <= 65535):
+        raise argparse.ArgumentTypeError(texts("cli.class.port", text=text, port=port))
     for endpoint in (text, f"tcp/{host}" if has_port else f"tcp/{host}:{ROUTER_PORT}"):
         try:
             address_of(endpoint, listening=False)
@@ -66,5 +72,15 @@ def _endpoint(text: str, texts: Texts) -> str:
 
 def _name(text: str, texts: Texts) -> str:
     if not is_name(text):
-        raise argparse.ArgumentTypeError(texts("cli.class.bad_name", name=text, most=LONGEST_NAME))
+        rule = texts(f"cli.class.name.{_broken_rule(text)}", name=text, most=LONGEST_NAME)
+        raise argparse.ArgumentTypeError(rule)
     return text
+
+
+def _broken_rule(name: str) -> str:
+    """Which of the rules of a name this one breaks."""
+    if name.lower() == TEACHER:
+        return "teacher"
+    if is_name(name[:LONGEST_NAME]):
+        return "long"
+    return "double" if is_name(re.sub("_+", "_", name)) else "letters"

@@ -9,10 +9,11 @@ import asyncio
 import contextlib
 import contextvars
 import logging
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from day6_tui.core.classroom import note as notes
 from day6_tui.core.classroom import order as orders
@@ -23,8 +24,10 @@ from day6_tui.core.link.classroom.pupil import Pupil
 from day6_tui.core.link.classroom.teacher import Teacher
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.session.task import Signal
+from day6_tui.tui.pane import Piece
 
 if TYPE_CHECKING:
+    from day6_tui.core.link.state import Door
     from day6_tui.core.session.session import Session
     from day6_tui.tui.app import Day6App
 
@@ -33,6 +36,10 @@ _log = logging.getLogger(__name__)
 SOURCE = "class"
 """The name of the link among those who observe a desktop."""
 MOST_TURNED_AWAY = 20
+TURNED_AWAY_SECONDS = 600.0
+"""For which it is worth knowing: one who asks again and again for the same is told of once."""
+NEWS_SECONDS = 5.0
+"""For a notice of what a pupil does: meanwhile the keys of the class are not seen."""
 KIND = "classroom"
 """The kind of the teacher's window."""
 
@@ -49,7 +56,21 @@ class ClassLink(Protocol):
         """Send what this desktop says of itself."""
 
     def show(self, app: Day6App) -> None:
-        """Open the view of the class, or close it."""
+        """Open the view of the class, or bring it to the front."""
+
+    def pieces(self, short: bool) -> Sequence[Piece]:
+        """For the top line: what has to be seen wherever one is; in short words, if asked for."""
+
+    def joined(self) -> int:
+        """How many desktops depend on this one."""
+
+
+class TurnedAway(NamedTuple):
+    """One who asked to join and was refused: the name, why (taken, full, domain), and when (time.monotonic)."""
+
+    name: str
+    why: str
+    when: float
 
 
 def link_of(part: Teacher | Pupil) -> ClassLink:
@@ -77,6 +98,13 @@ class PupilLink:
     def show(self, app: Day6App) -> None:
         """A pupil has no such view."""
 
+    def pieces(self, short: bool) -> Sequence[Piece]:
+        """What a pupil has to see comes from `tui/classroom.py`."""
+        return ()
+
+    def joined(self) -> int:
+        return 0
+
 
 class TeacherLink:
     """Fills the roster, carries its orders, and is the model of the teacher's window. Everything in the event loop."""
@@ -85,23 +113,22 @@ class TeacherLink:
 
     def __init__(self, part: Teacher) -> None:
         self._part = part
+        self._app: Day6App | None = None
         self.roster = Roster(self)
-        self.changed: Callable[[], None] = lambda: None
-        """Called after every change; the window writes it."""
         self._listen = ""
         """The endpoint."""
         self._has_secret = False
-        self.turned_away: tuple[tuple[str, str], ...] = ()
-        """Who asked to join lately and was refused, and why: taken, full, domain."""
+        self._turned_away: tuple[TurnedAway, ...] = ()
         self.home = Path()
         """Where the report goes."""
 
     def begin(self, app: Day6App) -> None:
         soon = _soon()
+        self._app = app
         self._listen, self._has_secret = app.options.listen or "", app.options.secret is not None
         self._part.came = lambda name, is_here: soon(partial(self._came, name, is_here))
         self._part.noted = lambda name, data: soon(partial(self._noted, name, data))
-        self._part.turned_away = lambda name, why: soon(partial(self._turned_away, name, why))
+        self._part.turned_away = lambda name, why: soon(partial(self._turn_away, name, why))
         self.roster.attend(True)
         if app.machine.desk is not None:
             self.home = app.machine.desk.home
@@ -113,7 +140,7 @@ class TeacherLink:
     def show(self, app: Day6App) -> None:
         for pane in app.desktop.panes.values():
             if pane.window.kind == KIND:
-                pane.window.close_by_user()
+                app.desktop.go_to_pane(pane)
                 return
         app.machine.start(KIND, self.main)
 
@@ -123,6 +150,41 @@ class TeacherLink:
             session.display.open(KIND, KIND, self)
             await session.wait(Signal())
         return 0
+
+    # -- what there is to know -----------------------------------------------------------------------------------------
+
+    @property
+    def is_room(self) -> bool:
+        """Whether the class shares one graph."""
+        return self._part.is_room
+
+    @property
+    def door(self) -> Door | None:
+        """The way by which pupils come; None before the link is up."""
+        doors = self._app.machine.doors() if self._app is not None else ()
+        return next((door for door in doors if door.listening), None)
+
+    @property
+    def turned_away(self) -> tuple[TurnedAway, ...]:
+        """Who asked to join lately and was refused, the latest last."""
+        now = time.monotonic()
+        return tuple(each for each in self._turned_away if now - each.when < TURNED_AWAY_SECONDS)
+
+    @property
+    def hands(self) -> int:
+        """How many hands are up."""
+        return sum(row.is_here and row.raised is not None for row in self.roster.rows())
+
+    def joined(self) -> int:
+        return len(self.roster.everybody())
+
+    def pieces(self, short: bool) -> Sequence[Piece]:
+        """How many hands are up; a click shows whose."""
+        if self._app is None or not (hands := self.hands):
+            return ()
+        look = self._app.look
+        text = look.texts("teacher.bar.hand") if hands == 1 else look.texts("teacher.bar.hands", count=hands)
+        return Piece(f" {text} ", look.colours.hint, self._app.actions["class"]), Piece("  ", look.colours.bar)
 
     def invitation(self, name: str) -> str:
         """Return what a pupil types to join."""
@@ -135,25 +197,44 @@ class TeacherLink:
         """Send an order; False if that pupil cannot be reached."""
         return self._part.order(name, orders.encode(order))
 
+    # -- what comes ----------------------------------------------------------------------------------------------------
+
     def _came(self, name: str, is_here: bool) -> None:
         if is_here:
             self.roster.here(name)
             self.send(name, Order("tell"))
-            self.turned_away = tuple(each for each in self.turned_away if each[0] != name)
+            self._turned_away = tuple(each for each in self._turned_away if each.name != name)
         else:
             self.roster.gone(name)
-        self.changed()
+        self._wake()
 
-    def _turned_away(self, name: str, why: str) -> None:
-        self.turned_away = (*self.turned_away, (name, why))[-MOST_TURNED_AWAY:]
-        self.changed()
+    def _turn_away(self, name: str, why: str) -> None:
+        before = (each for each in self._turned_away if (each.name, each.why) != (name, why))
+        self._turned_away = (*before, TurnedAway(name, why, time.monotonic()))[-MOST_TURNED_AWAY:]
+        self._tell_here(f"teacher.turned.{why}", name)
 
     def _noted(self, name: str, data: bytes) -> None:
+        hand = self._has_hand_up(name)
         try:
             self.roster.heard(name, notes.decode(data))
         except notes.NoteError as error:
             _log.warning("a note of %s that is none: %s", name, one_line(str(error)))
-        self.changed()
+        if not hand and self._has_hand_up(name):
+            self._tell_here("teacher.raised", name)
+        self._wake()
+
+    def _has_hand_up(self, name: str) -> bool:
+        row = self.roster.row(name)
+        return row is not None and row.raised is not None
+
+    def _tell_here(self, key: str, name: str) -> None:
+        """Tell the teacher of this pupil, wherever the teacher is."""
+        if self._app is not None:
+            self._app.notices.show(self._app.look.texts(key, name=name), NEWS_SECONDS)
+
+    def _wake(self) -> None:
+        if self._app is not None:
+            self._app.frames.wake()
 
 
 def _soon() -> Callable[[Callable[[], object]], None]:

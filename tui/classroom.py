@@ -40,6 +40,8 @@ IDLE_STEPS = (0.0, 60.0, 300.0)
 SAYING_SECONDS = 20.0
 """Of the words over the desktop; the top line counts what was not looked up."""
 MOST_SAYINGS = 50
+REFUSED_SECONDS = 30.0
+"""For which it is told that an order was not followed."""
 LAST_LINES = 2
 """Of a program that still runs, in which a message is looked for: what stands further up is over."""
 
@@ -67,7 +69,8 @@ class Classroom:
         self._asked: Consent | None = None
         """The question whether the teacher may type."""
         self._may_type = False
-        self._refused = ""
+        self._refusal = ""
+        self._refused_at = 0.0
         self._watched_until = 0.0
         self._frozen_until = 0.0
         self._picture: Picture | None = None
@@ -77,6 +80,15 @@ class Classroom:
         self.sayings: list[str] = []
         self._unread = 0
         """How many of them the pupil has not looked up: the toast may have been missed."""
+
+    @property
+    def _refused(self) -> str:
+        """Why the last order was not followed, for a while; '' if it was."""
+        return self._refusal if time.monotonic() - self._refused_at < REFUSED_SECONDS else ""
+
+    @_refused.setter
+    def _refused(self, why: str) -> None:
+        self._refusal, self._refused_at = why, time.monotonic()
 
     # -- what the pupil does and sees ----------------------------------------------------------------------------------
 

@@ -78,6 +78,7 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
     def __init__(self, prog: str, *, usage: str) -> None:
         super().__init__(prog)
         self._usage = usage
+        self._headings: list[str] = []
 
     def add_usage(
         self,
@@ -87,6 +88,17 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         prefix: str | None = None,
     ) -> None:
         super().add_usage(usage, actions, groups, self._usage if prefix is None else prefix)
+
+    def start_section(self, heading: str | None) -> None:
+        self._headings.append(heading or "")
+        super().start_section(heading)
+
+    def format_help(self) -> str:
+        """Put the colon of the language behind the headings, where argparse has its own."""
+        text, colon = super().format_help(), self._usage.rstrip()[-1:]
+        for heading in filter(None, self._headings):
+            text = text.replace(f"\n{heading}:\n", f"\n{heading}{colon}\n")
+        return text
 
     def _split_lines(self, text: str, width: int) -> list[str]:
         from day6_tui.tui.cells import wrap

@@ -16,9 +16,6 @@ from day6_tui.tui.scene_play import ScenePlay
 SCENE_KEYS = 46
 """Cells for the keys that steer a scene."""
 
-MORE_OF_PANE = 2
-"""The weight of the focused pane's keys after its first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
-
 
 class KeyLine:
     """The keys of the focused pane before those of the desktop."""
@@ -41,8 +38,8 @@ class KeyLine:
         if self._scenes.player is not None:
             return self._scene(width), []
         pane = self._desktop.focused_pane
-        hints = pane.key_hints() if pane is not None else []
-        keys = [KeyHint(*hint) if hint is hints[0] else KeyHint(*hint, weight=MORE_OF_PANE) for hint in hints]
+        hints, weight = (pane.key_hints(), pane.key_weight) if pane is not None else ([], 0)
+        keys = [KeyHint(*hint) if hint is hints[0] else KeyHint(*hint, weight=weight) for hint in hints]
         for action in bar_actions():
             name = "action.resume" if action.id == "pause" and self._machine.paused else f"action.{action.id}"
             keys.append(KeyHint(action.label, texts(name), self._actions[action.id], action.weight))

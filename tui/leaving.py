@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from textual.app import App
 
@@ -29,6 +29,8 @@ class Leaving:
         self._desktop = desktop
         self._look = look
         self._detach = detach
+        self.joined: Callable[[], int] = lambda: 0
+        """How many pupils are joined to this desktop."""
         self._asked: Modal | None = None
         """The question whether to end what runs."""
 
@@ -51,13 +53,14 @@ class Leaving:
             self.quit()
 
     def quit(self) -> None:
-        """End the desktop. Ask first if a text would be lost because there is no room for a copy of it, or programs run.
+        """End the desktop. Ask first if a text would be lost because there is no room for a copy of it, or programs run, or
+        pupils are joined.
 
-        Asked a second time while that question is open, it ends the programs.
+        Asked a second time while that question is open, it ends the programs, and the class.
         """
-        lost, running = self.lost(), self.running()
+        lost, running, joined = self.lost(), self.running(), self.joined()
         asked_twice = self._asked is not None and self._desktop.overlay is self._asked
-        if not lost and (not running or asked_twice):
+        if not lost and (asked_twice or not (running or joined)):
             self._app.exit()
             return
         from day6_tui.tui.question import Answer, Question
@@ -66,16 +69,26 @@ class Leaving:
         if lost:
             title, text, yes = texts("quit.title"), texts("quit.lost", what="; ".join(lost)), texts("quit.anyway")
         else:
-            names = texts("list.comma").join(running[:MOST_NAMES])
-            more = texts("quit.more", count=len(running) - MOST_NAMES) if len(running) > MOST_NAMES else ""
-            text = texts("quit.runs" if len(running) == 1 else "quit.run", what=names + more)
-            title, yes = texts("quit.running"), texts("quit.leave")
+            text = "\n".join([*self._about_running(running), *self._about_class(joined)])
+            title, yes = texts("quit.running" if running else "quit.class"), texts("quit.leave")
         answers = [Answer("y", yes, self._app.exit)]
         if self._detach is not None:
             answers.append(Answer("d", texts("quit.detach"), self._detach))
         question = Question(self._look, title, text, answers, careful=bool(lost))
         self._asked = None if lost else question
         self._desktop.open_overlay(question)
+
+    def _about_running(self, running: list[str]) -> Iterator[str]:
+        if running:
+            texts = self._look.texts
+            names = texts("list.comma").join(running[:MOST_NAMES])
+            more = texts("quit.more", count=len(running) - MOST_NAMES) if len(running) > MOST_NAMES else ""
+            yield texts("quit.runs" if len(running) == 1 else "quit.run", what=names + more)
+
+    def _about_class(self, joined: int) -> Iterator[str]:
+        if joined:
+            texts = self._look.texts
+            yield texts("quit.joined.one") if joined == 1 else texts("quit.joined", count=joined)
 
     def end_by_signal(self, why: str = "") -> None:
         """End after a closed terminal, `kill` or by a teacher: the user is not asked, but told what is lost, and why."""

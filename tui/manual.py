@@ -10,6 +10,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 
 from day6_tui.tui.cells import fit, wrap
+from day6_tui.tui.locale import LANGUAGES, catalogue
 from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, SearchedList
 from day6_tui.tui.modal import plain
@@ -30,6 +31,7 @@ LARGEST, LIST_WIDTH = 100, 24
 PAGES = (
     "desk", "welcome", "guide", "terminal", "editor", "turtlesim", "car", "world", "joint_state_publisher", "rviz2",
     "rqt", "rqt_graph", "rqt_console", "rqt_plot", "topics", "inspector", "kitchen", "lesson", "classroom",
+    "classroom_pupil",
 )  # fmt: skip
 """The texts `help.<page>` in the order of the manual; their titles are the texts `manual.<page>`."""
 
@@ -79,7 +81,10 @@ class Manual(SearchedList):
 
     def __init__(self, look: Look, pane: Pane | None, everywhere: Sequence[tuple[str, str]]) -> None:
         texts = look.texts
-        entries = [Entry(texts(f"manual.{page}"), "", lambda: None, words=texts(f"help.{page}")) for page in PAGES]
+        entries = [
+            Entry(texts(key), "", lambda: None, also=[catalogue(language)[key] for language in LANGUAGES], words=words)
+            for key, words in ((f"manual.{page}", texts(f"help.{page}")) for page in PAGES)
+        ]
         super().__init__(look, texts("help.title"), texts("help.keys"), entries)
         self._own = pane.help_key if pane is not None else PAGES[0]
         self._hints = [*pane.key_hints(), *pane.more_key_hints()] if pane is not None else []

@@ -79,6 +79,9 @@ class Pane(Widget, can_focus=True):
     keeps_focus = False
     """Whether a terminal that opens by itself leaves it the keyboard."""
 
+    key_weight = 2
+    """The weight on the key line of its keys after the first one: F2, F4 and F8 are needed more, and buttons for the mouse."""
+
     slot = 0
     """Its number on the desktop, by which keys and lists name it; 0 where panes have none."""
 

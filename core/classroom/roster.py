@@ -83,7 +83,9 @@ class Roster:
         self.version = 0
         """Another number after every change."""
         self._attended = False
-        self._frozen_until: float | None = None
+        self._frozen_until = 0.0
+        self._frozen_alone: dict[str, float] = {}
+        """name -> until when that one is frozen, where it is not as with all others; 0: not at all"""
 
     # -- what is heard -------------------------------------------------------------------------------------------------
 
@@ -116,8 +118,8 @@ class Roster:
         """Tell a desktop what it does not know: an order may have been lost, or come before the desktop was ready for it."""
         if attended != self._attended:
             self.order([name], Order("attend", on=self._attended))
-        if frozen != self.is_frozen:
-            self.order([name], Order("freeze", on=self.is_frozen))
+        if frozen != (wanted := self._may_not_type(name)):
+            self.order([name], Order("freeze", on=wanted))
 
     def gone(self, name: str) -> None:
         """A pupil's desktop has ended, or is out of reach."""
@@ -128,6 +130,7 @@ class Roster:
 
     def forget(self, name: str) -> None:
         """The pupil does not belong to the class any more."""
+        self._frozen_alone.pop(name, None)
         if self._rows.pop(name, None) is not None:
             self.version += 1
 
@@ -178,20 +181,29 @@ class Roster:
         if is_there != self._attended:
             self._attended = is_there
             if not is_there:
-                self._frozen_until = None
+                self._frozen_until = 0.0
+                self._frozen_alone.clear()
             self.order(self.everybody(), Order("attend", on=is_there))
             self.version += 1
 
     @property
     def is_frozen(self) -> bool:
         """Whether the class is frozen, and whoever comes."""
-        return self._frozen_until is not None and self._clock() < self._frozen_until
+        return self._clock() < self._frozen_until
 
-    def freeze(self, on: bool) -> list[str]:
-        """Stop the keyboards of all, or let them go on; return those who could not be reached."""
-        self._frozen_until = self._clock() + FROZEN_SECONDS if on else None
+    def freeze(self, on: bool, name: str | None = None) -> list[str]:
+        """Stop the keyboards of all or of one, or let them go on; return those who could not be reached."""
+        until = self._clock() + FROZEN_SECONDS if on else 0.0
+        if name is not None:
+            self._frozen_alone[name] = until
+        else:
+            self._frozen_until = until
+            self._frozen_alone.clear()
         self.version += 1
-        return self.order(self.everybody(), Order("freeze", on=on))
+        return self.order(self.everybody() if name is None else [name], Order("freeze", on=on))
+
+    def _may_not_type(self, name: str) -> bool:
+        return self._clock() < self._frozen_alone.get(name, self._frozen_until)
 
     def everybody(self) -> list[str]:
         """Return the names of all who are here."""

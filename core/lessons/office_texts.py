@@ -22,11 +22,11 @@ OFFICE: dict[str, tuple[str, str]] = {
     ),
     "submit.who": (
         "there are several pupils; say who with --pupil: {names}",
-        "这台电脑上有好几位学员，请用 --pupil 说明是谁：{names}",
+        "这台电脑上有好几位学生，请用 --pupil 说明是谁：{names}",
     ),
     "submit.unknown": (
         "no pupil '{name}' has learned here; there are: {names}",
-        "这里没有叫“{name}”的学员；有：{names}",
+        "这里没有叫“{name}”的学生；有：{names}",
     ),
     "submit.progress": ("the progress of {name} cannot be read: {reason}", "读不了 {name} 的学习进度：{reason}"),
     "submit.strange": ("{path} is not an ordinary file", "{path} 不是普通文件"),
@@ -40,9 +40,9 @@ OFFICE: dict[str, tuple[str, str]] = {
     "office.written": ("{file} is written", "写好了 {file}"),
     "office.failed": ("{file}: {reason}", "{file}：{reason}"),
     # report
-    "report.title": ("Progress of the pupils", "学员的学习进度"),
-    "report.none": ("no pupil has learned on this machine yet ({folder})", "这台电脑上还没有学员上过课（{folder}）"),
-    "report.pupil": ("pupil", "学员"),
+    "report.title": ("Progress of the pupils", "学生的学习进度"),
+    "report.none": ("no pupil has learned on this machine yet ({folder})", "这台电脑上还没有学生上过课（{folder}）"),
+    "report.pupil": ("pupil", "学生"),
     "report.lesson": ("lesson", "课程"),
     "report.solved": ("solved", "完成"),
     "report.passed_over": ("skipped", "跳过"),

@@ -124,6 +124,28 @@ def test_who_comes_while_the_class_is_frozen_is_frozen_too() -> None:
     assert not roster.is_frozen
 
 
+def test_one_pupil_is_frozen_and_stays_so_or_is_let_go_on_alone() -> None:
+    carrier = Carrier("anna", "ben")
+    roster = Roster(carrier, Clock())
+    roster.attend(True)
+    for name in ("anna", "ben"):
+        roster.heard(name, Note(attended=True))
+    carrier.sent.clear()
+    assert roster.freeze(True, "anna") == [] and not roster.is_frozen
+    roster.heard("anna", Note(attended=True, frozen=True))
+    roster.heard("ben", Note(attended=True))
+    assert carrier.sent == [("anna", Order("freeze", on=True))]
+    roster.freeze(True)
+    roster.freeze(False, "ben")
+    carrier.sent.clear()
+    roster.heard("anna", Note(attended=True, frozen=True))
+    roster.heard("ben", Note(attended=True))
+    assert carrier.sent == []
+    roster.freeze(False)
+    roster.heard("anna", Note(attended=True))
+    assert carrier.sent == [("anna", Order("freeze")), ("ben", Order("freeze"))]
+
+
 def test_a_teacher_who_goes_leaves_nobody_frozen() -> None:
     carrier = Carrier("anna")
     roster = Roster(carrier, Clock())

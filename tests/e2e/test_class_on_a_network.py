@@ -69,7 +69,8 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             pupil.wait(texts("class.bar.raise"))
             Mouse(pupil).click_on(texts("class.bar.raise"))
             pupil.wait(texts("class.bar.hand"))
-            teacher.wait(texts("teacher.hands", count=1))
+            teacher.wait(texts("teacher.hand"), texts("teacher.bar.hand"))
+            assert texts("class.bar.watched") not in pupil.look()
             teacher.press("Enter")
             pupil.wait(texts("class.bar.watched"))
             pupil.line("echo here-$((40 + 2))")
@@ -78,6 +79,7 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
             teacher.wait(texts("teacher.say", name="anna"))
             teacher.line("well done")
             pupil.wait("well done")
+            teacher.wait(texts("teacher.sent", name="anna"))
             pupil.wait(texts(unread, count=1))
             choose(pupil, texts("action.sayings"))
             pupil.wait_gone(texts(unread, count=1))
@@ -96,11 +98,10 @@ def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, de
         teacher.wait(texts("teacher.here", here=1, all=1))
         teacher.press("t")
         pupil.wait(texts("class.consent.yes"))
-        teacher.wait(texts("teacher.asked", name="anna"))
+        teacher.wait(texts("teacher.awaited"))
         pupil.look(1.2)  # who was typing when the question came has not answered it
         pupil.send("y")
         pupil.wait(texts("class.bar.types.short"))
-        teacher.press("t")
         teacher.wait(texts("teacher.typing", name="anna"))
         teacher.send("echo typed-$((40 + 2))\r")
         pupil.wait("typed-42")
@@ -110,9 +111,62 @@ def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, de
         teacher.wait(texts("teacher.csv"))
         teacher.press("Enter")
         teacher.wait_gone(texts("prompt.keys"))
-    (report,) = desk.home.glob("class-*.csv")
+        log, report = sorted(desk.home.glob("class-*.csv"))
+        teacher.wait(f"{report.name}, {log.name}")
     with report.open(encoding="utf-8-sig", newline="") as file:
         assert list(csv.reader(file))[1] == ["anna", "", "", ""]
+    with log.open(encoding="utf-8-sig", newline="") as file:
+        assert list(csv.reader(file))[1][1:3] == ["anna", "came"]
+
+
+@pytest.mark.parametrize("how", ["taken_back", "gone"])
+def test_keys_for_a_pupil_never_become_commands_for_the_class(
+    place: Place, desk: Place, address: str, how: str
+) -> None:
+    texts = Texts("en")
+    with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
+        pupil.wait(PROMPT)
+        teacher.wait(texts("teacher.here", here=1, all=1))
+        teacher.press("t")
+        pupil.wait(texts("class.consent.yes"))
+        pupil.look(1.2)
+        pupil.send("y")
+        teacher.wait(texts("teacher.typing", name="anna"))
+        teacher.send("echo")
+        pupil.wait("echo")
+        if how == "gone":
+            pupil.quit()
+        else:
+            Mouse(pupil).click_on(texts("class.bar.types.short"))
+        teacher.wait(texts(f"teacher.over.{how}", name="anna"))
+        teacher.send("fxSd")
+        teacher.look(0.5)
+        teacher.wait(texts(f"teacher.over.{how}", name="anna"))
+        assert texts("teacher.frozen") not in teacher.look() and texts("teacher.end", name="anna") not in teacher.look()
+        teacher.press("Esc")
+        teacher.wait_gone(texts(f"teacher.over.{how}", name="anna"))
+
+
+def test_a_class_whose_port_is_taken_invites_nobody(desk: Place, address: str) -> None:
+    with socket.socket() as other:
+        host, port = address.split(":")
+        other.bind((host, int(port)))
+        other.listen()
+        with teach(desk, address) as teacher:
+            teacher.wait(Texts("en")("teacher.port_in_use", port=port)[:40])
+            assert "--join" not in teacher.look()
+
+
+def test_leaving_a_class_asks_while_a_pupil_is_joined(place: Place, desk: Place, address: str) -> None:
+    texts = Texts("en")
+    with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
+        teacher.wait(texts("teacher.here", here=1, all=1))
+        teacher.press("Ctrl-Q")
+        teacher.wait(texts("quit.class"), "1 pupil is joined")
+        teacher.press("Ctrl-Q")
+        assert teacher.wait_end() == 0
+        pupil.line("echo still-$((40 + 2))")
+        pupil.wait("still-42")
 
 
 def test_a_taken_name_is_told_and_the_own_machine_works_on(place: Place, desk: Place, address: str) -> None:
@@ -144,7 +198,13 @@ def test_in_a_room_scenes_begin_below_the_pupils_name(place: Place, desk: Place,
         ((), "--teacher"),
         (("--join", "host"), "--name"),
         (("--join", "host", "--name", "安娜"), "安娜"),
+        (("--join", "host", "--name", "安娜"), "wang_xiaoming"),
+        (("--join", "host", "--name", "a__b"), "no two _ in a row"),
+        (("--join", "host", "--name", "a" * 33), "at most 32"),
+        (("--join", "host", "--name", "Teacher"), "the teacher's"),
         (("--join", "a b", "--name", "anna"), "a b"),
+        (("--join", "127.0.0.1:99999", "--name", "anna"), "99999 is no port"),
+        (("--join", "host:" + "9" * 5000, "--name", "anna"), "is no port"),
         (("--teacher", "--join", "host"), "not allowed with"),
         (("--teacher", "--name", "anna"), "--join"),
         (("--join", "host", "--name", "anna", "--room"), "--teacher"),
@@ -156,3 +216,8 @@ def test_what_does_not_fit_is_told(place: Place, words: tuple[str, ...], says: s
     assert done.returncode == 2
     assert says in done.stderr.splitlines()[-1]
     assert "Traceback" not in done.stderr
+
+
+def test_the_help_names_the_port_and_how_another_one_is_written(place: Place) -> None:
+    told = place.run("class", "--help", "--lang", "zh").stdout
+    assert "7447" in told and "HOST:PORT" in told and "\n班级：\n" in told and "\n选项：\n" in told

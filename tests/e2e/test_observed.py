@@ -207,6 +207,7 @@ def test_scenes_lessons_and_nonsense(place: Place) -> None:
             teacher.wait(lambda note: "/turtlesim" in note.nodes)
             teacher.order("end")
             until(lambda: teacher.hear(0.2) or teacher.ended)
+        screen.wait("Your teacher has ended this desktop. Your files are kept.")
         screen.wait_end()
 
 

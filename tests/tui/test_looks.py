@@ -154,7 +154,7 @@ def test_every_kind_of_window_has_a_help_page() -> None:
     assert [kind for kind in (*KINDS, "terminal", "welcome", "desk") if f"help.{kind}" not in EN] == []
     from day6_tui.tui.manual import PAGES
 
-    assert {*KINDS, "terminal", "welcome", "guide", "desk"} == {*PAGES}
+    assert {*KINDS, "terminal", "welcome", "guide", "desk", "classroom_pupil"} == {*PAGES}
     assert [page for page in PAGES if f"manual.{page}" not in EN] == []
 
 

@@ -1,8 +1,9 @@
 """A class in a real browser, to be looked at: python tests/web/play_class.py FOLDER [--pupils 8] [--isolation auto] [--lang zh]
 
 Every pupil has a browser tab with a profile of its own and plays the first lesson; the teacher's page is open beside them, with
-all screens in small. Screenshots go to FOLDER. Prints what the server and the desktops took of a core meanwhile, and the seconds
-until a reloaded tab shows its desktop again. Needs Chromium and the extra `serve`.
+all screens in small. Two more pupils are on the list: one never comes, one finds the class full. Screenshots go to FOLDER.
+Prints what the server and the desktops took of a core meanwhile, and the seconds until a reloaded tab shows its desktop again.
+Needs Chromium and the extra `serve`.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ from background import Background
 from chromium import Chromium, Page, program
 
 WORD = "turtle"
+LANGUAGES = {"zh": "zh-CN", "en": "en-US"}
+MISSING = ("韩梅梅", "李雷")
 
 
 def cpu_of(marks: tuple[bytes, ...]) -> dict[str, float]:
@@ -53,12 +56,19 @@ def enter(page: Page, base: str, name: str) -> None:
     page.wait_for("location.pathname.endsWith('/desk')")
 
 
+def class_list(place: str) -> Path:
+    """The two who are not there; the others choose their names."""
+    file = Path(place, "class.csv")
+    file.write_text("".join(f"{name}\n" for name in MISSING), encoding="utf-8")
+    return file
+
+
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=Path)
     parser.add_argument("--pupils", type=int, default=8)
     parser.add_argument("--isolation", default="auto")
-    parser.add_argument("--lang", default="zh")
+    parser.add_argument("--lang", choices=tuple(LANGUAGES), default="zh")
     parser.add_argument("--seconds", type=float, default=60)
     options = parser.parse_args()
     executable = program()
@@ -66,7 +76,8 @@ def main() -> None:
         sys.exit("there is no Chromium here")
     options.folder.mkdir(parents=True, exist_ok=True)
     place = tempfile.mkdtemp(prefix="day6-play-")
-    words = ["serve", "--word", WORD, "--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
+    words = ["serve", "--word", WORD, "--class", str(class_list(place)), "--most", str(options.pupils)]
+    words += ["--port", "0", "--data", f"{place}/class", "--isolation", options.isolation]
     server = subprocess.Popen(
         [sys.executable, "-m", "day6_tui.tui.main", *words, "--lang", options.lang],
         stdout=subprocess.PIPE,
@@ -79,11 +90,11 @@ def main() -> None:
     for line in server.stdout:
         print(line, end="")
         links += re.findall(r"http://\S+[\w/-]", line)
-        if len(links) > 1:
+        if len(links) > len(MISSING) + 1:
             break
-    base, teacher = sorted(links, key=len)
+    *_, late, teacher, base = links  # in the order in which the server tells them
     background = Background()
-    browser = Chromium(executable, background)
+    browser = Chromium(executable, background, (f"--accept-lang={LANGUAGES[options.lang]}",))
     try:
         front = browser.page()
         front.device(1280, 800)
@@ -94,10 +105,13 @@ def main() -> None:
         pupils = [browser.page() for _ in range(options.pupils)]
         for number, page in enumerate(pupils):
             page.device(1280, 800)
-            enter(page, base, f"学员{number + 1}")
+            enter(page, base, f"学生{number + 1}")
         for page in pupils:
             page.wait_for("document.querySelector('.xterm') !== null", 30)
-        front.wait_for(f"document.querySelectorAll('.pupil').length === {options.pupils}", 30)
+        front.wait_for(f"document.querySelectorAll('.pupil[data-state=here]').length === {options.pupils}", 30)
+        outside = browser.page()
+        outside.navigate(late)
+        front.wait_for("document.querySelector('.pupil[data-state=full]') !== null", 30)
         time.sleep(3)
         front.evaluate("document.querySelector('#screens').checked || document.querySelector('#screens').click()")
         front.evaluate("window.confirm = () => true")
@@ -132,6 +146,13 @@ def main() -> None:
         time.sleep(2)
         pupils[2].screenshot(options.folder / "frozen.png")
         front.screenshot(options.folder / "class-frozen.png")
+        front.evaluate("document.querySelector('#freeze').click()")
+        front.evaluate("document.querySelector('.pupil .open').click()")
+        time.sleep(2)
+        front.screenshot(options.folder / "large.png")
+        outside.screenshot(options.folder / "no-room.png")
+        front.navigate(f"{base}links")
+        front.screenshot(options.folder / "links.png")
     finally:
         browser.close()
         background.close()

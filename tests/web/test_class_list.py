@@ -31,10 +31,26 @@ def test_one_name_a_line_or_a_table_in_any_usual_encoding(tmp_path: Path, text: 
     assert found.names == ["李雷", "韩梅梅"] and not found.bad
 
 
-def test_lines_without_a_fit_name_are_told_by_their_number(tmp_path: Path) -> None:
-    found = read(tmp_path, b"anna\n\x1b[31mred\nAnna\n" + b"x" * 33 + b"\nbert\n")
+def test_lines_without_a_fit_name_are_told_by_their_number_and_what_stands_there(tmp_path: Path) -> None:
+    found = read(tmp_path, b"anna\n\x1b[31mred\nAnna\n" + b"x" * 50 + b"\nbert\n")
     assert found.names == ["anna", "bert"]
-    assert found.bad == [(2, "serve.name.letters"), (3, "serve.class.twice"), (4, "serve.name.long")]
+    assert found.bad == [
+        (2, "^[[31mred", "serve.name.letters"),
+        (3, "Anna", "serve.class.twice"),
+        (4, "x" * 39 + "…", "serve.name.long"),
+    ]
+
+
+def test_a_row_of_a_table_without_a_name_is_shown_whole(tmp_path: Path) -> None:
+    found = read(tmp_path, '姓名;组\r\n李雷;1\r\n;2\r\n"a\nb";3\r\n'.encode())
+    assert found.names == ["李雷", "a b"]
+    assert found.bad == [(3, ";2", "serve.class.nameless")]
+
+
+@pytest.mark.parametrize("data", [b"", b"\n\n", b"name,group\n"])
+def test_a_list_may_be_empty(tmp_path: Path, data: bytes) -> None:
+    found = read(tmp_path, data)
+    assert not found.names and not found.bad
 
 
 def test_what_is_no_text_is_refused(tmp_path: Path) -> None:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 import stat
+from pathlib import Path
 
 import aiohttp
 import pytest
 from serving import WORD, Browser, Serving, browser, run
 
+from day6_tui.tui.web.links import Links
+from day6_tui.tui.web.tokens import Tokens
 from day6_tui.tui.web.tries import MOST_OF_ONE
 
 
@@ -25,7 +29,7 @@ def test_without_a_token_there_is_the_start_page_and_nothing_else(class_server: 
     async def deed() -> None:
         async with browser(class_server.base) as door:
             status, page = await door.get("")
-            assert status == 200 and "How pupils are kept apart here: all pupils are the same user" in page
+            assert status == 200 and "All of you share one account here" in page
             for path in ("desk", "watch", "class", "links"):
                 status, page = await door.get(path)
                 assert status == 403 and "needs a link" in page
@@ -44,8 +48,10 @@ def test_a_page_of_another_site_opens_no_socket_and_sends_no_form(class_server: 
                 assert await status_of_socket(door, Origin=origin) == 403
                 assert (await door.post("enter", origin=origin, word=WORD, name="eva"))[0] == 403
             assert await status_of_socket(door) == 101
-            status, _ = await door.get("", Host="evil.example:8006")
-            assert status == 421
+            for words in ("Open the address your teacher gave you.", "请打开老师给你的地址。"):
+                lang = "zh" if words.startswith("请") else "en"
+                status, page = await door.get("", **{"Host": "evil.example:8006", "Accept-Language": lang})
+                assert status == 421 and words in page
 
     run(deed())
 
@@ -65,6 +71,19 @@ def test_every_answer_forbids_what_our_pages_never_do(class_server: Serving) -> 
     run(deed())
 
 
+@pytest.mark.parametrize(("path", "up"), [("nothing", ""), ("no/such/page", "../../"), ("enter", ""), ("p/", "../")])
+def test_an_address_without_a_page_says_so_in_words_and_leads_back(class_server: Serving, path: str, up: str) -> None:
+    async def deed() -> None:
+        async with browser(class_server.base) as door:
+            status, page = await door.get(path)
+            assert status in (404, 405) and "There is no page at this address." in page
+            assert f'href="{up}static/pages.css"' in page and f'href="{up}./"' in page
+            status, page = await door.get(path, **{"Accept-Language": "zh-CN"})
+            assert "这个地址没有页面。" in page
+
+    run(deed())
+
+
 def test_tokens_are_hashed_on_the_disk(class_server: Serving) -> None:
     file = class_server.folder / "class" / "server" / "tokens.json"
     assert stat.S_IMODE(file.stat().st_mode) == 0o600
@@ -76,8 +95,8 @@ def test_tokens_are_hashed_on_the_disk(class_server: Serving) -> None:
 
 def test_the_list_gave_each_pupil_a_link_and_its_bad_lines_are_named(class_server: Serving) -> None:
     said = "\n".join(class_server.said)
-    assert "pupils.csv, line 4: Type a name." in said
-    assert "pupils.csv, line 5: this name is there twice" in said
+    assert "pupils.csv, line 4 “,2”: no name" in said
+    assert "pupils.csv, line 5 “ANNA,2”: this name is there twice" in said
     assert len({class_server.link(name) for name in ("anna", "李雷", "bert")}) == 3
 
 
@@ -88,6 +107,10 @@ def test_the_teacher_gets_links_to_print_and_makes_new_ones(class_server: Servin
             _, page = await door.get("links")
             old = class_server.link("bert")
             assert f"<code>{old}</code>" in page and page.count("<svg") >= 3
+            assert '<a href="class">Back to the class</a>' in page and "other devices cannot use them" in page
+            for button in re.findall("<button>[^<]*", page):
+                before = page.partition(button)[0]
+                assert before.rpartition("<summary>")[2].count("</details>") == 0, button
             assert (await door.post("links/new", kind="pupil", name="bert"))[0] == 303
             assert (await door.post("links/new", kind="teacher", name=""))[0] == 303
             _, page = await door.get("links")
@@ -100,11 +123,68 @@ def test_the_teacher_gets_links_to_print_and_makes_new_ones(class_server: Servin
     run(deed())
 
 
+@pytest.fixture
+def listed(class_server: Serving) -> Serving:
+    """A server of its own, to be started twice."""
+    folder = class_server.folder.parent / f"{class_server.folder.name}-l"
+    folder.mkdir()
+    (folder / "pupils.csv").write_text("anna\nbert\n", encoding="utf-8")
+    return Serving(folder, "--class", str(folder / "pupils.csv"), "--word", WORD, "--isolation", "none")
+
+
+def test_after_a_restart_links_still_work_and_the_class_can_be_printed_anew(listed: Serving) -> None:
+    async def deed() -> None:
+        async with browser(listed.base) as door, browser(listed.base) as dora, browser(listed.base) as anna:
+            assert (await dora.post("enter", word=WORD, name="dora"))[0] == 303
+            old = listed.link("anna").removeprefix(listed.base)
+            listed.end()
+            listed.start()
+            door.base = dora.base = anna.base = listed.base
+            assert (await anna.get(old))[0] == (await anna.get("desk"))[0] == 200
+            await door.get(listed.link("the teacher"))
+            _, page = await door.get("links")
+            assert "<svg" not in page and page.count("The link you gave out before still works.") == 2
+            assert page.count("needs no link") == 1 and "needs no link" in page.partition("dora</h2>")[2]
+            assert "All 2 pupils of the list get new links" in page
+            assert (await anna.post("links/new", kind="all"))[0] == 403
+            assert (await door.post("links/new", kind="all"))[0] == 303
+            _, page = await door.get("links")
+            assert page.count("<svg") == 2 and old not in page
+            assert (await door.get(old))[0] == (await anna.get("desk"))[0] == 403
+            assert (await dora.get("desk"))[0] == 200
+
+    with listed:
+        run(deed())
+
+
+@pytest.mark.parametrize(
+    ("base", "local"),
+    [
+        ("http://127.0.0.1:8006/", True),
+        ("https://localhost/", True),
+        ("http://[::1]:8006/", True),
+        ("http://192.168.1.5:8006/", False),
+        ("/user/anna/", False),
+    ],
+)
+def test_links_that_only_this_machine_can_use_are_known(tmp_path: Path, base: str, local: bool) -> None:
+    assert Links(Tokens(tmp_path / "tokens.json"), base).are_local is local
+
+
+def test_a_list_without_names_is_told(tmp_path: Path) -> None:
+    (tmp_path / "pupils.csv").write_text("name\n", encoding="utf-8")
+    with Serving(tmp_path, "--class", str(tmp_path / "pupils.csv"), "--isolation", "none") as serving:
+        assert f"day6-tui: {tmp_path / 'pupils.csv'}: no names" in serving.said
+
+
 def test_who_knows_the_word_chooses_a_name_that_nobody_has(class_server: Serving) -> None:
     async def deed() -> None:
         async with browser(class_server.base) as door, browser(class_server.base) as other:
-            assert (await door.post("enter", word="wrong", name="dora"))[0] == 403
-            assert (await door.post("enter", word=WORD, name="<script>"))[0] == 400
+            status, page = await door.post("enter", word="wrong", name='dora"> <b>')
+            assert status == 403 and 'name="name" required' in page and "wrong" not in page.partition("<form")[2]
+            assert 'value="dora&quot;&gt; &lt;b&gt;"' in page
+            status, page = await door.post("enter", word=WORD, name="<script>")
+            assert status == 400 and 'value="&lt;script&gt;"' in page and WORD not in page
             assert (await door.post("enter", word=WORD, name="d" * 33))[0] == 400
             assert (await door.post("enter", word=WORD, name="Dora 王"))[0] == 303
             assert "Go on as Dora 王" in (await door.get(""))[1]

@@ -47,7 +47,7 @@ class Desk:
         """Whether the page is loaded, and nobody changed anything that stays."""
         self._drawn = 0
 
-    def open(self, **hello: Any) -> Desk:
+    def open(self, *, renderer: str = "auto", **hello: Any) -> Desk:
         """Load the page and wait until it is connected; one that is as asked for and undamaged is only emptied."""
         wanted = {"t": "hello", "name": "anna", "read_only": False, "lang": "en"} | hello
         if self.is_fresh and self.server.hello == wanted and self.page.evaluate("desk._connection.isOpen"):
@@ -57,11 +57,17 @@ class Desk:
         self.server.hello = wanted
         self.server.forget()
         self.server.connections.clear()
-        self.page.navigate(f"{self.server.address}/desk")
+        self.page.navigate(f"{self.server.address}/desk?renderer={renderer}")
         self.page.wait_for("Boolean(window.desk) && desk._connection.isOpen")
         self.page.evaluate("desk._terminal.onTitleChange(title => { window.drawn = title })")
         self.is_fresh = True
         return self
+
+    def part(self, why: str) -> None:
+        """Say goodbye and hang up; what is cut off at once may take the last word with it."""
+        self.server.say({"t": "bye", "why": why})
+        self.page.wait_for(f"desk._connection._bye === {why!r}")
+        self.server.hang_up()
 
     def device(self, width: int, height: int, *, mobile: bool = False) -> None:
         """Take another device for this test."""
@@ -258,6 +264,50 @@ def test_a_program_may_fill_the_clipboard_but_not_read_it(desk: Desk) -> None:
 
 
 @anew
+def test_the_copy_button_copies_what_the_desktop_has_marked(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate("window.copied = []; navigator.clipboard.writeText = async text => { copied.push(text) }")
+    desk.page.click_on("#copy")
+    hint = "Nothing to copy yet. Drag over the text with the mouse: letting go copies it."
+    desk.page.wait_for(f"document.getElementById('notice').textContent === {hint!r}")
+    desk.shows(f"\x1b]52;c;{base64.b64encode(b'/turtle1/pose').decode()}\x07")
+    desk.page.wait_for("document.getElementById('notice').textContent === 'Copied'")
+    desk.page.click_on("#copy")
+    desk.page.wait_for("copied.length === 2")
+    assert desk.page.evaluate("copied") == ["/turtle1/pose"] * 2
+
+
+@anew
+def test_a_browser_that_copies_only_after_a_click_gets_one(desk: Desk) -> None:
+    desk.open()
+    desk.page.evaluate(
+        "navigator.clipboard.writeText = async () => { throw new Error('not allowed') };"
+        "document.execCommand = () => false"
+    )
+    desk.shows(f"\x1b]52;c;{base64.b64encode(b'/rosout').decode()}\x07")
+    hint = "This browser copies only after a click: press the copy button."
+    desk.page.wait_for(f"document.getElementById('notice').textContent === {hint!r}")
+    desk.page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text }")
+    desk.page.click_on("#copy")
+    assert desk.page.wait_for("window.copied") == "/rosout"
+
+
+@anew
+@pytest.mark.parametrize("width", [1280, 1000, 800, 390])
+def test_what_the_page_says_is_read_whole(desk: Desk, width: int) -> None:
+    desk.device(width, 844)
+    desk.open(lang="en")
+    before = desk.page.evaluate("document.getElementById('screen').getBoundingClientRect().toJSON()")
+    desk.page.evaluate("document.getElementById('copy').click()")
+    box = desk.page.wait_for(
+        "(e => e.textContent && e.scrollWidth <= e.clientWidth && e.getBoundingClientRect().toJSON())"
+        "(document.getElementById('notice'))"
+    )
+    assert box["left"] >= 0 and box["right"] <= width and box["height"] > 15
+    assert desk.page.evaluate("document.getElementById('screen').getBoundingClientRect().toJSON()") == before
+
+
+@anew
 def test_the_desktop_is_told_the_size_and_follows_the_window(desk: Desk) -> None:
     desk.open()
     first = desk.server.connections[0]
@@ -414,8 +464,7 @@ def test_a_server_that_is_away_is_told_and_tried_again(desk: Desk) -> None:
 @anew
 def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> None:
     desk.open()
-    desk.server.say({"t": "bye", "why": "taken"})
-    desk.server.hang_up()
+    desk.part("taken")
     desk.page.wait_for("document.getElementById('strip').dataset.state === 'taken'")
     desk.page.evaluate("dispatchEvent(new Event('online'))")
     assert len(desk.server.connections) == 1
@@ -425,11 +474,28 @@ def test_another_tab_that_took_the_desktop_is_not_fought_with(desk: Desk) -> Non
 
 
 @anew
+@pytest.mark.parametrize(
+    ("read_only", "words"),
+    [
+        (False, "You have left your desktop. It goes on, and so do its programs."),
+        (True, "This pupil has left the desktop. It goes on."),
+    ],
+)
+def test_a_desktop_that_was_left_is_said_to_go_on(desk: Desk, read_only: bool, words: str) -> None:
+    desk.open(read_only=read_only)
+    desk.part("left")
+    desk.page.wait_for("!document.getElementById('strip').hidden")
+    assert desk.page.evaluate("document.querySelector('#strip span').textContent") == words
+    assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
+    desk.page.click_on("#strip button")
+    desk.page.wait_for("desk._connection.isOpen")
+
+
+@anew
 @pytest.mark.parametrize("why", ["ended", "idle", "disk"])
 def test_an_ended_desktop_is_told_and_waits_for_the_user(desk: Desk, why: str) -> None:
     desk.open()
-    desk.server.say({"t": "bye", "why": why})
-    desk.server.hang_up()
+    desk.part(why)
     desk.page.wait_for(f"document.getElementById('strip').dataset.state === '{why}'")
     assert desk.page.evaluate("document.querySelector('#strip button').textContent") == "Open again"
 
@@ -456,6 +522,12 @@ def test_a_phone_has_the_keys_it_lacks(desk: Desk) -> None:
     desk.open()
     assert desk.page.evaluate("document.documentElement.scrollWidth") <= 390
     assert desk.page.evaluate("desk._terminal.cols") >= 50
+    buttons = desk.page.evaluate(
+        "[...document.querySelectorAll('header button')].filter(e => e.checkVisibility())"
+        ".map(e => [e.id, e.getBoundingClientRect().left, e.getBoundingClientRect().right])"
+    )
+    assert "copy" in [name for name, *_ in buttons]
+    assert all(left >= 40 and right <= 390 for _, left, right in buttons)
     desk.page.evaluate("[...document.querySelectorAll('#keys button')].find(b => b.textContent === 'Ctrl').click()")
     desk.page.ask("Input.insertText", text="c")
     desk.server.wait_for_keys(b"\x03")
@@ -474,6 +546,22 @@ def test_a_finger_scrolls(desk: Desk) -> None:
     desk.page.swipe((200, 500), (200, 300))
     desk.server.wait_for(lambda: desk.server.keys.count(b"\x1b[<65;") >= 8)
     assert b"\x1b[<64;" not in desk.server.keys
+
+
+@anew
+@pytest.mark.parametrize("renderer", ["auto", "dom"])
+def test_a_finger_that_rested_selects_as_the_mouse_does(desk: Desk, renderer: str) -> None:
+    desk.device(390, 844, mobile=True)
+    desk.open(renderer=renderer)
+    desk.shows(MOUSE_ON + "\x1b[2J\x1b[Hros2 topic list")
+    start, end = desk.cell(0, 0), desk.cell(9, 0)
+    desk.page.ask("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": start[0], "y": start[1]}])
+    desk.server.wait_for_keys(b"\x1b[<0;1;1M")
+    desk.shows("\x1b[H\x1b[7mros2\x1b[m topic list")  # drawn anew under the finger
+    desk.page.ask("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": end[0], "y": end[1]}])
+    desk.page.ask("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    desk.server.wait_for_keys(b"\x1b[<32;10;1M\x1b[<0;10;1m")
+    assert b"\x1b[<6" not in desk.server.keys and desk.server.keys.count(b"\x1b[<0;") == 2
 
 
 @anew

@@ -24,6 +24,9 @@ TROUBLE = {"title": {"zh": "没有这个包", "en": "No such package"}, "line": 
 SCREEN = {"columns": 40, "rows": 5, "ansi": "\x1b[32mstudent@day6\x1b[0m:~$ ros2 topic list\n/rosout\n"}
 
 
+TALL_SCREEN = {"columns": 50, "rows": 80, "ansi": "phone\n" * 80}
+
+
 def row(name: str, **more: Any) -> dict[str, Any]:
     return {
         "name": name,
@@ -43,10 +46,27 @@ class ClassPage:
         self.page = page
         self.server = server
 
-    def show(self, *rows: dict[str, Any]) -> None:
+    def show(self, *rows: dict[str, Any], frozen: bool = False) -> None:
         """Send rows, and wait until they are on the page."""
-        self.server.say({"t": "rows", "rows": list(rows)})
-        self.page.wait_for(f"document.querySelectorAll('.pupil').length === {len(rows)}")
+        self.page.evaluate("window.before = classPage._rows")
+        self.server.say({"t": "rows", "rows": list(rows), "frozen": frozen})
+        self.page.wait_for("classPage._rows !== before")
+        assert self.page.evaluate("document.querySelectorAll('.pupil').length") == len(rows)
+
+    def answer(self, do: str, count: int, *missed: str) -> None:
+        """What the server says to an order."""
+        self.server.say({"t": "sent", "do": do, "count": count, "missed": list(missed)})
+
+    def becomes(self, selector: str, text: str) -> None:
+        """Wait until an element says this."""
+        self.page.wait_for(f"document.querySelector({selector!r})?.textContent === {text!r}")
+
+    def box(self, selector: str) -> dict[str, float]:
+        """Where an element is, in pixels."""
+        found: dict[str, float] = self.page.evaluate(
+            f"document.querySelector({selector!r}).getBoundingClientRect().toJSON()"
+        )
+        return found
 
     def names(self) -> list[str]:
         found: list[str] = self.page.evaluate("[...document.querySelectorAll('.pupil .name')].map(e => e.textContent)")
@@ -101,11 +121,70 @@ def test_the_teacher_sees_what_each_pupil_does(classroom: ClassPage) -> None:
 def test_who_raises_a_hand_comes_first(classroom: ClassPage) -> None:
     classroom.show(row("dora", state="gone"), row("anna"), row("ben"), row("carl", hand=True))
     assert classroom.names() == ["carl", "anna", "ben", "dora"]
-    assert classroom.text("#hands") == "1 hands up"
+    assert classroom.text("#hands") == "1 hand up"
     classroom.page.click_on(".pupil .hand")
     classroom.server.wait_for(lambda: classroom.orders("carl") == [{"do": "lower_hand"}])
-    classroom.show(row("anna", hand=True), row("ben"), row("carl"), row("dora"))
+    classroom.show(row("anna", hand=True), row("ben", hand=True), row("carl"), row("dora"))
+    assert classroom.text("#hands") == "2 hands up"
     classroom.page.wait_for("document.querySelector('.pupil .name').textContent === 'anna'")
+
+
+def test_who_never_came_and_who_found_no_room_are_told_last_and_counted(classroom: ClassPage) -> None:
+    missing = {"name": "dora", "state": "absent", "idle": 0, "stuck": False}
+    outside = {"name": "eva", "state": "full", "idle": 0, "stuck": False}
+    ended = row("fay", state="gone", lesson=LESSON, nodes=["/turtlesim"], hand=True, idle=900, screen=SCREEN)
+    classroom.page.evaluate("document.getElementById('screens').click()")
+    classroom.show(missing, outside, ended, row("anna"), row("ben", state="away"))
+    assert classroom.names() == ["anna", "ben", "eva", "fay", "dora"]
+    assert classroom.text("#here") == "1 of 5 here · 1 tab closed · 1 found no room"
+    texts = classroom.page.evaluate("[...document.querySelectorAll('.pupil')].map(e => e.innerText)")
+    assert texts[2].split("\n") == ["eva", "no room: the class is full"]
+    assert texts[4].split("\n") == ["dora", "not here yet"]
+    assert "desktop ended" in texts[3] and "step 3/12" in texts[3]
+    assert "/turtlesim" not in texts[3] and "hand up" not in texts[3] and "15 min" not in texts[3]
+    assert classroom.page.evaluate("document.querySelectorAll('.small-screen .xterm').length") == 0
+    table = classroom.page.evaluate(
+        "import('./static/rows.js').then(m => m.report(classPage._rows, classPage._texts))"
+    ).splitlines()
+    assert {tuple(line.split(",")[:2]) for line in table[1:]} == {
+        ('"anna"', '"here"'),
+        ('"ben"', '"tab closed"'),
+        ('"eva"', '"no room: the class is full"'),
+        ('"fay"', '"desktop ended"'),
+        ('"dora"', '"not here yet"'),
+    }
+
+
+@pytest.mark.parametrize("name", ["Wolfeschlegelsteinhausen-Berger", "李雷"])
+def test_on_the_narrowest_card_the_name_has_its_room_beside_everything(classroom: ClassPage, name: str) -> None:
+    classroom.show(row(name, hand=True, watched=True, frozen=True, seen=True))
+    classroom.page.evaluate("document.getElementById('grid').style.gridTemplateColumns = '230px'")
+    card = classroom.box(".pupil")
+    assert card["width"] == 230
+    parts = [f".pupil .{each}" for each in ("name", "state", "hand", "watched", "seen", "frozen")]
+    for part in parts:
+        box = classroom.box(part)
+        assert box["width"] > 10 and box["left"] >= card["left"] + 8 and box["right"] <= card["right"] - 8
+        overflow = f"(e => e.scrollWidth > Math.ceil(e.clientWidth))(document.querySelector({part!r}))"
+        assert not classroom.page.evaluate(overflow), part
+    assert classroom.box(".pupil .name")["bottom"] <= classroom.box(".pupil .hand")["top"] + 1
+
+
+def test_a_tall_screen_makes_no_tall_card(classroom: ClassPage) -> None:
+    classroom.page.evaluate("document.getElementById('screens').click()")
+    classroom.show(row("anna", screen=SCREEN), row("phone", screen=TALL_SCREEN))
+    classroom.page.wait_for("document.querySelectorAll('.small-screen .xterm-screen').length === 2")
+    boxes = (
+        "[...document.querySelectorAll('.pupil')].map(e => ['.small-screen', '.xterm-screen'].map("
+        "s => e.querySelector(s).getBoundingClientRect().toJSON()))"
+    )
+    classroom.page.wait_for(
+        f"({boxes}).every(([out, within]) => within.height <= out.height + 1 && within.height > 50)"
+    )
+    for out, within in classroom.page.evaluate(boxes):
+        assert out["width"] / out["height"] == pytest.approx(5 / 3, abs=0.02)
+        assert within["left"] - out["left"] == pytest.approx(out["right"] - within["right"], abs=1)
+        assert within["top"] - out["top"] == pytest.approx(out["bottom"] - within["bottom"], abs=1)
 
 
 def test_nothing_a_pupil_sends_becomes_part_of_the_page(classroom: ClassPage) -> None:
@@ -145,6 +224,22 @@ def test_a_watched_screen_is_drawn_and_cannot_answer(classroom: ClassPage) -> No
     )
 
 
+def test_a_line_with_chinese_punctuation_is_as_long_as_any_other(classroom: ClassPage) -> None:
+    lines = "".join(
+        f"{text}{' ' * (39 - 2 * len(text))}|\n" for text in ("左边，那个：（终端）。", "，，，。。。（（））", "")
+    )
+    classroom.show(row("anna", screen=SCREEN | {"ansi": lines}))
+    classroom.page.click_on(".pupil .open")
+    classroom.page.wait_for("document.querySelector('.pane .xterm-rows')?.innerText.includes('终端')")
+    within = (
+        "getBoundingClientRect().right - document.querySelector('.pane .xterm-screen').getBoundingClientRect().right"
+    )
+    ends = classroom.page.evaluate(
+        f"[...document.querySelectorAll('.pane .xterm-rows > div')].slice(0, 3).map(e => e.lastChild.{within})"
+    )
+    assert ends == pytest.approx([0, 0, 0], abs=3)
+
+
 def test_nobody_is_watched_before_the_teacher_looks(classroom: ClassPage) -> None:
     classroom.show(row("anna"), row("ben"))
     classroom.page.evaluate("classPage._watch()")
@@ -178,7 +273,8 @@ def test_scenes_lessons_and_freezing_are_for_all(classroom: ClassPage) -> None:
     classroom.page.evaluate(choose.replace("TEXT", "'Turtle'"))
     classroom.page.evaluate(choose.replace("TEXT", repr(LESSON["title"]["en"])))  # type: ignore[index]
     classroom.page.click_on("#freeze")
-    classroom.page.click_on("#unfreeze")
+    classroom.show(row("anna"), frozen=True)
+    classroom.page.click_on("#freeze")
     expected = [
         {"do": "scene", "text": "turtle"},
         {"do": "lesson", "text": "day1"},
@@ -186,6 +282,121 @@ def test_scenes_lessons_and_freezing_are_for_all(classroom: ClassPage) -> None:
         {"do": "freeze", "on": False},
     ]
     classroom.server.wait_for(lambda: classroom.orders("*") == expected)
+
+
+def test_the_page_says_plainly_that_the_class_is_frozen_and_what_the_button_does(classroom: ClassPage) -> None:
+    classroom.show(row("anna", frozen=True))
+    assert (classroom.text("#frozen"), classroom.text("#freeze")) == ("", "Freeze all")
+    classroom.show(frozen=True)
+    assert (classroom.text("#frozen"), classroom.text("#freeze")) == ("The class is frozen", "Unfreeze all")
+    classroom.show(row("anna"))
+    assert (classroom.text("#frozen"), classroom.text("#freeze")) == ("", "Freeze all")
+
+
+def test_the_server_says_whom_an_order_reached(classroom: ClassPage) -> None:
+    classroom.show(row("anna"), row("ben"), row("carl"))
+    assert classroom.page.evaluate("document.getElementById('notice').role") == "status"
+    classroom.page.click_on("#freeze")
+    assert classroom.text("#notice") == ""
+    classroom.answer("freeze", 2, "ben")
+    classroom.becomes("#notice", "Sent to 2. Not reached: ben.")
+    classroom.page.click_on("#freeze")
+    classroom.answer("freeze", 0)
+    classroom.becomes("#notice", "Nobody is here, so nothing was sent.")
+    place = classroom.box("#freeze")
+    classroom.page.evaluate("document.getElementById('notice').textContent = ''")
+    assert classroom.box("#freeze") == place
+
+
+def test_what_was_sent_to_one_pupil_is_told_in_the_large_view(classroom: ClassPage) -> None:
+    classroom.show(row("anna"))
+    classroom.page.click_on(".pupil .open")
+    for text in ("one", "two"):
+        classroom.page.click_on(".pane form input")
+        classroom.page.ask("Input.insertText", text=text)
+        classroom.page.press("Enter")
+    classroom.answer("say", 1)
+    classroom.becomes(".pane .sent", "Sent to anna.")
+    classroom.answer("say", 0, "anna")
+    classroom.becomes(".pane .sent", "Not reached: anna.")
+    assert classroom.page.evaluate("document.querySelector('.pane .sent').role") == "status"
+    assert classroom.text("#notice") == ""
+
+
+def test_what_cannot_be_sent_stays_in_its_field(classroom: ClassPage) -> None:
+    classroom.show(row("anna"))
+    classroom.page.click_on("#say-text")
+    classroom.page.ask("Input.insertText", text="hello")
+    classroom.page.evaluate("classPage._connection._greeted = false")
+    classroom.page.press("Enter")
+    classroom.becomes("#notice", "Not sent: there is no connection to the server.")
+    assert classroom.page.evaluate("document.getElementById('say-text').value") == "hello"
+
+
+def test_the_large_view_says_asked_only_while_the_desktop_says_so(classroom: ClassPage) -> None:
+    classroom.show(row("anna", screen=SCREEN))
+    classroom.page.click_on(".pupil .open")
+    classroom.page.click_on(".pane .ask")
+    classroom.becomes(".pane .hint", "…")
+    classroom.show(row("anna", screen=SCREEN))
+    classroom.becomes(".pane .hint", "")
+    classroom.show(row("anna", screen=SCREEN, asked=True))
+    classroom.becomes(".pane .hint", "Asked; anna has not answered yet")
+    classroom.show(row("anna", screen=SCREEN, refused="the pupil said no"))
+    classroom.becomes(".pane .hint", "the pupil said no")
+    classroom.show(row("anna", screen=SCREEN))
+    classroom.becomes(".pane .hint", "")
+
+
+@pytest.mark.parametrize(
+    ("state", "words"),
+    [
+        ("gone", "The desktop of anna has ended, so there is no screen. The files are kept."),
+        ("absent", "anna is not here yet, so there is no screen."),
+    ],
+)
+def test_of_who_is_not_there_the_large_view_has_no_picture_and_nothing_to_press(
+    classroom: ClassPage, state: str, words: str
+) -> None:
+    classroom.show(row("anna", screen=SCREEN), row("ben"))
+    classroom.page.click_on(".pupil .open")
+    drawn = "document.querySelector('.pane .xterm-rows').innerText.includes('/rosout')"
+    classroom.page.wait_for(drawn)
+    classroom.show(row("anna", state=state, screen=SCREEN), row("ben"))
+    classroom.becomes(".pane .nobody", words)
+    classroom.page.wait_for(f"!{drawn} && document.querySelector('.pane .mirror').hidden")
+    usable = "[...document.querySelectorAll('.pane :is(button, input, select):not(:disabled)')].map(e => e.className)"
+    assert classroom.page.evaluate(usable) == ["close", "beside"]
+    classroom.server.forget()
+    classroom.page.evaluate("classPage._watch()")
+    classroom.show(row("anna", screen=SCREEN), row("ben"))
+    classroom.page.wait_for(drawn)
+    assert classroom.orders("anna") == []
+    assert classroom.page.evaluate(f"({usable}).length") == 9
+
+
+@pytest.mark.parametrize("width", [1280, 1024, 800, 390])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_close_is_always_at_the_top_right_and_nothing_is_cut(classroom: ClassPage, width: int, lang: str) -> None:
+    page = classroom.page
+    page.device(width, 800)
+    page.evaluate(f"classPage._hello({{lang: {lang!r}}})")
+    classroom.show(row("Wolfeschlegelsteinhausen-Berger"), row("ben"))
+    page.click_on(".pupil .open")
+    close, end = classroom.box(".pane .close"), classroom.box(".pane .end")
+    assert close["right"] == pytest.approx(width - 10, abs=1) and close["top"] == pytest.approx(10, abs=1)
+    assert end["top"] >= close["bottom"]
+    cut = (
+        "[...document.querySelectorAll('.pane button, .pane select')].filter(e => e.checkVisibility()"
+        " && (e.scrollWidth > e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth)).map(e => e.className)"
+    )
+    assert page.evaluate(cut) == []
+    others = page.evaluate(
+        "[...document.querySelectorAll('.pane-tools > :not(.end)')].map(e => e.getBoundingClientRect().toJSON())"
+    )
+    for other in others:
+        assert other["bottom"] <= end["top"] or other["right"] <= end["left"] - 40
+    page.device(1280, 800)
 
 
 def test_the_teacher_types_only_with_consent(classroom: ClassPage) -> None:
@@ -220,6 +431,16 @@ def test_the_report_is_a_table_that_no_spreadsheet_takes_for_formulas(classroom:
     assert table[0].startswith('\ufeff"name","state","lesson"')
     assert any(line.startswith('"\'=HYPERLINK(""x"")","here","Day 1') for line in table)
     assert any(line.startswith('"安娜"') for line in table)
+    assert '"error text"' in table[0]
+
+
+def test_the_log_is_there_to_be_saved_and_the_links_leave_the_class_open(classroom: ClassPage) -> None:
+    log, links = classroom.page.evaluate(
+        "[...document.querySelectorAll('header a')].map(e => [e.getAttribute('href'), e.download, e.target, e.rel])"
+    )
+    assert log[0] == "class/log.csv" and log[1] == ""
+    assert classroom.page.evaluate("document.querySelector('#log').hasAttribute('download')")
+    assert links == ["links", "", "_blank", "noopener"]
 
 
 def test_thirty_pupils_fit_and_nothing_fails(classroom: ClassPage) -> None:

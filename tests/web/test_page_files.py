@@ -9,7 +9,7 @@ from pathlib import Path
 from day6_tui.tui import web
 
 STATIC = Path(web.__file__).parent / "static"
-PAGES = ("links",)
+PAGES = ("links", "class/log.csv")
 """What the server writes itself."""
 VENDORED = STATIC / "vendor" / "xterm"
 

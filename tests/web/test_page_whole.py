@@ -64,6 +64,23 @@ def test_a_pupil_opens_a_link_types_sees_pixels_and_finds_everything_again(servi
     assert all(serving.base.split("//")[1].split("/")[0] in address for address in page.requests)
 
 
+def test_a_pupil_who_detaches_is_told_that_the_desktop_goes_on_and_opens_it_again(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("ben"))
+    shows(page, "What would you like")
+    page.press("5")
+    page.wait_for(f"!({SCREEN}).includes('What would you like')", PATIENCE)
+    page.compose("s", result="sleep 600")
+    shows(page, "sleep 600")
+    page.press("Enter")
+    shows(page, "1 sleep 600")  # the title: it runs
+    page.press("q", "ctrl")
+    shows(page, "Detach")
+    page.press("d")
+    page.wait_for("document.getElementById('strip').dataset.state === 'left'", PATIENCE)
+    page.click_on("#strip button")
+    shows(page, "sleep 600")
+
+
 def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cannot_type(
     serving: Serving, page: Page
 ) -> None:
@@ -84,3 +101,17 @@ def test_a_pupil_who_follows_a_link_to_watch_sees_the_other_ones_screen_and_cann
     page.navigate(f"{serving.base}watch")
     shows(page, "ben@day6")
     assert "nobody types here" not in page.evaluate(SCREEN)
+
+
+def test_on_paper_there_are_names_pictures_and_addresses_and_nothing_else(serving: Serving, page: Page) -> None:
+    page.navigate(serving.link("the teacher"))
+    page.wait_for("location.pathname.endsWith('/class')")
+    page.navigate(f"{serving.base}links")
+    assert "New links for all…" in page.evaluate("document.body.innerText")
+    page.ask("Emulation.setEmulatedMedia", media="print")
+    names = page.evaluate("[...document.querySelectorAll('section')].map(e => e.querySelector('h2').innerText)")
+    links = page.evaluate("[...document.querySelectorAll('section > p:not(.screen) code')].map(e => e.innerText)")
+    printed = page.evaluate("document.body.innerText").split()
+    assert sorted(printed) == sorted([*names, *links]) and len(links) == 2
+    assert page.evaluate("[...document.querySelectorAll('svg')].every(e => e.checkVisibility())")
+    assert not page.evaluate("[...document.querySelectorAll('summary, button, a')].some(e => e.checkVisibility())")

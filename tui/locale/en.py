@@ -233,6 +233,7 @@ TEXTS = {
     "rqt.refresh": "refresh",
     "inspector.title": "Inspector",
     "inspector.count": "{errors} errors, {all} in all",
+    "inspector.count.one": "{errors} error, {all} in all",
     "inspector.quiet": "quiet",
     "action.inspector": "Inspect",
     "help.action.inspector": "what is wrong right now, and what to type next",
@@ -275,6 +276,9 @@ TEXTS = {
     "quit.runs": "{what} still runs. End it and quit?",
     "quit.run": "{what} still run. End all and quit?",
     "quit.more": " and {count} more",
+    "quit.class": "Pupils are joined",
+    "quit.joined.one": "1 pupil is joined, whose desktop goes on without you. End the class and quit?",
+    "quit.joined": "{count} pupils are joined, whose desktops go on without you. End the class and quit?",
     "quit.leave": "Quit",
     "quit.end": "End",
     "quit.detach": "Detach",
@@ -669,17 +673,21 @@ TEXTS = {
     "cli.attach.lang": "language of what attach says (default: that of the system)",
     "cli.class": "A class on a network: each desktop keeps its own graph, and the teacher sees all of them.",
     "cli.class.group": "class",
-    "cli.class.teacher": "this desktop is the teacher's; pupils see nothing of each other",
+    "cli.class.teacher": "this desktop is the teacher's, on port {port} (--listen for another); pupils see nothing of each other",
     "cli.class.room": "with --teacher: one graph for all, to play together",
-    "cli.class.join": "join the class of this teacher, e.g. 192.168.1.5",
-    "cli.class.name": "your name in the class: letters a-z, digits and _, as in ROS names",
+    "cli.class.join": "join the class of this teacher: HOST or HOST:PORT, e.g. 192.168.1.5; without a port it is {port}",
+    "cli.class.name": "your name in the class: letters a-z, digits and single _, a letter first, e.g. wang_xiaoming",
     "cli.class.one": "choose --teacher, or --join HOST --name NAME",
     "cli.class.no_name": "--join needs --name NAME",
-    "cli.class.bad_name": "'{name}' cannot be a name: letters a-z, digits and _, at most {most}, a letter first, not teacher",
+    "cli.class.name.letters": "'{name}' cannot be a name: a letter a-z first, then letters, digits and _, e.g. wang_xiaoming",
+    "cli.class.name.double": "'{name}' cannot be a name: no two _ in a row, as in ROS names",
+    "cli.class.name.long": "'{name}' cannot be a name: at most {most} characters",
+    "cli.class.name.teacher": "'{name}' cannot be a name: it is the teacher's",
     "cli.class.with_teacher": "{option} goes with --teacher",
     "cli.class.with_join": "{option} goes with --join",
     "cli.class.connect": "in a class, --join HOST takes the place of --connect",
     "cli.class.endpoint": "'{text}' is no host name or address",
+    "cli.class.port": "'{text}': {port} is no port; ports are 1 to 65535",
     "cli.listen": (
         "let other machines in, e.g. tcp/0.0.0.0:7447; without --secret anyone who reaches this port can read and command"
     ),
@@ -965,11 +973,15 @@ commands:
     "serve.start.leave": "I am not {name}",
     "serve.start.by_link": "Use the link or the QR code your teacher gave you.",
     "serve.start.apart": "How pupils are kept apart here:",
+    "serve.start.none": "All of you share one account here: everybody can open, change and end what the others have. "
+    "Please leave it alone, and keep no secrets here.",
     "serve.wrong.word": "That is not the class word.",
     "serve.wrong.often": "Too many wrong tries. Wait a minute.",
     "serve.wrong.name": "Somebody is called {name} already. Choose another name; if it is you, use the browser you began with.",
     "serve.wrong.link": "This link is not valid (any more). Ask your teacher for a new one.",
     "serve.wrong.stranger": "This page needs a link from your teacher.",
+    "serve.wrong.host": "Open the address your teacher gave you.",
+    "serve.wrong.address": "There is no page at this address.",
     "serve.name.empty": "Type a name.",
     "serve.name.long": "This name is too long: 32 characters at most.",
     "serve.name.letters": "A name has letters and digits, and perhaps blanks, dots and dashes.",
@@ -1005,15 +1017,31 @@ commands:
     "serve.class.encoding": "{file}: neither UTF-8 nor GBK",
     "serve.class.line": "not a line of a table",
     "serve.class.twice": "this name is there twice",
-    "serve.class.bad": "{file}, line {line}: {reason}",
+    "serve.class.bad": "{file}, line {line} “{text}”: {reason}",
+    "serve.class.nameless": "no name",
+    "serve.class.empty": "{file}: no names",
     "serve.wrong.disk": "The server's disk is full. Tell your teacher.",
     "serve.links.what": "Print this page and cut it up: each pupil gets one link. Whoever has the link has the desktop.",
     "serve.links.none": "Nobody is on the list yet.",
-    "serve.links.unknown": "The link was made by an earlier start of the server, which kept only its hash. "
-    "A new one makes the old one invalid.",
+    "serve.links.back": "Back to the class",
+    "serve.links.local": "These links work on this machine only: other devices cannot use them. "
+    "For other devices, end the server and start it with --host 0.0.0.0.",
+    "serve.links.unknown": "The link you gave out before still works. It cannot be shown again; a new link makes it invalid.",
+    "serve.links.by_word": "Not on the list of names: whoever chose this name with the class word needs no link.",
+    "serve.links.not_kept": "The new links work until the server ends: they could not be written down ({reason}).",
     "serve.links.watching": "To watch only:",
-    "serve.links.new": "New link",
-    "serve.links.watch": "Link for watching",
+    "serve.links.new": "New link…",
+    "serve.links.new.sure": "Every older link of {name} stops working, on paper and in every browser. "
+    "{name} then needs the new one.",
+    "serve.links.new.yes": "Make a new link",
+    "serve.links.watch": "Link for watching…",
+    "serve.links.watch.sure": "Whoever has it sees the desktop of {name} and cannot type; {name} is told that somebody watches. "
+    "An older link for watching stops working.",
+    "serve.links.watch.yes": "Make a link for watching",
+    "serve.links.all": "New links for all…",
+    "serve.links.all.sure": "All {count} pupils of the list get new links, to be printed here. "
+    "Every older one stops working, on paper and in every browser.",
+    "serve.links.all.yes": "Make new links for all",
     # a class: what a pupil sees
     "action.hand": "Raise your hand, or lower it",
     "action.sayings": "What the teacher said",
@@ -1046,63 +1074,128 @@ commands:
     "help.action.class": "the teacher's view of the pupils who have joined",
     "teacher.title": "Class",
     "teacher.here": "{here} of {all} here",
+    "teacher.hand": "1 hand up",
     "teacher.hands": "{count} hands up",
+    "teacher.bar.hand": "1 hand",
+    "teacher.bar.hands": "{count} hands",
+    "teacher.raised": "{name} has raised a hand",
+    "teacher.frozen": "the class is frozen",
     "teacher.stuck": "{count} stuck",
     "teacher.typing": "you type for {name}",
+    "teacher.awaited": "asked whether you may type: it begins with the yes",
+    "teacher.over.taken_back": "{name} has taken it back: Ctrl-] or Esc",
+    "teacher.over.gone": "{name} is gone: Ctrl-] or Esc",
     "teacher.key.large": "screen",
     "teacher.key.back": "table",
     "teacher.key.say": "say",
-    "teacher.key.open": "open a lesson",
-    "teacher.key.freeze": "freeze all",
+    "teacher.key.open": "open",
+    "teacher.key.freeze": "freeze",
     "teacher.key.thaw": "let go on",
     "teacher.key.type": "type",
     "teacher.key.end_typing": "end typing",
+    "teacher.key.acknowledge": "go on",
+    "teacher.key.next": "next, previous",
+    "teacher.key.preview": "preview",
+    "teacher.key.invite": "how to join",
+    "teacher.key.scroll": "scroll",
+    "teacher.key.page": "a page up, down",
+    "teacher.key.ends": "first, last",
+    "teacher.key.forget": "remove the row of who is gone",
     "teacher.key.compare": "compare",
     "teacher.key.all": "say to all, open for all",
-    "teacher.key.first": "who needs you most",
     "teacher.key.lower": "lower the hand",
-    "teacher.key.csv": "report for a spreadsheet",
-    "teacher.key.end": "end this desktop",
+    "teacher.key.csv": "report and log for a spreadsheet",
+    "teacher.key.end": "end the desktop of the pupil",
     "teacher.empty": "Nobody has joined yet. On a pupil's machine in the same network:",
+    "teacher.join": "To join: {command}",
+    "teacher.opening": "The way in is being opened; nobody can join yet.",
+    "teacher.port_in_use": "Nobody can join: another program, perhaps another class, listens on port {port}. "
+    "End it, or start with --listen tcp/0.0.0.0:PORT and another port.",
+    "teacher.shut": "Nobody can join: {reason}",
+    "teacher.turned.taken": "{name} is taken: another machine asks for this name",
+    "teacher.turned.full": "{name} cannot join: the class is full",
+    "teacher.turned.domain": "{name} cannot join: another ROS_DOMAIN_ID there",
+    "teacher.invite": "How to join",
+    "teacher.invite.text": "On a pupil's machine in the same network, each with a name of their own:\n",
+    "teacher.invite.keys": "Enter copies  Esc closes",
     "teacher.head.name": "Name",
     "teacher.head.lesson": "Lesson",
     "teacher.head.state": "Now",
+    "teacher.head.frozen": "Now: the class is frozen",
+    "teacher.above": "↑ {count} more",
+    "teacher.below": "↓ {count} more",
     "teacher.state.gone": "away",
     "teacher.state.silent": "has not said anything yet",
+    "teacher.state.hand_now": "hand up",
+    "teacher.state.hand.short": "hand {minutes} min",
+    "teacher.state.asked": "asked whether you may type",
+    "teacher.state.may_type": "you may type: t",
+    "teacher.state.idle.short": "idle {minutes} min",
     "teacher.state.hand": "hand up for {minutes} min",
     "teacher.state.frozen": "frozen",
     "teacher.state.idle": "no key for {minutes} min",
     "teacher.hints": "hints: {count}",
     "teacher.no_screen": "waiting for the screen",
     "teacher.missed": "not reached: {names}",
+    "teacher.sent": "sent to {name}",
+    "teacher.sent.all": "sent to {count}",
+    "teacher.away": "{name} (away)",
+    "teacher.alone": "nobody else is here",
+    "teacher.no_room": "no room for a preview: F8 enlarges the window",
+    "teacher.not_gone": "{name} is here: only who is gone can be removed",
     "teacher.say": "Say to {name}",
     "teacher.say.all": "Say to all",
     "teacher.say.nothing": "there is nothing to say",
     "teacher.open": "Open",
     "teacher.open.lesson": "lesson",
     "teacher.open.scene": "scene",
-    "teacher.asked": "{name} is asked; press t again after the answer",
     "teacher.end": "End the desktop of {name}?",
     "teacher.end.text": "Programs there end; files stay.",
     "teacher.end.yes": "end it",
-    "teacher.csv": "Write the report into",
+    "teacher.csv": "Write the report, and the log beside it, into",
     "teacher.csv.name": "name",
     "teacher.csv.lesson": "lesson",
     "teacher.csv.step": "step reached",
     "teacher.csv.steps": "steps",
     "teacher.csv.exists": "{file} is there already",
-    "teacher.csv.written": "written: {file}",
+    "teacher.csv.written": "written: {files}",
     "help.classroom": (
         "The class that has joined this desktop over the network: who is at which step of which lesson, whose hand is up, whose "
         "last command failed and with which card, who has not touched a key for a while. Raised hands come first, then those "
-        "with an error that stands for a minute.\n\n"
-        "Enter shows the screen of the chosen pupil, c another one beside it. The pupil sees that he is watched. t asks him "
-        "whether you may type; after his yes, t again and every key goes there until Ctrl-].\n\n"
-        "s says a sentence and o opens a lesson, a drill or a scene there; S and O do so for all. f freezes all screens, f "
-        "again lets them go on.\n\n"
+        "with an error that stands for a minute, and last who has gone. The lower edge has the command by which others join; i "
+        "shows it to be copied.\n\n"
+        "Nobody is watched before you ask for it. Enter shows the screen of the chosen pupil, n and p the next and the previous "
+        "one, c another one beside it; v shows the chosen one below the table. The pupil sees that you watch.\n\n"
+        "t asks the pupil whether you may type. With the yes it begins by itself if you are still looking at that screen; else t "
+        "again. From then on the keys go to the pupil's terminal until Ctrl-]. Only F1 to F9, Alt with digits and arrows, and "
+        "Ctrl-Q stay your desktop's, as in every terminal. If the pupil takes it back, or is gone, keys do nothing until "
+        "Ctrl-] or Esc.\n\n"
+        "s says a sentence and o opens a lesson, a drill or a scene there; S and O do so for all. f freezes all screens, also of "
+        "those who come later, until f again, at most ten minutes. x ends the desktop of the pupil, not yours. d removes the "
+        "row of somebody who is gone.\n\n"
+        "e writes how far everybody came, and beside it the log of the lesson; it overwrites nothing.\n\n"
         "In your terminals each pupil's graph is below the pupil's name: ros2 topic echo /anna/turtle1/pose."
     ),
     "manual.classroom": "Class",
+    "help.classroom_pupil": (
+        "A class: your teacher's desktop, or the teacher's page, knows of yours. The top line says so, and what the teacher "
+        "does there.\n\n"
+        "Raise your hand: click “raise hand” in the top line, or F7 and hand. Click again to lower it. The teacher can lower it "
+        "too, and then has seen it.\n\n"
+        "The teacher sees which lesson and step you are in, the names of your nodes, the card of your last error, and since "
+        "when you have not touched a key. The teacher may say something (F7: what the teacher said), and open a lesson or a "
+        "scene; what runs goes on.\n\n"
+        "Your screen is seen only while the top line says “teacher watching”. Nothing changes for you.\n\n"
+        "“Eyes to the front”: the teacher has frozen the screens of all. Your programs go on, nothing is lost, and it goes away "
+        "by itself, after ten minutes at the latest.\n\n"
+        "The teacher can type in your terminal only if you say yes. You can take that back at any time: click “teacher may "
+        "type” in the top line, or F7 and teacher. What is typed goes to the terminal that has your keyboard.\n\n"
+        "The teacher can end your desktop; your files stay.\n\n"
+        "To join a class on a network: day6-tui class --join HOST --name NAME, in which the teacher's window tells HOST. "
+        "Pupils see nothing of each other, unless it is a room (--room): then all are in one graph, and a scene runs below "
+        "your name."
+    ),
+    "manual.classroom_pupil": "Class: hand, teacher",
     "class.says": "Your teacher",
     "class.opened": "Your teacher opened this lesson",
     "class.bar.unread": "new from the teacher: {count}",

@@ -418,6 +418,7 @@ TEXTS = {
     "inspector.well": "一切正常",
     "inspector.well_so_far": "看过的地方一切正常",
     "inspector.count": "{errors} 个错误，共 {all} 条",
+    "inspector.count.one": "{errors} 个错误，共 {all} 条",
     "action.inspector": "检查",
     "help.action.inspector": "现在有什么问题，接下来输入什么",
     "editor.save": "保存",
@@ -459,6 +460,9 @@ TEXTS = {
     "quit.runs": "{what} 还在运行。结束它并退出吗？",
     "quit.run": "{what} 还在运行。全部结束并退出吗？",
     "quit.more": "等，另有 {count} 个",
+    "quit.class": "还有学生在班里",
+    "quit.joined.one": "还有 1 个学生在班里，那个桌面会继续运行。\n结束上课并退出吗？",
+    "quit.joined": "还有 {count} 个学生在班里，他们的桌面会继续运行。\n结束上课并退出吗？",
     "quit.leave": "退出",
     "quit.end": "结束",
     "quit.detach": "暂离",
@@ -838,17 +842,21 @@ TEXTS = {
     "cli.attach.lang": "attach 说话用的语言（默认：和系统一样）",
     "cli.class": "网络上的一个班：每个桌面有自己的节点和话题，老师能看到所有人的。",
     "cli.class.group": "班级",
-    "cli.class.teacher": "这是老师的桌面；学生之间互相看不到",
+    "cli.class.teacher": "这是老师的桌面；在端口 {port} 等学生（换端口用 --listen）；学生之间互相看不到",
     "cli.class.room": "和 --teacher 一起用：所有人共用一个图，一起玩",
-    "cli.class.join": "加入这位老师的班，例如 192.168.1.5",
-    "cli.class.name": "你在班里的名字：字母、数字和 _，和 ROS 的名字一样",
+    "cli.class.join": "加入这位老师的班：HOST 或 HOST:PORT，例如 192.168.1.5；不写端口就是 {port}",
+    "cli.class.name": "你在班里的名字：字母、数字和单个 _，字母开头，例如 wang_xiaoming",
     "cli.class.one": "请选 --teacher，或者 --join HOST --name NAME",
     "cli.class.no_name": "--join 还需要 --name NAME",
-    "cli.class.bad_name": "“{name}”不能当名字：只能用字母、数字和 _，最多 {most} 个，字母开头，不能是 teacher",
+    "cli.class.name.letters": "“{name}”不能当名字：字母 a-z 开头，后面是字母、数字和 _，例如 wang_xiaoming",
+    "cli.class.name.double": "“{name}”不能当名字：不能有连着的两个 _，和 ROS 的名字一样",
+    "cli.class.name.long": "“{name}”不能当名字：最多 {most} 个字符",
+    "cli.class.name.teacher": "“{name}”不能当名字：这是老师的名字",
     "cli.class.with_teacher": "{option} 要和 --teacher 一起用",
     "cli.class.with_join": "{option} 要和 --join 一起用",
     "cli.class.connect": "上课时用 --join HOST，不用 --connect",
     "cli.class.endpoint": "“{text}”不是主机名或地址",
+    "cli.class.port": "“{text}”：{port} 不是端口，端口是 1 到 65535",
     "cli.listen": "让别的电脑加入，例如 tcp/0.0.0.0:7447；不写 --secret 的话，能连上这个端口的人都可以读取和发命令",
     "cli.connect": "加入另一台电脑，例如 tcp/192.168.1.5:7447",
     "cli.secret": (
@@ -882,7 +890,7 @@ TEXTS = {
   export [PKG ...] [-o FILE]  把工作空间的包打成 zip，拿到真正的 ROS 2 上编译
   submit [-o FILE.zip]        把程序和回答打成一个文件，交给老师
   grade FILE ...              用隐藏的情景重新运行作业来评分（--csv、--html）
-  report [--csv|--html FILE]  这台电脑上所有学员的学习进度
+  report [--csv|--html FILE]  这台电脑上所有学生的学习进度
   env [--vscode|--pycharm]    打印让普通终端也能用的变量，或者设置好 IDE""",
     "cli.more": "想知道更多：day6-tui 命令 --help",
     "cli.no_command": "没有叫 {name} 的命令；day6-tui --help 列出所有命令",
@@ -962,8 +970,8 @@ TEXTS = {
     "lesson.name.control": "名字里有不能显示的字符",
     "action.lessons": "课程",
     "help.action.lessons": "一步一步的课程；这一步做好了，就去下一步",
-    "action.pupil": "换一个学员",
-    "help.action.pupil": "学习进度按学员的名字保存",
+    "action.pupil": "换一个学生",
+    "help.action.pupil": "学习进度按学生的名字保存",
     "help.lesson": (
         "一步一步地学。旁边的终端是你的：照着做，这里会看着正在运行的系统，做到了就打勾，没做到会说看见了什么。\n\n"
         "做好一步按 F5 去下一步。没做好的时候，F5 在课程和终端之间来回。"
@@ -1124,11 +1132,15 @@ TEXTS = {
     "serve.start.leave": "我不是 {name}",
     "serve.start.by_link": "请用老师给你的链接或二维码进入。",
     "serve.start.apart": "这里怎样把学生隔开：",
+    "serve.start.none": "这里大家用的是同一个账号：每个人都能打开、修改、结束别人的东西。"
+    "请不要动别人的东西，也不要放不想让人看到的内容。",
     "serve.wrong.word": "班级口令不对。",
     "serve.wrong.often": "错的次数太多了，请等一分钟。",
     "serve.wrong.name": "已经有人叫 {name} 了，请换一个名字；如果就是你，请用你一开始用的浏览器。",
     "serve.wrong.link": "这条链接无效（或已作废），请向老师要一条新的。",
     "serve.wrong.stranger": "这个页面需要老师给的链接。",
+    "serve.wrong.host": "请打开老师给你的地址。",
+    "serve.wrong.address": "这个地址没有页面。",
     "serve.name.empty": "请输入名字。",
     "serve.name.long": "名字太长：最多 32 个字。",
     "serve.name.letters": "名字由字母、汉字和数字组成，可以有空格、点和横线。",
@@ -1164,15 +1176,29 @@ TEXTS = {
     "serve.class.encoding": "{file}：既不是 UTF-8 也不是 GBK",
     "serve.class.line": "不是表格里的一行",
     "serve.class.twice": "这个名字出现了两次",
-    "serve.class.bad": "{file} 第 {line} 行：{reason}",
+    "serve.class.bad": "{file} 第 {line} 行“{text}”：{reason}",
+    "serve.class.nameless": "没有名字",
+    "serve.class.empty": "{file}：里面没有名字",
     "serve.wrong.disk": "服务器的磁盘满了，请告诉老师。",
     "serve.links.what": "打印本页后剪开，每个学生一条链接。谁有链接，谁就能用这个桌面。",
     "serve.links.none": "名单上还没有人。",
-    "serve.links.unknown": "这条链接是服务器上一次启动时生成的，只保留了哈希值。生成新链接后，旧的就作废。",
+    "serve.links.back": "回到班级",
+    "serve.links.local": "这些链接只能在这台机器上用，别的设备打不开。"
+    "要让别的设备也能用，请结束服务器，加上 --host 0.0.0.0 重新启动。",
+    "serve.links.unknown": "以前发出的链接仍然有效，只是不能再显示。生成新链接后，旧的就作废。",
+    "serve.links.by_word": "不在名单上：用班级口令自己取名字进来的学生不需要链接。",
+    "serve.links.not_kept": "新链接在服务器结束之前有效：没能写到磁盘上（{reason}）。",
     "serve.links.watching": "只看不操作：",
-    "serve.links.new": "新链接",
-    "serve.links.watch": "观看用的链接",
-    # 一个班：学员看到的
+    "serve.links.new": "新链接…",
+    "serve.links.new.sure": "{name} 的旧链接全部作废，纸上的和浏览器里的都一样；之后 {name} 要用新链接。",
+    "serve.links.new.yes": "生成新链接",
+    "serve.links.watch": "观看用的链接…",
+    "serve.links.watch.sure": "有这条链接的人能看到 {name} 的桌面，但不能操作；{name} 会看到有人在看。旧的观看链接作废。",
+    "serve.links.watch.yes": "生成观看用的链接",
+    "serve.links.all": "全部换成新链接…",
+    "serve.links.all.sure": "名单上的 {count} 个学生都得到新链接，可以在这里打印。旧链接全部作废，纸上的和浏览器里的都一样。",
+    "serve.links.all.yes": "全部生成新链接",
+    # 一个班：学生看到的
     "action.hand": "举手，或者放下手",
     "action.sayings": "老师说过的话",
     "action.take_back": "不再让老师打字",
@@ -1204,61 +1230,119 @@ TEXTS = {
     "help.action.class": "老师看已经加入的学生",
     "teacher.title": "班级",
     "teacher.here": "在线 {here}/{all}",
+    "teacher.hand": "1 人举手",
     "teacher.hands": "{count} 人举手",
+    "teacher.bar.hand": "1 人举手",
+    "teacher.bar.hands": "{count} 人举手",
+    "teacher.raised": "{name} 举手了",
+    "teacher.frozen": "全班键盘已锁定",
     "teacher.stuck": "{count} 人卡住",
     "teacher.typing": "你正在替 {name} 打字",
+    "teacher.awaited": "已经问了能不能代打字：同意后自动开始",
+    "teacher.over.taken_back": "{name} 收回了同意：按 Ctrl-] 或 Esc",
+    "teacher.over.gone": "{name} 已断开：按 Ctrl-] 或 Esc",
     "teacher.key.large": "看屏幕",
     "teacher.key.back": "名单",
     "teacher.key.say": "说一句",
     "teacher.key.open": "打开课程",
-    "teacher.key.freeze": "全班暂停",
-    "teacher.key.thaw": "继续",
+    "teacher.key.freeze": "全班锁定",
+    "teacher.key.thaw": "全班解锁",
     "teacher.key.type": "代打字",
     "teacher.key.end_typing": "不再打字",
+    "teacher.key.acknowledge": "知道了",
+    "teacher.key.next": "下一个、上一个",
+    "teacher.key.preview": "预览",
+    "teacher.key.invite": "怎样加入",
+    "teacher.key.scroll": "移动",
+    "teacher.key.page": "上一页、下一页",
+    "teacher.key.ends": "最前、最后",
+    "teacher.key.forget": "删去走了的人",
     "teacher.key.compare": "比较",
     "teacher.key.all": "对全班说、为全班打开",
-    "teacher.key.first": "最需要帮助的人",
-    "teacher.key.lower": "放下他的手",
-    "teacher.key.csv": "导出表格",
-    "teacher.key.end": "结束这个桌面",
+    "teacher.key.lower": "放下学生的手",
+    "teacher.key.csv": "导出表格和课堂记录",
+    "teacher.key.end": "结束这个学生的桌面",
     "teacher.empty": "还没有人加入。在同一网络的学生电脑上输入：",
+    "teacher.join": "加入：{command}",
+    "teacher.opening": "正在打开入口，还不能加入。",
+    "teacher.port_in_use": "没有人能加入：另一个程序（也许是另一个班）占用了端口 {port}。"
+    "先结束它，或者启动时用 --listen tcp/0.0.0.0:PORT 换一个端口。",
+    "teacher.shut": "没有人能加入：{reason}",
+    "teacher.turned.taken": "名字 {name} 已有人用：另一台电脑也要用这个名字",
+    "teacher.turned.full": "{name} 进不来：班级已满",
+    "teacher.turned.domain": "{name} 进不来：那里的 ROS_DOMAIN_ID 不同",
+    "teacher.invite": "怎样加入",
+    "teacher.invite.text": "在同一网络的学生电脑上输入，每人用自己的名字：\n",
+    "teacher.invite.keys": "Enter 复制  Esc 关闭",
     "teacher.head.name": "名字",
     "teacher.head.lesson": "课程",
     "teacher.head.state": "现在",
+    "teacher.head.frozen": "现在：全班已锁定",
+    "teacher.above": "↑ 还有 {count} 人",
+    "teacher.below": "↓ 还有 {count} 人",
     "teacher.state.gone": "不在",
     "teacher.state.silent": "还没有消息",
+    "teacher.state.hand_now": "举手",
+    "teacher.state.hand.short": "举手 {minutes} 分",
+    "teacher.state.asked": "已问能不能代打字",
+    "teacher.state.may_type": "可以代打字：t",
+    "teacher.state.idle.short": "停了 {minutes} 分",
     "teacher.state.hand": "举手 {minutes} 分钟",
-    "teacher.state.frozen": "已暂停",
+    "teacher.state.frozen": "已锁定",
     "teacher.state.idle": "{minutes} 分钟没有按键",
     "teacher.hints": "看过提示：{count}",
     "teacher.no_screen": "正在等屏幕",
     "teacher.missed": "没有送到：{names}",
+    "teacher.sent": "已发给 {name}",
+    "teacher.sent.all": "已发给 {count} 人",
+    "teacher.away": "{name}（不在）",
+    "teacher.alone": "没有别人在线",
+    "teacher.no_room": "地方不够，不能预览：按 F8 放大窗口",
+    "teacher.not_gone": "{name} 还在：只能删去走了的人",
     "teacher.say": "对 {name} 说",
     "teacher.say.all": "对全班说",
     "teacher.say.nothing": "还没有写内容",
     "teacher.open": "打开",
     "teacher.open.lesson": "课程",
     "teacher.open.scene": "场景",
-    "teacher.asked": "已经问了 {name}；对方同意后再按 t",
     "teacher.end": "结束 {name} 的桌面？",
     "teacher.end.text": "那里的程序会结束，文件都留着。",
     "teacher.end.yes": "结束",
-    "teacher.csv": "把表格写到",
+    "teacher.csv": "把表格和旁边的课堂记录写到",
     "teacher.csv.name": "名字",
     "teacher.csv.lesson": "课程",
     "teacher.csv.step": "学到第几步",
     "teacher.csv.steps": "共几步",
     "teacher.csv.exists": "{file} 已经有了",
-    "teacher.csv.written": "写好了：{file}",
+    "teacher.csv.written": "写好了：{files}",
     "help.classroom": (
         "通过网络加入这个桌面的班级：谁在哪一课的哪一步，谁举了手，谁的上一条命令出错了、是哪张卡片，谁好久没有按键。"
-        "举手的排在最前面，然后是出错超过一分钟的。\n\n"
-        "Enter 看选中学生的屏幕，c 在旁边再看一个。学生看得到有人在看。t 问他能不能替他打字；他同意后再按 t，"
-        "之后的每个键都送过去，直到 Ctrl-]。\n\n"
-        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 让全班暂停，再按 f 继续。\n\n"
+        "举手的排在最前面，然后是出错超过一分钟的，走了的排在最后。窗口最下面是加入班级的命令；按 i 可以复制。\n\n"
+        "你不要求，就不会看任何人的屏幕。Enter 看选中学生的屏幕，n 和 p 看下一个、上一个，c 在旁边再看一个；"
+        "v 在名单下面显示选中学生的屏幕。学生看得到有人在看。\n\n"
+        "t 问学生能不能代打字。学生同意时，如果你还在看这块屏幕，就自动开始；否则再按一次 t。之后按键都送到学生的终端，"
+        "直到 Ctrl-]。只有 F1 到 F9、Alt 加数字或方向键、Ctrl-Q 仍然归你的桌面，和在每个终端里一样。"
+        "学生收回同意或者断开以后，按键不起作用，直到你按 Ctrl-] 或 Esc。\n\n"
+        "s 说一句话，o 在那里打开一课、一道排错题或一个场景；S 和 O 是对全班。f 锁定全班的键盘，后来加入的也一样，"
+        "再按 f 继续，最长十分钟。x 结束的是这个学生的桌面，不是你的。d 删去已经走了的人那一行。\n\n"
+        "e 写出每个人学到了哪里，旁边再写一份课堂记录；不会覆盖任何文件。\n\n"
         "在你的终端里，每个学生的计算图都在他的名字下面：ros2 topic echo /anna/turtle1/pose。"
     ),
     "manual.classroom": "班级",
+    "help.classroom_pupil": (
+        "上课：老师的桌面或者老师的网页知道你的桌面。顶栏里写着这一点，也写着老师在做什么。\n\n"
+        "举手：点顶栏里的“举手”，或者按 F7 输入“举手”。再点一次就放下。老师也可以把手放下，那就是看到了。\n\n"
+        "老师看得到你在哪一课的哪一步、你的节点的名字、上一个错误的卡片，还有多久没有按键。"
+        "老师可以对你说话（F7：老师说过的话），也可以打开一课或一个场景；正在运行的程序不会停。\n\n"
+        "只有顶栏写着“老师在看”的时候，老师才看得到你的屏幕。你这里什么都不会变。\n\n"
+        "“请看前面”：老师锁定了全班的键盘。程序照常运行，什么都不会丢，它会自己消失，最长十分钟。\n\n"
+        "你说可以，老师才能在你的终端里打字。随时可以收回：点顶栏里的“老师可以打字”，或者按 F7 输入“老师”。"
+        "老师打的字会进到你的键盘所在的终端。\n\n"
+        "老师可以结束你的桌面；文件都留着。\n\n"
+        "加入网络上的班：day6-tui class --join HOST --name NAME，HOST 在老师的窗口里。学生之间互相看不到；"
+        "如果是 --room 的班，所有人共用一个图，场景会在你的名字下面运行。"
+    ),
+    "manual.classroom_pupil": "上课：举手、老师",
     "class.says": "老师说",
     "class.opened": "老师打开了这一课",
     "class.bar.unread": "老师说了 {count} 句",
@@ -1338,6 +1422,6 @@ TEXTS = {
 3. 运行。
 {run}
 
-老师的电脑如果要让学员在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
+老师的电脑如果要让学生在浏览器里用（day6-tui serve），第 2 步里把 day6-tui 写成 "day6-tui[serve]"。
 """,
 }

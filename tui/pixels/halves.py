@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from rich.color import Color
@@ -20,13 +22,24 @@ def over(strips: Sequence[Strip], corner: tuple[int, int], visible: Iterable[Reg
     `corner` is the column and line of the picture, `halves` what `halved` has made of it.
     """
     drawn, (x, y) = list(strips), corner
+    pairs = np.concatenate([halves[0::2], halves[1::2]], axis=2)
     for part in visible:
         for line in range(part.y, min(part.bottom, len(drawn))):
-            top, bottom = halves[2 * (line - y)], halves[2 * (line - y) + 1]
-            cells = [_cell(top[column - x], bottom[column - x]) for column in range(part.x, part.right)]
+            cells = pairs[line - y, part.x - x : part.right - x]
             strip = drawn[line]
-            drawn[line] = Strip.join([strip.crop(0, part.x), Strip(cells), strip.crop(part.right)]).simplify()
+            drawn[line] = Strip.join([strip.crop(0, part.x), Strip(_runs(cells)), strip.crop(part.right)])
     return drawn
+
+
+def _runs(cells: Array) -> list[Segment]:
+    """Return a segment for each run of cells with the same two colours."""
+    edges = [0, *(np.flatnonzero((cells[1:] != cells[:-1]).any(axis=1)) + 1).tolist(), len(cells)]
+    return [Segment("▀" * (end - begin), _style(*map(int, cells[begin]))) for begin, end in pairwise(edges)]
+
+
+@lru_cache(4096)
+def _style(*colours: int) -> Style:
+    return Style(color=Color.from_rgb(*colours[:3]), bgcolor=Color.from_rgb(*colours[3:]))
 
 
 def halved(pixels: Array, cell: tuple[int, int]) -> Array:
@@ -53,8 +66,3 @@ def _most_frequent(pixels: Array) -> Array:
     values, counts = np.unique(flat[:, 0] << 16 | flat[:, 1] << 8 | flat[:, 2], return_counts=True)
     value = int(values[counts.argmax()])
     return np.array([value >> 16, value >> 8 & 255, value & 255])
-
-
-def _cell(top: Array, bottom: Array) -> Segment:
-    upper, lower = (Color.from_rgb(*map(int, colour)) for colour in (top, bottom))
-    return Segment("▀", Style(color=upper, bgcolor=lower))

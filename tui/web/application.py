@@ -78,12 +78,19 @@ class Application:
         return self._first_page(request, name=None if ticket is None else ticket.name)
 
     def _first_page(
-        self, request: web.Request, *, name: str | None = None, wrong: str = "", status: int = 200
+        self, request: web.Request, *, name: str | None = None, typed: str = "", wrong: str = "", status: int = 200
     ) -> web.Response:
         texts = self._texts(request)
-        what = texts(self._what_it_is.key, **self._what_it_is.values)
         asks = self._settings.word is not None
-        return pages.start(texts, what_it_is=what, asks_word=asks, name=name, wrong=wrong, status=status)
+        return pages.start(
+            texts, apart=self._apart(texts), asks_word=asks, name=name, typed=typed, wrong=wrong, status=status
+        )
+
+    def _apart(self, texts: Texts) -> str:
+        """How pupils are kept apart, said to a pupil."""
+        if self._what_it_is.key == "isolation.is.none":
+            return texts("serve.start.none")
+        return f"{texts('serve.start.apart')} {texts(self._what_it_is.key, **self._what_it_is.values)}"
 
     async def _enter(self, request: web.Request) -> web.StreamResponse:
         """The class word and a name."""
@@ -91,16 +98,17 @@ class Application:
         if self._gate.tries.are_too_many(address):
             return self._first_page(request, wrong=texts("serve.wrong.often"), status=429)
         form = await self._gate.form(request)
-        word, right = form.get("word", "").strip(), self._settings.word
+        word, right, typed = form.get("word", "").strip(), self._settings.word, form.get("name", "")
         if right is None or not hmac.compare_digest(word.encode(errors="replace"), right.encode(errors="replace")):
             self._gate.tries.add(address)
-            return self._first_page(request, wrong=texts("serve.wrong.word"), status=403)
+            return self._first_page(request, typed=typed, wrong=texts("serve.wrong.word"), status=403)
         try:
-            ticket = Ticket(PUPIL, clean(form.get("name", "")))
+            ticket = Ticket(PUPIL, clean(typed))
         except BadName as error:
-            return self._first_page(request, wrong=texts(str(error)), status=400)
+            return self._first_page(request, typed=typed, wrong=texts(str(error)), status=400)
         if self._tokens.has(ticket):
-            return self._first_page(request, wrong=texts("serve.wrong.name", name=ticket.name), status=409)
+            wrong = texts("serve.wrong.name", name=ticket.name)
+            return self._first_page(request, typed=typed, wrong=wrong, status=409)
         token = self._tokens.make(ticket)
         try:
             await self._links.keep()

@@ -7,8 +7,10 @@ import csv
 import io
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from day6_tui.core.isolation.cell import Words
+from day6_tui.core.session.harmless import one_line
 from day6_tui.tui.web.names import BadName, clean, same_name
 
 COLUMNS = ("name", "姓名", "名字", "学生")
@@ -16,6 +18,9 @@ COLUMNS = ("name", "姓名", "名字", "学生")
 
 LARGEST = 1 << 20
 """Bytes of a list; more is none of a class."""
+
+LONGEST_QUOTE = 40
+"""Characters of a bad line that are shown."""
 
 
 class BadList(Exception):
@@ -26,13 +31,20 @@ class BadList(Exception):
         self.words = Words(key, values)
 
 
+class BadLine(NamedTuple):
+    """A line without a name that fits: its number, its text as far as it is shown, and the key of the reason."""
+
+    line: int
+    text: str
+    why: str
+
+
 @dataclass
 class ClassList:
     """The names in their order, and the lines that have none."""
 
     names: list[str] = field(default_factory=list)
-    bad: list[tuple[int, str]] = field(default_factory=list)
-    """The number of a line and the key of the reason."""
+    bad: list[BadLine] = field(default_factory=list)
 
 
 def read(path: Path) -> ClassList:
@@ -60,7 +72,8 @@ def _decoded(data: bytes, path: Path) -> str:
 
 def _parsed(text: str) -> ClassList:
     found, known = ClassList(), set[str]()
-    rows = csv.reader(io.StringIO(text, newline=""), dialect=_dialect(text))
+    lines = io.StringIO(text, newline="").readlines()
+    rows = csv.reader(lines, dialect=_dialect(text))
     column: int | None = None
     try:
         for row in rows:
@@ -71,11 +84,18 @@ def _parsed(text: str) -> ClassList:
                 if column >= 0:
                     continue
                 column = 0
-            if any(cells):
-                _take(cells[column] if column < len(cells) else "", rows.line_num, found, known)
+            if any(cells) and (why := _take(cells[column] if column < len(cells) else "", found, known)):
+                found.bad.append(_bad_line(lines, rows.line_num, why))
     except csv.Error:
-        found.bad.append((rows.line_num, "serve.class.line"))
+        found.bad.append(_bad_line(lines, rows.line_num, "serve.class.line"))
     return found
+
+
+def _bad_line(lines: list[str], number: int, why: str) -> BadLine:
+    """What stands in a line is somebody's file: it is shown in short and without what could act on a terminal."""
+    text = lines[number - 1].strip()
+    short = text if len(text) <= LONGEST_QUOTE else f"{text[: LONGEST_QUOTE - 1]}…"
+    return BadLine(number, one_line(short), why)
 
 
 def _dialect(text: str) -> type[csv.Dialect]:
@@ -87,14 +107,16 @@ def _dialect(text: str) -> type[csv.Dialect]:
     return Table
 
 
-def _take(text: str, line: int, found: ClassList, known: set[str]) -> None:
+def _take(text: str, found: ClassList, known: set[str]) -> str:
+    """Take the name of a line; returns the key of the reason if it is none."""
+    if not text:
+        return "serve.class.nameless"
     try:
         name = clean(text)
     except BadName as error:
-        found.bad.append((line, str(error)))
-        return
+        return str(error)
     if same_name(name) in known:
-        found.bad.append((line, "serve.class.twice"))
-        return
+        return "serve.class.twice"
     known.add(same_name(name))
     found.names.append(name)
+    return ""

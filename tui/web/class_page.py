@@ -169,7 +169,11 @@ class ClassPage:
             except OrderError as error:
                 raise ValueError(str(error)) from None
             names = roster.everybody() if name == ALL else [name]
-            missed = roster.freeze(order.on) if (name, order.do) == (ALL, "freeze") else roster.order(names, order)
+            if order.do == "freeze":
+                missed = roster.freeze(order.on, None if name == ALL else name)
+                self._feed.tell()
+            else:
+                missed = roster.order(names, order)
             if order.do not in SILENT:
                 count = len(names) - len(missed)
                 await ws.send_json({"t": "sent", "do": order.do, "count": count, "missed": missed})

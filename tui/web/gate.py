@@ -11,6 +11,8 @@ from zlib import crc32
 
 from aiohttp import web
 
+from day6_tui.tui.locale import Texts
+from day6_tui.tui.web import pages
 from day6_tui.tui.web.places import login_name
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.tokens import PUPIL, Ticket, Tokens
@@ -124,11 +126,16 @@ class Gate:
     @web.middleware
     async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         """Refuse what does not come from our pages, and forbid what our pages never do."""
+        texts = Texts(pages.language_for(request, self._settings.lang))
         if not self.is_called_by_name(request):
-            return web.Response(status=421, text="This server has another name.\n")
+            return pages.message(texts, "serve.wrong.host", status=421, leads_back=False)
         if request.method not in ("GET", "HEAD") and not self.is_from_here(request):
             return web.Response(status=403, text="This form does not come from this server.\n")
-        return await handler(request)
+        try:
+            return await handler(request)
+        except (web.HTTPNotFound, web.HTTPMethodNotAllowed) as error:
+            up = "../" * (request.path.count("/") - 1)
+            return pages.message(texts, "serve.wrong.address", status=error.status, up=up)
 
     async def sign(self, request: web.Request, response: web.StreamResponse) -> None:
         """Add the headers to an answer before it is sent."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+from urllib.parse import urlsplit
 
 from day6_tui.tui.web.names import same_name
+from day6_tui.tui.web.options import is_loopback
 from day6_tui.tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
 
 MOST_TEACHERS = 3
@@ -37,6 +39,20 @@ class Links:
         token = self._tokens.make(ticket)
         self._made[ticket.kind, same_name(ticket.name)] = token
         return self.link(token)
+
+    def make_all(self) -> None:
+        """New links for the list. Who chose a name with the class word has none, and would be shut out by it."""
+        for name in self.names:
+            self.make(Ticket(PUPIL, name))
+
+    def is_listed(self, name: str) -> bool:
+        """Whether the pupil is on the list, and so was given a link."""
+        return same_name(name) in map(same_name, self.names)
+
+    @property
+    def are_local(self) -> bool:
+        """Whether only this machine can use the links."""
+        return is_loopback(urlsplit(self._base).hostname or "")
 
     def all_names(self) -> list[str]:
         """The pupils of the list, and then those that chose their names themselves."""

@@ -8,6 +8,9 @@ from aiohttp import web
 
 from day6_tui.tui.locale import LANGUAGES, Texts
 
+LONGEST_TYPED = 64
+"""Characters of the field for the name: more than a name may have, so that it is told and not cut."""
+
 
 def language_for(request: web.Request, default: str) -> str:
     """The language the browser asks for, if we have it."""
@@ -37,16 +40,18 @@ def page(
     return web.Response(text=text, content_type="text/html", status=status)
 
 
-def message(texts: Texts, key: str, *, status: int, up: str = "", **values: object) -> web.Response:
-    """A page that says one thing."""
-    back = f'<p><a href="{up}./">{escape(texts("serve.back"))}</a></p>'
+def message(
+    texts: Texts, key: str, *, status: int, up: str = "", leads_back: bool = True, **values: object
+) -> web.Response:
+    """A page that says one thing; `leads_back`: to the start page."""
+    back = f'<p><a href="{up}./">{escape(texts("serve.back"))}</a></p>' if leads_back else ""
     return page(texts, f"<p>{escape(texts(key, **values))}</p>\n{back}", status=status, up=up)
 
 
 def start(
-    texts: Texts, *, what_it_is: str, asks_word: bool, name: str | None, wrong: str = "", status: int = 200
+    texts: Texts, *, apart: str, asks_word: bool, name: str | None, typed: str = "", wrong: str = "", status: int = 200
 ) -> web.Response:
-    """The first page: what this is, how pupils are kept apart, and the way in."""
+    """The first page: what this is, how pupils are kept apart, and the way in. `typed` is the name that was tried last."""
     parts = [f"<p>{escape(texts('serve.start.what'))}</p>"]
     if name is not None:
         parts.append(
@@ -59,14 +64,14 @@ def start(
             f'<label>{escape(texts("serve.start.word"))} <input name="word" type="password" required autofocus '
             'autocomplete="off" maxlength="200"></label>\n'
             f'<label>{escape(texts("serve.start.name"))} <input name="name" required autocomplete="off" '
-            'maxlength="64"></label>\n'
+            f'maxlength="{LONGEST_TYPED}" value="{escape(typed[:LONGEST_TYPED])}"></label>\n'
             f"<button>{escape(texts('serve.start.enter'))}</button>\n</form>"
         )
     else:
         parts.append(f"<p>{escape(texts('serve.start.by_link'))}</p>")
     if wrong:
         parts.insert(1, f'<p class="wrong" role="alert">{escape(wrong)}</p>')
-    parts.append(f'<p class="apart">{escape(texts("serve.start.apart"))} {escape(what_it_is)}</p>')
+    parts.append(f'<p class="apart">{escape(apart)}</p>')
     return page(texts, "\n".join(parts), status=status)
 
 

@@ -94,8 +94,11 @@ class Server:
             alone = self._settings.word is None and not self._settings.proxied
             return [ONLY_DESKTOP] if alone else []
         found = class_list.read(self._settings.class_file)
-        for line, key in found.bad:
-            self._tell("serve.class.bad", file=str(self._settings.class_file), line=line, reason=Words(key))
+        file = str(self._settings.class_file)
+        for bad in found.bad:
+            self._tell("serve.class.bad", file=file, line=bad.line, text=bad.text, reason=Words(bad.why))
+        if not found.names:
+            self._tell("serve.class.empty", file=file)
         return found.names
 
     # -- where it listens ----------------------------------------------------------------------------------------------

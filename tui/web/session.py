@@ -163,7 +163,7 @@ class Session:
 
     def _over(self, why: str) -> None:
         self.let_go()
-        self.say_bye("taken" if why == "left" else why)
+        self.say_bye(why)
         if why in ("ended", "server") and not self.is_over:
             self.is_over = True
             self._ended(self)

@@ -1,46 +1,59 @@
-"""The teacher's window: the class as a table, the screen of who is chosen, two screens beside each other.
+"""The teacher's window: the class as a table, and the screens that the teacher asks for.
 
-It only draws the roster (`core/classroom/roster.py`) and sends orders; what it shows of a pupil the pupil has told.
+It only draws the roster (`core/classroom/roster.py`) and sends orders; what it shows of a pupil the pupil has told. Nobody is
+watched whose screen is not drawn.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from datetime import date
+import time
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
+from textual.widget import Widget
 
-from day6_tui.core.classroom.note import Note
 from day6_tui.core.classroom.order import MOST_SECONDS, Order
-from day6_tui.core.classroom.roster import IDLE_SECONDS, Row
+from day6_tui.core.classroom.roster import Row
+from day6_tui.core.link.state import DoorState
 from day6_tui.core.session.display import Window
-from day6_tui.tui.cells import cell_len, clip, fit, wrap
+from day6_tui.tui.cells import cell_len, clip, wrap
 from day6_tui.tui.class_link import TeacherLink
+from day6_tui.tui.doors import door_words
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.terminal_keys import encode
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.classroom_screen import ScreenPicture
+from day6_tui.tui.windows.classroom_keys import KEYS, hints
+from day6_tui.tui.windows.classroom_orders import ALL, Orders
+from day6_tui.tui.windows.classroom_screen import Screens, Sight
+from day6_tui.tui.windows.classroom_table import ClassTable, places_for
+from day6_tui.tui.windows.classroom_typing import Typing
+from day6_tui.tui.windows.classroom_words import Words, answer_of
 
 if TYPE_CHECKING:
     from textual.timer import Timer
 
-    from day6_tui.tui.menu import Entry
-
 WATCH_SECONDS = 6.0
-"""For which one order lets us see a screen; renewed three times in it."""
+"""For which one order lets us see a screen; renewed several times in it."""
 TICK_SECONDS = 1.0
-LARGE_ROWS = 18
-"""Rows of the inside with which a screen is seen without taking the whole desktop."""
-PREVIEW_ROWS = 12
-"""Rows of the inside that a screen below the table needs at least."""
-NAME_COLUMNS, LESSON_COLUMNS = 12, 18
+HIDDEN_SECONDS = 2.5
+"""Without a frame, after which the window counts as one that nobody sees."""
+LARGE_ROWS, LARGE_COLUMNS = 18, 78
+"""The inside with which a screen is seen without taking the whole desktop."""
+SIDEWAYS = 8
+"""Columns of a step to the side."""
+WHEEL_ROWS = 3
+MOST_TOLD = 2
+"""Of those who were turned away."""
+EXAMPLE = "anna"
+"""The name in the command that invites."""
 END_TYPING = "ctrl+right_square_bracket"
-"""The key that ends typing for a pupil, as in telnet: every other one goes to the pupil."""
+"""The key that ends typing for a pupil, as in telnet. Every other one goes to the pupil's terminal, but for those that belong to
+the desktop in every terminal (F1 to F9, Alt with digits and arrows, Ctrl-Q)."""
 
 assert WATCH_SECONDS <= MOST_SECONDS
 
@@ -49,43 +62,45 @@ class ClassroomPane(WindowPane[TeacherLink]):
     """Keeps what is chosen and what is seen; everything else is the roster's."""
 
     takes_focus = True
+    key_weight = 5
+    """A teacher needs these keys more often than F4 and F8."""
 
     def __init__(self, window: Window[TeacherLink], look: Look) -> None:
         super().__init__(window, look)
         self._roster = self.model.roster
+        self._table = ClassTable(look, is_room=self.model.is_room)
+        self._screens = Screens(look)
+        self._typing = Typing(self._roster)
+        self._orders = Orders(self)
         self._chosen = ""
         self._compared = ""
         """Whose screen is to be seen beside the chosen one."""
         self._is_large = False
-        self._types = False
-        """Whether keys go to the chosen pupil."""
-        self._is_frozen = False
-        """Whether all were asked to look up last."""
-        self._top = 0
-        self._scrolled = 0
-        """The first row of a screen that is seen large."""
+        self._has_preview = False
+        """Whether the screen of who is chosen is wanted below the table."""
         self._fills_desktop = False
         """Whether the window does because a screen is seen large."""
-        self._said = ""
-        """What an order came to, for the lower edge."""
         self._drawn: tuple[object, ...] = ()
         self._lines: list[list[Segment]] = []
-        self._row_at: dict[int, str] = {}
+        self._invitation_at = range(0)
+        """The lines in which the command to join stands."""
+        self._seen: tuple[str, ...] = ()
+        """Whose screens are drawn."""
         self._watched: tuple[str, ...] = ()
-        self._screens: dict[str, ScreenPicture] = {}
+        self._renewed = self._pulled = 0.0
         self._timer: Timer | None = None
 
     def on_mount(self) -> None:
-        self.model.changed = self.look.wake
         self._timer = self.set_interval(TICK_SECONDS, self._tick)
 
     def on_unmount(self) -> None:
-        self.model.changed = lambda: None
+        self._typing.end()
         self._roster.order(self._watched, Order("unwatch"))
 
     def _tick(self) -> None:
-        self._watch()
         self.look.wake()
+        if time.monotonic() - self._pulled > HIDDEN_SECONDS:
+            self._watch(())
 
     # -- the frame -----------------------------------------------------------------------------------------------------
 
@@ -94,72 +109,85 @@ class ClassroomPane(WindowPane[TeacherLink]):
         return self.look.texts("teacher.title")
 
     def status(self) -> list[Piece]:
+        counts, now = self._counts(), self._happening()
+        has_room = sum(cell_len(piece.text) for piece in (*counts, *now)) <= self.inner_width
+        return [*(counts if has_room else ()), *now]
+
+    def _counts(self) -> list[Piece]:
         texts, colours, rows = self.look.texts, self.look.colours, self._roster.rows()
-        here = sum(row.is_here for row in rows)
-        hands = sum(row.is_here and row.raised is not None for row in rows)
+        here, hands = sum(row.is_here for row in rows), self.model.hands
         stuck = sum(row.is_stuck(self._roster.now) for row in rows)
         pieces = [Piece(f" {texts('teacher.here', here=here, all=len(rows))} ", colours.muted)]
         if hands:
-            pieces.append(Piece(f"{texts('teacher.hands', count=hands)} ", colours.hint))
+            text = texts("teacher.hand") if hands == 1 else texts("teacher.hands", count=hands)
+            pieces.append(Piece(f" {text} ", colours.hint))
         if stuck:
-            pieces.append(Piece(f"{texts('teacher.stuck', count=stuck)} ", colours.warning))
-        if self._types:
-            pieces.append(Piece(f"{texts('teacher.typing', name=self._chosen)} ", colours.error, self._end_typing))
-        elif self._said:
-            pieces.append(Piece(f"{self._said} ", colours.warning))
+            pieces.append(Piece(f" {texts('teacher.stuck', count=stuck)} ", colours.warning))
         return pieces
 
+    def _happening(self) -> list[Piece]:
+        """What the teacher does to the class, and what came of the last order."""
+        texts, colours, pieces = self.look.texts, self.look.colours, []
+        if self._roster.is_frozen:
+            pieces.append(Piece(f" {texts('teacher.frozen')} ", colours.error, self._orders.freeze))
+        if self._typing.is_on:
+            text = texts("teacher.typing", name=self._typing.name)
+            pieces.append(Piece(f" {text} ", colours.error, self._end_typing))
+        elif self._typing.over:
+            pieces.append(Piece(f" {self._over()} ", colours.error, self._end_typing))
+        elif self._orders.said:
+            pieces.append(Piece(f" {self._orders.said} ", colours.strong))
+        return pieces
+
+    def status_right(self) -> list[Piece]:
+        arrows = self._screens.beyond if self._is_large else ""
+        return [Piece(f" {arrows} ", self.look.colours.hint)] if arrows else []
+
     def key_hints(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
-        if self._types:
-            return [("^]", texts("teacher.key.end_typing"))]
-        if not self._roster.rows():
-            return []
-        first = ("Esc", texts("teacher.key.back")) if self._is_large else ("Enter", texts("teacher.key.large"))
-        return [
-            first,
-            ("s", texts("teacher.key.say")),
-            ("o", texts("teacher.key.open")),
-            ("f", texts("teacher.key.thaw" if self._is_frozen else "teacher.key.freeze")),
-            ("t", texts("teacher.key.type")),
-            ("c", texts("teacher.key.compare")),
-        ]
+        if self._typing.is_on:
+            view = "typing"
+        elif self._typing.over:
+            view = "over"
+        elif self._is_large:
+            view = "large"
+        else:
+            view = "table" if self._roster.rows() else "empty"
+        return hints(KEYS[view], self.look, is_frozen=self._roster.is_frozen)
 
     def more_key_hints(self) -> list[tuple[str, str]]:
-        texts = self.look.texts
-        return [
-            ("S O", texts("teacher.key.all")),
-            ("Home", texts("teacher.key.first")),
-            ("h", texts("teacher.key.lower")),
-            ("e", texts("teacher.key.csv")),
-            ("x", texts("teacher.key.end")),
-        ]
+        told = {key for key, _ in self.key_hints()}
+        all_keys = dict.fromkeys(each for view in ("table", "large", "more", "typing") for each in KEYS[view])
+        return [each for each in hints(all_keys, self.look, is_frozen=self._roster.is_frozen) if each[0] not in told]
 
     # -- what is seen --------------------------------------------------------------------------------------------------
 
     def pull(self, now: float) -> bool:
+        self._pulled = now
         rows = self._roster.rows()
         self._keep_chosen(rows)
+        self._typing.follow()
+        self._begin_if_agreed()
         state = (
             self._roster.version,
+            self._roster.is_frozen,
+            int(self._roster.now / 10),
+            self.model.door,
+            self.model.turned_away,
             self.extent,
             self.look.texts.language,
             self.look.glyphs.name,
-            self._chosen,
-            self._compared,
-            self._is_large,
-            self._types,
-            self._said,
-            self._top,
-            self._scrolled,
-            int(self._roster.now / 10),
+            (self._chosen, self._compared, self._is_large, self._has_preview, self._orders.said),
+            (self._typing.name, self._typing.over, self._typing.awaited),
+            (self._table.position, self._screens.top, self._screens.left),
         )
         if state != self._drawn:
             self._drawn = state
-            self._row_at = {}
             self._lines = self._draw(rows)
             self.touch_lines(range(self.inner_height))
             self.touch_status()
+        if self._seen != self._watched or now - self._renewed >= TICK_SECONDS:
+            self._renewed = now
+            self._watch(self._seen)
         return False
 
     def _keep_chosen(self, rows: list[Row]) -> None:
@@ -168,12 +196,10 @@ class ClassroomPane(WindowPane[TeacherLink]):
             self._chosen, self._is_large = (names[0] if names else ""), False
         if self._compared not in names or self._compared == self._chosen:
             self._compared = ""
-        if self._types and not self._may_type():
-            self._types = False
 
     def restyle(self) -> None:
         self._drawn = ()
-        self._screens.clear()
+        self._screens.restyle()
         super().restyle()
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
@@ -181,197 +207,241 @@ class ClassroomPane(WindowPane[TeacherLink]):
 
     def _draw(self, rows: list[Row]) -> list[list[Segment]]:
         width, height = self.inner_width, self.inner_height
+        self._seen, self._invitation_at, self._table.row_at = (), range(0), {}
         if not rows:
-            return self._invitation(width)
+            return self._draw_empty(width)
         if self._is_large:
+            self._seen = tuple(name for name in (self._chosen, self._compared) if name)
             return self._draw_screens(width, height)
-        table = min(len(rows) + 1, height if height < 2 * PREVIEW_ROWS else height // 2)
-        lines = self._table(rows, width, table)
-        if height - table >= PREVIEW_ROWS:
-            lines += self._draw_screens(width, height - table)
+        told, joining = self._draw_turned_away(width), self._draw_joining(width)
+        place = places_for(len(rows), len(told) + len(joining), height, preview=self._has_preview)
+        now, is_frozen = self._roster.now, self._roster.is_frozen
+        lines = self._table.draw(rows, self._chosen, width, place.table, now, is_frozen=is_frozen)
+        if place.preview:
+            self._seen = (self._chosen,)
+            lines.append([Segment(self.look.glyphs.border.horizontal * width, self.look.colours.frame)])
+            lines += self._draw_screens(width, place.preview - 1)
+        lines += [[]] * (height - place.told - len(lines))
+        lines += [*told, *joining][: place.told]
+        self._invitation_at = range(height - place.told + len(told), height)
         return lines
 
-    def _invitation(self, width: int) -> list[list[Segment]]:
+    def _draw_empty(self, width: int) -> list[list[Segment]]:
+        """How somebody joins, or why nobody can."""
+        texts, colours, room = self.look.texts, self.look.colours, max(2, width - 2)
+        if shut := self._shut():
+            lines = _paragraph(shut, room, colours.warning)
+        else:
+            lines = [*_paragraph(texts("teacher.empty"), room, colours.text), []]
+            lines += _paragraph(self.model.invitation(EXAMPLE), room, colours.strong)
+            self._invitation_at = range(1, len(lines) + 1)
+        return [[], *lines, [], *self._draw_turned_away(width)]
+
+    def _draw_joining(self, width: int) -> list[list[Segment]]:
+        """The same below the table, in few words."""
         texts, colours = self.look.texts, self.look.colours
-        lines = [Segment(line, colours.text) for line in wrap(texts("teacher.empty"), max(2, width - 2))]
-        command = Segment(f"  {self.model.invitation('anna')}", colours.strong)
-        return [[], *([Segment(" ", colours.text), line] for line in lines), [], [command]]
+        if shut := self._shut():
+            return [[Segment(line, colours.warning)] for line in wrap(shut, width)]
+        text = texts("teacher.join", command=self.model.invitation(EXAMPLE))
+        return [[Segment(line, colours.muted)] for line in wrap(text, width)]
 
-    def _table(self, rows: list[Row], width: int, height: int) -> list[list[Segment]]:
-        colours, texts = self.look.colours, self.look.texts
-        at = [row.name for row in rows].index(self._chosen)
-        room = max(1, height - 1)
-        self._top = max(0, min(max(at - room + 1, min(self._top, at)), len(rows) - room))
-        heads = (texts("teacher.head.name"), texts("teacher.head.lesson"), texts("teacher.head.state"))
-        head = f"  {fit(heads[0], NAME_COLUMNS)} {fit(heads[1], LESSON_COLUMNS)} {heads[2]}"
-        lines = [[Segment(fit(head, width), colours.muted)]]
-        for row in rows[self._top : self._top + room]:
-            self._row_at[len(lines)] = row.name
-            lines.append(self._table_line(row, width))
-        return lines
+    def _shut(self) -> str:
+        """Why nobody can join now; '' if everybody can."""
+        texts, door = self.look.texts, self.model.door
+        if door is not None and door.state == DoorState.OPEN:
+            return ""
+        if door is None or door.state == DoorState.OPENING:
+            return texts("teacher.opening")
+        key, _, words = door_words(door, self.look.glyphs.ellipsis)
+        if door.state == DoorState.IN_USE:
+            return texts("teacher.port_in_use", port=words["port"])
+        return texts("teacher.shut", reason=door.reason or texts(key, **words))
 
-    def _table_line(self, row: Row, width: int) -> list[Segment]:
-        colours, ellipsis = self.look.colours, self.look.glyphs.ellipsis
-        mark = {self._chosen: self.look.glyphs.chevron, self._compared: "="}.get(row.name, " ")
-        state, style = self._state(row)
-        base = colours.choice if row.name == self._chosen else colours.text if row.is_here else colours.muted
-        name = fit(clip(row.name, NAME_COLUMNS, ellipsis), NAME_COLUMNS)
-        lesson = fit(clip(self._lesson(row.note), LESSON_COLUMNS, ellipsis), LESSON_COLUMNS)
-        left = f"{fit(mark, 1)} {name} {lesson} "
-        rest = max(0, width - cell_len(left))
-        return [Segment(left, base), Segment(fit(clip(state, rest, ellipsis), rest), style)]
-
-    def _lesson(self, note: Note | None) -> str:
-        lesson = note.lesson if note is not None else None
-        return f"{lesson.name} {lesson.step}/{lesson.all}" if lesson is not None else ""
-
-    def _state(self, row: Row) -> tuple[str, Style]:
-        """What needs the teacher most, in words."""
-        texts, colours, now, note = self.look.texts, self.look.colours, self._roster.now, row.note
-        if not row.is_here:
-            return texts("teacher.state.gone"), colours.muted
-        if note is None:
-            return texts("teacher.state.silent"), colours.muted
-        if row.raised is not None:
-            return texts("teacher.state.hand", minutes=int((now - row.raised) / 60)), colours.hint
-        if note.refused:
-            return texts(note.refused), colours.warning
-        if note.trouble is not None:
-            title = note.trouble.title.get(texts.language) or note.trouble.line
-            return title, colours.error if row.is_stuck(now) else colours.warning
-        if note.frozen:
-            return texts("teacher.state.frozen"), colours.muted
-        if row.idle(now) >= IDLE_SECONDS:
-            return texts("teacher.state.idle", minutes=int(row.idle(now) / 60)), colours.muted
-        return " ".join(note.nodes), colours.node
+    def _draw_turned_away(self, width: int) -> list[list[Segment]]:
+        texts, style, ellipsis = self.look.texts, self.look.colours.warning, self.look.glyphs.ellipsis
+        told = [texts(f"teacher.turned.{each.why}", name=each.name) for each in self.model.turned_away[-MOST_TOLD:]]
+        return [[Segment(clip(text, width, ellipsis), style)] for text in told]
 
     def _draw_screens(self, width: int, height: int) -> list[list[Segment]]:
-        """The screen of the chosen pupil, or two beside each other."""
-        names = [name for name in (self._chosen, self._compared) if name]
-        if len(names) == 1:
-            return self._draw_screen(names[0], width, height)
-        half = (width - 1) // 2
-        left, right = (self._draw_screen(name, half, height) for name in names)
-        bar = Segment(self.look.glyphs.border.vertical, self.look.colours.frame)
-        return [[*a, bar, *b] for a, b in zip(left, right, strict=True)]
+        rows = [row for name in self._seen if (row := self._roster.row(name)) is not None]
+        typed_at = self._typing.name if self._typing.is_on else ""
+        sights = [Sight(row, self._remark(row), row.name == typed_at) for row in rows]
+        return self._screens.draw(sights, width, height)
 
-    def _draw_screen(self, name: str, width: int, height: int) -> list[list[Segment]]:
-        """Exactly `height` lines of `width` cells: what is known of a pupil, and the screen."""
-        row, colours, texts = self._roster.row(name), self.look.colours, self.look.texts
-        note = row.note if row is not None else None
-        facts = [name]
-        if note is not None and note.lesson is not None:
-            title = note.lesson.title.get(texts.language) or note.lesson.name
-            facts.append(f"{title} {note.lesson.step}/{note.lesson.all}")
-            if note.lesson.hints:
-                facts.append(texts("teacher.hints", count=note.lesson.hints))
-        if note is not None and note.trouble is not None:
-            facts.append(note.trouble.line)
-        ellipsis = self.look.glyphs.ellipsis
-        head = fit(clip("  ".join(facts), width, ellipsis), width)
-        lines = [[Segment(head, colours.error if self._types and name == self._chosen else colours.strong)]]
-        screen = note.screen if note is not None else None
-        if screen is None:
-            waiting = texts("teacher.no_screen" if row is not None and row.is_here else "teacher.state.gone")
-            lines.append([Segment(fit(f" {clip(waiting, max(1, width - 1), ellipsis)}", width), colours.muted)])
-        else:
-            picture = self._screens.get(name)
-            if picture is None or picture.source is not screen:
-                picture = self._screens[name] = ScreenPicture(screen, colours.terminal)
-            self._scrolled = min(self._scrolled, max(0, screen.rows - (height - 1)))
-            lines += picture.lines(width, height - 1, self._scrolled if self._is_large else 0)
-        blank = [Segment(" " * width, colours.text)]
-        return [*lines, *([blank] * height)][:height]
+    def _remark(self, row: Row) -> Words | None:
+        """What came of the wish to type, or of the last order."""
+        texts, colours = self.look.texts, self.look.colours
+        if row.name == self._typing.name:
+            if self._typing.over:
+                return Words(self._over(), colours.error)
+            refused = row.note.refused if row.note is not None else ""
+            return Words(texts(refused), colours.warning) if refused else None
+        answer = answer_of(row.note, self.look) if row.note is not None and row.is_here else None
+        if row.name == self._typing.awaited and (answer is None or (row.note is not None and row.note.asked)):
+            return Words(texts("teacher.awaited"), colours.hint)
+        return answer
+
+    def _over(self) -> str:
+        return self.look.texts(f"teacher.over.{self._typing.over}", name=self._typing.name)
 
     # -- watching ------------------------------------------------------------------------------------------------------
 
-    def _watch(self) -> None:
+    def _watch(self, names: tuple[str, ...]) -> None:
         """Renew for the screens that are seen; end it for those that no longer are."""
-        seen: list[str] = []
-        if self.display and self._chosen and (self._is_large or self.inner_height >= 2 * PREVIEW_ROWS):
-            seen = [name for name in (self._chosen, self._compared) if name]
-        self._roster.order([name for name in self._watched if name not in seen], Order("unwatch"))
-        self._roster.order(seen, Order("watch", seconds=WATCH_SECONDS))
-        self._watched = tuple(seen)
+        self._roster.order([name for name in self._watched if name not in names], Order("unwatch"))
+        self._roster.order(names, Order("watch", seconds=WATCH_SECONDS))
+        self._watched = names
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
 
     def on_key(self, event: events.Key) -> None:
-        if self._types:
-            self._type(event)
+        if self._typing.name:
+            self._take_key_of_pupil(event)
             event.stop()
             event.prevent_default()
             return
-        actions: dict[str, Callable[[], object]] = {
-            "up": partial(self._scroll if self._is_large else self._move, -1),
-            "down": partial(self._scroll if self._is_large else self._move, 1),
-            "home": self._choose_first,
-            "enter": self._enlarge,
-            "escape": self._shrink,
-            "s": partial(self._ask_to_say, False),
-            "S": partial(self._ask_to_say, True),
-            "o": partial(self._choose_what_to_open, False),
-            "O": partial(self._choose_what_to_open, True),
-            "f": self._freeze,
-            "t": self._ask_to_type,
-            "c": self._show_beside,
-            "h": partial(self._order, Order("lower_hand")),
-            "e": self._ask_for_file,
-            "x": self._ask_to_end,
-        }
-        action = actions.get(event.character or "") or actions.get(event.key)
-        if action is None or (event.key == "escape" and not self._is_large):
+        view = self._in_large() if self._is_large else self._in_table()
+        order = self._asked().get(event.character or "")
+        action = order or view.get(event.character or "") or view.get(event.key)
+        if action is None:
             return
         event.stop()
         event.prevent_default()
-        self._said = ""
+        self._orders.said = ""
+        if order is not None:
+            self._typing.wait_no_longer()
         action()
         self.look.wake()
+
+    def _take_key_of_pupil(self, event: events.Key) -> None:
+        """Send a key; after typing was cut short none does anything until the teacher has seen that."""
+        if event.key == END_TYPING or (self._typing.over and event.key == "escape"):
+            self._end_typing()
+        elif self._typing.is_on and (keys := encode(event.key, event.character)):
+            self._orders.tell_missed(self._typing.send(keys))
+
+    def _asked(self) -> Mapping[str, Callable[[], object]]:
+        """What can be asked of the pupils now."""
+        orders, name = self._orders, self._chosen
+        of_all: dict[str, Callable[[], object]] = {"f": orders.freeze, "i": self._invite, "e": orders.ask_for_file}
+        if not name:
+            return of_all
+        return of_all | {
+            "s": partial(orders.ask_to_say, name),
+            "S": partial(orders.ask_to_say, ALL),
+            "o": partial(orders.choose_what_to_open, name),
+            "O": partial(orders.choose_what_to_open, ALL),
+            "t": self._ask_to_type,
+            "c": self._show_beside,
+            "h": partial(orders.send, name, Order("lower_hand")),
+            "x": partial(orders.ask_to_end, name),
+        }
+
+    def _in_table(self) -> Mapping[str, Callable[[], object]]:
+        page = self._table.page
+        return {
+            "up": partial(self._move, -1),
+            "down": partial(self._move, 1),
+            "pageup": partial(self._move, -page),
+            "pagedown": partial(self._move, page),
+            "home": partial(self._move, -len(self._roster.rows())),
+            "end": partial(self._move, len(self._roster.rows())),
+            "enter": self._enlarge,
+            "v": self._turn_preview,
+            "d": self._forget,
+            "delete": self._forget,
+        }
+
+    def _in_large(self) -> Mapping[str, Callable[[], object]]:
+        scroll, screens = self._screens.scroll, self._screens
+        return {
+            "up": partial(scroll, -1),
+            "down": partial(scroll, 1),
+            "left": partial(scroll, 0, -SIDEWAYS),
+            "right": partial(scroll, 0, SIDEWAYS),
+            "pageup": partial(scroll, -screens.page),
+            "pagedown": partial(scroll, screens.page),
+            "home": screens.scroll_home,
+            "end": screens.scroll_end,
+            "n": partial(self._go_on, 1),
+            "p": partial(self._go_on, -1),
+            "escape": self._shrink,
+        }
 
     def on_click(self, event: events.Click) -> None:
         if self.hit(event.x, event.y) is not None or not self.is_inside(event):
             super().on_click(event)
             return
-        name = self._row_at.get(event.y - self.inner_offset)
-        if name is not None and not self._is_large:
+        line = event.y - self.inner_offset
+        name = self._table.row_at.get(line)
+        if line in self._invitation_at:
+            self._invite()
+        elif name is not None:
             again = name == self._chosen
             self._choose(name)
             if again:
                 self._enlarge()
 
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        event.stop()
+        self._turn_wheel(WHEEL_ROWS)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        event.stop()
+        self._turn_wheel(-WHEEL_ROWS)
+
+    def _turn_wheel(self, rows: int) -> None:
+        (self._screens.scroll if self._is_large else self._table.scroll)(rows)
+        self.look.wake()
+
+    # -- who is chosen and seen ----------------------------------------------------------------------------------------
+
     def _move(self, step: int) -> None:
         names = [row.name for row in self._roster.rows()]
         if names:
-            self._choose(names[(names.index(self._chosen) + step) % len(names)])
-
-    def _choose_first(self) -> None:
-        """Go to who needs the teacher most."""
-        if rows := self._roster.rows():
-            self._choose(rows[0].name)
+            self._choose(names[max(0, min(names.index(self._chosen) + step, len(names) - 1))])
 
     def _choose(self, name: str) -> None:
         self._chosen = name
-        self._watch()
+        self._table.reveal()
         self.look.wake()
 
     def _enlarge(self) -> None:
         """Show the screen; in a small window this takes the whole desktop."""
         if self._chosen and not self._is_large:
-            self._is_large, self._scrolled = True, 0
-            if self.inner_height < LARGE_ROWS:
+            self._is_large = True
+            self._screens.scroll_home()
+            if self.inner_height < LARGE_ROWS or self.inner_width < LARGE_COLUMNS:
                 self._fills_desktop = True
                 self.post_message(self.Enlarged(self))
-            self._watch()
 
     def _shrink(self) -> None:
         self._is_large, self._compared = False, ""
-        if self._fills_desktop:
-            self._fills_desktop = False
+        self._typing.wait_no_longer()
+        self._table.reveal()
+        is_whole = isinstance(self.parent, Widget) and self.parent.size == self.size
+        if self._fills_desktop and is_whole:  # and nobody has put it back meanwhile
             self.post_message(self.Enlarged(self))
-        self._watch()
+        self._fills_desktop = False
 
-    def _scroll(self, step: int) -> None:
-        self._scrolled = max(0, self._scrolled + step)
+    def _go_on(self, step: int) -> None:
+        """To the next or previous pupil who is here, in the order of the table."""
+        rows = self._roster.rows()
+        at = next(at for at, row in enumerate(rows) if row.name == self._chosen)
+        others = rows[at + 1 :] if step > 0 else rows[:at][::-1]
+        name = next((row.name for row in others if row.is_here and row.name != self._compared), None)
+        if name is not None:
+            self._typing.wait_no_longer()
+            self._chosen = name
+            self._screens.scroll_home()
+
+    def _turn_preview(self) -> None:
+        """Show the screen of who is chosen below the table, or no longer."""
+        rows = len(self._roster.rows())
+        self._has_preview = not self._has_preview
+        if rows and self._has_preview and not places_for(rows, 0, self.inner_height, preview=True).preview:
+            self._has_preview = False
+            self._orders.said = self.look.texts("teacher.no_room")
 
     def _show_beside(self) -> None:
         """The next pupil beside this one; once more, the one after."""
@@ -380,111 +450,52 @@ class ClassroomPane(WindowPane[TeacherLink]):
             at = names.index(self._compared) + 1 if self._compared in names else 0
             self._compared = names[at % len(names)]
             self._enlarge()
-            self._watch()
+            self._screens.scroll_home()
+        else:
+            self._orders.said = self.look.texts("teacher.alone")
 
-    # -- orders --------------------------------------------------------------------------------------------------------
+    def _forget(self) -> None:
+        """Take the row of somebody who is gone out of the table."""
+        row, names = self._roster.row(self._chosen), [row.name for row in self._roster.rows()]
+        if row is not None and row.is_here:
+            self._orders.said = self.look.texts("teacher.not_gone", name=row.name)
+        elif row is not None:
+            self._move(1 if row.name != names[-1] else -1)
+            self._roster.forget(row.name)
 
-    def _order(self, order: Order, *, to_all: bool = False) -> None:
-        names = self._roster.everybody() if to_all else [self._chosen]
-        missed = self._roster.order([name for name in names if name], order)
-        if missed:
-            self._said = self.look.texts("teacher.missed", names=", ".join(missed))
+    def _invite(self) -> None:
+        """Show the command to join, to be copied; or why nobody can join."""
+        from day6_tui.tui.class_invitation import Invitation
 
-    def _freeze(self) -> None:
-        """Have all look up, or go on."""
-        self._is_frozen = not self._is_frozen
-        self._order(Order("freeze", on=self._is_frozen), to_all=True)
+        if shut := self._shut():
+            self._orders.said = shut
+        else:
+            command = self.model.invitation(EXAMPLE)
+            self.lay_over(Invitation(self.look, self.look.texts("teacher.invite.text"), command))
 
-    def _ask_to_say(self, to_all: bool) -> None:
-        texts = self.look.texts
-        title = texts("teacher.say.all") if to_all else texts("teacher.say", name=self._chosen)
-
-        def said(text: str) -> str | None:
-            if not text.strip():
-                return texts("teacher.say.nothing")
-            self._order(Order("say", text=text.strip()[:1000]), to_all=to_all)
-            return None
-
-        if to_all or self._chosen:
-            self.ask(title, "", said)
-
-    def _choose_what_to_open(self, to_all: bool) -> None:
-        from day6_tui.tui.menu import Menu
-
-        if to_all or self._chosen:
-            self.lay_over(Menu(self.look, "teacher.open", self._entries(to_all)))
-
-    def _entries(self, to_all: bool) -> list[Entry]:
-        from day6_tui.core.lessons import catalogue
-        from day6_tui.tui.menu import Entry
-        from day6_tui.tui.scenes import SCENES
-
-        texts = self.look.texts
-        lessons = [*catalogue.days(), *catalogue.drills()]
-        found = [
-            Entry(
-                f"{each.name}  {each.title[texts.language]}",
-                texts("teacher.open.lesson"),
-                partial(self._order, Order("lesson", text=each.name), to_all=to_all),
-            )
-            for each in lessons
-        ]
-        return found + [
-            Entry(name, texts("teacher.open.scene"), partial(self._order, Order("scene", text=name), to_all=to_all))
-            for name in SCENES
-        ]
-
-    def _may_type(self) -> bool:
-        row = self._roster.row(self._chosen)
-        return row is not None and row.is_here and row.note is not None and row.note.may_type
+    # -- typing --------------------------------------------------------------------------------------------------------
 
     def _ask_to_type(self) -> None:
-        """Ask the pupil; once allowed, type."""
-        self._enlarge()
-        if self._may_type():
-            self._types, self._said = True, ""
-        else:
-            self._order(Order("ask_to_type"))
-            self._said = self._said or self.look.texts("teacher.asked", name=self._chosen)
+        """Type for who is chosen, if allowed; else ask, and begin with the yes as long as the teacher looks on."""
+        if self._chosen and self._typing.may_begin(self._chosen):
+            self._enlarge()
+            self._typing.begin(self._chosen)
+        elif self._chosen:
+            missed = self._typing.ask(self._chosen)
+            self._orders.tell_missed(missed)
+            if not missed:
+                self._enlarge()
 
-    def _type(self, event: events.Key) -> None:
-        if event.key == END_TYPING:
-            self._end_typing()
-        elif keys := encode(event.key, event.character):
-            self._order(Order("type", text=keys))
+    def _begin_if_agreed(self) -> None:
+        """A yes begins nothing where the teacher has gone on to something else."""
+        name = self._typing.awaited
+        if name and name == self._chosen and self._is_large and self.has_focus and self._typing.may_begin(name):
+            self._typing.begin(name)
 
     def _end_typing(self) -> None:
-        self._types = False
-        self._order(Order("stop_typing"))
+        self._typing.end()
         self.look.wake()
 
-    def _ask_to_end(self) -> None:
-        from day6_tui.tui.question import Answer, Question
 
-        texts, name = self.look.texts, self._chosen
-        answer = Answer("y", texts("teacher.end.yes"), partial(self._roster.order, [name], Order("end")))
-        title = texts("teacher.end", name=name)
-        self.lay_over(Question(self.look, title, texts("teacher.end.text"), [answer], careful=True))
-
-    # -- the report ----------------------------------------------------------------------------------------------------
-
-    def _ask_for_file(self) -> None:
-        self.ask(self.look.texts("teacher.csv"), f"class-{date.today():%Y-%m-%d}.csv", self._write)
-
-    def _write(self, text: str) -> str | None:
-        from pathlib import Path
-
-        from day6_tui.core.lessons.tables import Exists, csv_bytes, write_table
-
-        texts = self.look.texts
-        path = self.model.home / Path(text.strip()).expanduser()
-        heads = [texts(f"teacher.csv.{name}") for name in ("name", "lesson", "step", "steps")]
-        rows = [(name, lesson, step or "", steps or "") for name, lesson, step, steps in self._roster.report()]
-        try:
-            write_table(path, csv_bytes(heads, rows), force=False)
-        except Exists:
-            return texts("teacher.csv.exists", file=path.name)
-        except OSError as error:
-            return error.strerror or str(error)
-        self._said = texts("teacher.csv.written", file=path.name)
-        return None
+def _paragraph(text: str, width: int, style: Style) -> list[list[Segment]]:
+    return [[Segment(f" {line}", style)] for line in wrap(text, width)]

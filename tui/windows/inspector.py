@@ -28,7 +28,8 @@ class InspectorPane(ListPane[Inspector, FindingList]):
         if self.inspector.quiet:
             return [Piece(f" {self.look.texts('inspector.quiet')} ", self.look.colours.muted)]
         errors = sum(finding.level == "error" for finding in self.inspector.findings)
-        text = self.look.texts("inspector.count", errors=errors, all=len(self.inspector.findings))
+        key = "inspector.count.one" if errors == 1 else "inspector.count"
+        text = self.look.texts(key, errors=errors, all=len(self.inspector.findings))
         return [Piece(f" {text} ", self.look.colours.warning if errors else self.look.colours.muted)]
 
     def pull(self, now: float) -> bool:

@@ -2,15 +2,20 @@
 
 import { CLASS_TEXTS } from "./class_texts.js";
 import { Connection } from "./connection.js";
+import { Notice } from "./notice.js";
 import { PupilCard } from "./pupil_card.js";
 import { PupilPane } from "./pupil_pane.js";
-import { line, ordered, report, shownRow } from "./rows.js";
+import { line, names, ordered, report, shownRow } from "./rows.js";
 import { Strip } from "./strip.js";
 import { Texts } from "./texts.js";
 
 const WATCH_SECONDS = 10;
 const WATCH_AGAIN_MS = 4000;
-const NOTICE_MS = 3000;
+const NOTICE_MS = 8000;
+const MISSED_MS = 30_000; // names take longer to read, and somebody has to go and see
+const SILENT = new Set(["watch", "unwatch", "tell", "type"]); // the server answers every other order with {"t":"sent"}
+const TOLD = new Set(["say", "freeze", "scene", "lesson"]); // of the others one sees what they did
+const ALL = "*"; // which nobody is called
 const SCENES = ["turtle", "car", "world", "empty"];
 const SIDE_BY_SIDE = 2;
 
@@ -23,6 +28,9 @@ class Class {
     this._cards = new Map();
     this._panes = [];
     this._lessons = [];
+    this._isFrozen = false;
+    this._unanswered = []; // to whom the orders went that the server has yet to answer
+    this._notice = new Notice(at("notice"));
     this._strip = new Strip(at("strip"), () => this._connection.open());
     this._seen = new Set(); // names of cards that are scrolled into view
     this._sight = new IntersectionObserver((entries) => this._noteSight(entries));
@@ -30,7 +38,7 @@ class Class {
     this._tools();
     this._connection = new Connection("class/ws", null, {
       hello: (message) => this._hello(message),
-      message: (message) => message.t === "rows" && this._take(message),
+      message: (message) => this._hear(message),
       state: (name, count) => this._strip.show(name, count, this._texts),
     });
     setInterval(() => this._watch(), WATCH_AGAIN_MS);
@@ -39,6 +47,7 @@ class Class {
 
   /** The first message may say the language and what lessons there are. */
   _hello(message) {
+    this._unanswered = [];
     if (message.lang && new Texts(message.lang).language !== this._texts.language) {
       this._texts = new Texts(message.lang, CLASS_TEXTS);
       this._write();
@@ -47,35 +56,45 @@ class Class {
     }
     if (Array.isArray(message.lessons)) this._lessons = message.lessons;
     this._fillStart(at("start"), (order) => this._orderAll(order, true));
-    if (message.t === "rows") this._take(message);
   }
 
-  _take({ rows, lessons }) {
-    if (Array.isArray(lessons)) {
-      this._lessons = lessons;
-      this._fillStart(at("start"), (order) => this._orderAll(order, true));
-    }
+  _hear(message) {
+    if (message.t === "rows") this._take(message);
+    else if (message.t === "sent") this._wasSent(message);
+  }
+
+  _take({ rows, frozen }) {
+    this._isFrozen = frozen === true;
     this._rows = ordered(rows.map((row) => shownRow(row, this._texts.language)));
     this._show();
   }
 
   _show() {
     const rows = this._rows;
-    const here = rows.filter((row) => row.state !== "gone").length;
-    const hands = rows.filter((row) => row.hand).length;
-    at("here").textContent = this._texts.say("class.here", { here, all: rows.length });
-    at("hands").textContent = hands ? this._texts.say("class.hands", { count: hands }) : "";
-    document.title = hands ? `✋ ${hands} · ${this._texts.say("class.title")}` : `${this._texts.say("class.title")} · day6`;
+    this._showHeader(rows);
     at("empty").hidden = rows.length > 0;
-    const names = new Set(rows.map((row) => row.name));
+    const known = new Set(rows.map((row) => row.name));
     for (const [name, card] of this._cards) {
-      if (!names.has(name)) this._remove(name, card);
+      if (!known.has(name)) this._remove(name, card);
     }
     rows.forEach((row, place) => this._showCard(row, place));
     for (const pane of this._panes) {
       const row = rows.find((other) => other.name === pane.name);
       if (row) pane.show(row, rows);
     }
+  }
+
+  _showHeader(rows) {
+    const texts = this._texts;
+    const count = (state) => rows.filter((row) => row.state === state).length;
+    const counted = (key, number) => (number ? [texts.say(number === 1 ? `${key}.one` : key, { count: number })] : []);
+    const here = [texts.say("class.here", { here: count("here"), all: rows.length })];
+    at("here").textContent = [...here, ...counted("class.away", count("away")), ...counted("class.full", count("full"))].join(" · ");
+    const hands = rows.filter((row) => row.hand).length;
+    at("hands").textContent = counted("class.hands", hands).join("");
+    document.title = hands ? `✋ ${hands} · ${texts.say("class.title")}` : `${texts.say("class.title")} · day6`;
+    at("frozen").textContent = this._isFrozen ? texts.say("class.frozen") : "";
+    at("freeze").textContent = texts.say(this._isFrozen ? "class.unfreeze" : "class.freeze");
   }
 
   _remove(name, card) {
@@ -115,7 +134,8 @@ class Class {
   _watchedNames() {
     if (document.hidden) return [];
     const small = at("screens").checked && at("large").hidden ? [...this._seen] : [];
-    return [...new Set([...this._panes.map((pane) => pane.name), ...small])];
+    const looked = new Set([...this._panes.map((pane) => pane.name), ...small]);
+    return this._rows.filter((row) => row.runs && looked.has(row.name)).map((row) => row.name);
   }
 
   _watch() {
@@ -149,18 +169,35 @@ class Class {
 
   // -- orders --------------------------------------------------------------------------------------------------------
 
+  /** Returns whether there was a line to the server. */
   _order(name, order) {
+    const { isOpen } = this._connection;
+    if (isOpen && !SILENT.has(order.do)) this._unanswered.push(name);
     this._connection.tell({ t: "order", name, order });
+    if (!isOpen && !SILENT.has(order.do)) this._noticeFor(name).show(this._texts.say("class.unsent"), NOTICE_MS);
+    return isOpen;
   }
 
   _orderAll(order, asks = false) {
-    if (asks && !confirm(this._texts.say("class.confirm", { what: order.shown }))) return;
+    if (asks && !confirm(this._texts.say("class.confirm", { what: order.shown }))) return false;
     delete order.shown;
-    this._order("*", order);
-    const count = this._rows.filter((row) => row.state !== "gone").length;
-    at("notice").textContent = this._texts.say("class.sent", { count });
-    clearTimeout(this._noticeTimer);
-    this._noticeTimer = setTimeout(() => { at("notice").textContent = ""; }, NOTICE_MS);
+    return this._order(ALL, order);
+  }
+
+  /** Where one looks who has just ordered something: the large view covers the page. */
+  _noticeFor(name) {
+    return this._panes.find((pane) => pane.name === name)?.notice ?? this._notice;
+  }
+
+  /** The server says whom an order reached; it answers one after the other. */
+  _wasSent({ do: what, count, missed }) {
+    const texts = this._texts;
+    const name = this._unanswered.shift() ?? ALL;
+    const parts = [];
+    if (TOLD.has(what) && name === ALL) parts.push(texts.say(count || missed.length ? "class.sent" : "class.sent.nobody", { count }));
+    else if (TOLD.has(what) && count) parts.push(texts.say("class.sent.to", { name: line(name) }));
+    if (missed.length) parts.push(texts.say("class.missed", { names: names(missed, texts) }));
+    if (parts.length) this._noticeFor(name).show(parts.join(texts.say("sentences.between")), missed.length ? MISSED_MS : NOTICE_MS);
   }
 
   /** Scenes, and lessons where the server told which there are. */
@@ -193,11 +230,9 @@ class Class {
     at("say").addEventListener("submit", (event) => {
       event.preventDefault();
       const text = at("say-text").value.trim();
-      if (text) this._orderAll({ do: "say", text });
-      at("say-text").value = "";
+      if (text && this._orderAll({ do: "say", text })) at("say-text").value = "";
     });
-    at("freeze").addEventListener("click", () => this._orderAll({ do: "freeze", on: true }));
-    at("unfreeze").addEventListener("click", () => this._orderAll({ do: "freeze", on: false }));
+    at("freeze").addEventListener("click", () => this._orderAll({ do: "freeze", on: !this._isFrozen }));
     at("screens").addEventListener("change", () => {
       if (at("screens").checked) this._watch();
       else for (const name of this._seen) this._order(name, { do: "unwatch" });

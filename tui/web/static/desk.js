@@ -3,14 +3,16 @@
 import { Connection } from "./connection.js";
 import { KeyRow, keepsFocus } from "./key_row.js";
 import { meaning } from "./keys.js";
+import { Notice } from "./notice.js";
 import { Screen, copyText } from "./screen.js";
 import { Strip } from "./strip.js";
 import { Texts, language } from "./texts.js";
-import { dragIsWheel, keepVisible } from "./touch.js";
+import { fingersAreAMouse, keepVisible } from "./touch.js";
 
 const NARROW = 600; // CSS pixels: phones
 const MIDDLE = 1000; // tablets
 const NOTICE_MS = 2500;
+const HINT_MS = 8000; // a sentence that says what to do
 
 const at = (id) => document.getElementById(id);
 const touching = matchMedia("(pointer: coarse)").matches;
@@ -31,6 +33,8 @@ class Desk {
     this._texts = new Texts(this._query.get("lang") || navigator.language);
     this._readOnly = false;
     this._row = null;
+    this._copied = ""; // what the desktop copied last: it is still marked there
+    this._notice = new Notice(at("notice"));
     this._strip = new Strip(at("strip"), () => this._connection.open());
     keepVisible();
     this._screen = new Screen(at("screen"), {
@@ -38,6 +42,7 @@ class Desk {
       label: this._texts.say("screen.label"),
       renderer: this._query.get("renderer") || "auto",
       changed: () => this._connection?.resized(),
+      copies: (text) => this._copies(text),
     });
     this._terminal = this._screen.terminal;
     const address = location.pathname.endsWith("/watch") ? "ws?watch=1" : "ws"; // a pupil may watch another one
@@ -46,7 +51,10 @@ class Desk {
       output: (bytes, done) => this._terminal.write(bytes, done),
       size: (cols, rows) => this._screen.show(cols, rows, this._readOnly),
       latency: (ms) => this._showLatency(ms),
-      state: (name, count) => this._strip.show(name, count, this._texts),
+      state: (name, count) => {
+        const shown = name === "left" && this._readOnly ? "left_by_pupil" : name;
+        this._strip.show(shown, count, this._texts);
+      },
     });
     this._listen();
     this._tools();
@@ -94,7 +102,7 @@ class Desk {
     place.addEventListener("contextmenu", (event) => {
       if (this._terminal.modes.mouseTrackingMode !== "none" && !event.shiftKey) event.preventDefault();
     });
-    dragIsWheel(place, () => place.clientHeight / this._terminal.rows);
+    fingersAreAMouse(place, () => place.clientHeight / this._terminal.rows);
   }
 
   /** Keys belong to the terminal wherever the focus went, except in a dialog and among the tools. */
@@ -123,10 +131,19 @@ class Desk {
     return false;
   }
 
-  _copy() {
-    const text = this._terminal.getSelection();
-    copyText(text);
-    this._notice(text ? "copied" : "nothing_selected");
+  /** The desktop copies: a plain drag in one of its panes does it at once. */
+  async _copies(text) {
+    if (!text) return;
+    this._copied = text;
+    const done = await copyText(text);
+    this._say(done ? "copied" : "copy_needs_click", done ? NOTICE_MS : HINT_MS);
+  }
+
+  /** What is selected on this page, or else in the desktop. */
+  async _copy() {
+    const text = this._terminal.getSelection() || this._copied;
+    if (text && (await copyText(text))) this._say("copied", NOTICE_MS);
+    else this._say(touching ? "nothing_selected.touch" : "nothing_selected", HINT_MS);
   }
 
   /** Paste with a button: browsers show the clipboard only to https and this machine, else a field takes it. */
@@ -202,11 +219,8 @@ class Desk {
     place.dataset.slow = String(ms > 150);
   }
 
-  _notice(key) {
-    const place = at("notice");
-    place.textContent = this._texts.say(key);
-    clearTimeout(this._noticeTimer);
-    this._noticeTimer = setTimeout(() => { place.textContent = ""; }, NOTICE_MS);
+  _say(key, milliseconds) {
+    this._notice.show(this._texts.say(key), milliseconds);
   }
 
   /** Everything that is written on the page, in its language. */

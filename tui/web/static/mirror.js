@@ -45,17 +45,23 @@ export class Mirror {
     this._terminal.write(`\x1b[?25l\x1b[?7l${text}`);
   }
 
-  focus() {
-    this._terminal.focus();
+  /** Take the picture away. Written, not reset: what was written before is drawn later and would come back. */
+  clear() {
+    if (!this._shown) return;
+    this._shown = "";
+    this._terminal.write("\x1b[2J");
   }
 
   _scale() {
     const { offsetWidth, offsetHeight } = this._area;
     const { clientWidth, clientHeight } = this._place;
     if (!offsetWidth || !offsetHeight || !clientWidth) return;
+    if (!clientHeight) return;
+    const scale = Math.min(clientWidth / offsetWidth, clientHeight / offsetHeight);
+    const [left, top] = [clientWidth - offsetWidth * scale, clientHeight - offsetHeight * scale].map((rest) => rest / 2);
     const { style } = this._terminal.element;
     style.transformOrigin = "0 0";
-    style.transform = `scale(${Math.min(clientWidth / offsetWidth, clientHeight ? clientHeight / offsetHeight : Infinity)})`;
+    style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
   }
 
   close() {

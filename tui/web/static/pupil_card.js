@@ -27,22 +27,24 @@ export class PupilCard {
     this._find("hand").addEventListener("click", lower);
   }
 
-  /** Show a row (`rows.js`); with `screens` its screen, too. */
+  /** Show a row (`rows.js`); with `screens` its screen, too. Of who is not there it says only that, and the lesson where it ended. */
   show(row, screens) {
     const { _find: find, _texts: texts } = this;
     this.element.dataset.state = row.state;
-    this.element.classList.toggle("hand-up", row.hand && row.state !== "gone");
+    this.element.classList.toggle("hand-up", row.hand);
     put(find("name"), row.shownName);
     put(find("state"), texts.say(`state.${row.state}`));
-    for (const badge of ["hand", "watched", "frozen"]) find(badge).hidden = !row[badge] || row.state === "gone";
-    this._showLesson(row.lesson);
+    for (const badge of ["hand", "watched", "seen", "frozen"]) find(badge).hidden = !row[badge];
     find("hand").title = texts.say("pupil.lower", { name: row.shownName });
+    find("lesson").hidden = !row.runs && !row.lesson;
+    this._showLesson(row.lesson);
     find("trouble").hidden = !row.trouble;
     if (row.trouble) put(find("trouble"), [row.trouble.title, row.trouble.line].filter(Boolean).join(" — "));
-    const nodes = row.nodes.length ? texts.say("pupil.nodes", { nodes: row.nodes.join(" ") }) : texts.say("pupil.no_nodes");
-    put(find("nodes"), nodes);
+    find("nodes").hidden = !row.runs;
+    put(find("nodes"), row.nodes.length ? texts.say("pupil.nodes", { nodes: row.nodes.join(" ") }) : texts.say("pupil.no_nodes"));
     find("idle").hidden = row.idle < IDLE_SECONDS;
     put(find("idle"), texts.say("pupil.idle", { minutes: Math.floor(row.idle / 60) }));
+    find("open").hidden = !row.runs;
     find("open").setAttribute("aria-label", `${texts.say("pupil.open")}: ${row.shownName}`);
     this._showScreen(screens ? row.screen : null);
   }
@@ -66,7 +68,6 @@ export class PupilCard {
       this._mirror = null;
       return;
     }
-    place.style.aspectRatio = `${screen.cols} / ${screen.rows * 2}`;
     this._mirror ??= new Mirror(place);
     this._mirror.show(screen);
   }

@@ -1,40 +1,38 @@
 /** One pupil opened large: his screen, and what can be done for him alone. */
 
 import { Mirror } from "./mirror.js";
+import { Notice } from "./notice.js";
 import { fromTemplate } from "./pupil_card.js";
 
+const FOR_DESKTOPS = ".say input, .say button, .start, .freeze, .ask, .stop, .end"; // of no use while none runs
+
 export class PupilPane {
-  /** `order(order)` sends to this pupil; `close()` and `beside(name)` are for the page. */
+  /** `order(order)` sends to this pupil and returns whether there was a line; `close()` and `beside(name)` are for the page. */
   constructor(name, texts, { order, close, beside, fillStart }) {
     this.name = name;
     this.element = fromTemplate("pane", texts);
     this._texts = texts;
     this._order = order;
-    this._asked = false;
-    this._typing = false;
+    this._row = null;
+    this._hasJustAsked = false;
     this._others = "";
     this._find = (what) => this.element.querySelector(`.${what}`);
-    this._mirror = new Mirror(this._find("mirror"), (keys) => this._typing && order({ do: "type", text: keys }));
+    this.notice = new Notice(this._find("sent"));
+    this._mirror = new Mirror(this._find("mirror"), (keys) => this._row?.mayType && order({ do: "type", text: keys }));
     const acts = {
       close,
-      freeze: () => order({ do: "freeze", on: true }),
-      unfreeze: () => order({ do: "freeze", on: false }),
-      ask: () => {
-        order({ do: "ask_to_type" });
-        this._asked = true;
-        this._hint();
-      },
+      freeze: () => order({ do: "freeze", on: !this._row.frozen }),
+      ask: () => this._ask(),
       stop: () => order({ do: "stop_typing" }),
       end: () => {
-        if (confirm(texts.say("large.end.confirm", { name: this._shownName }))) order({ do: "end" });
+        if (confirm(texts.say("large.end.confirm", { name: this._row.shownName }))) order({ do: "end" });
       },
     };
     for (const [what, act] of Object.entries(acts)) this._find(what).addEventListener("click", act);
     this._find("say").addEventListener("submit", (event) => {
       event.preventDefault();
       const field = this._find("say").querySelector("input");
-      if (field.value.trim()) order({ do: "say", text: field.value.trim() });
-      field.value = "";
+      if (field.value.trim() && order({ do: "say", text: field.value.trim() })) field.value = "";
     });
     fillStart(this._find("start"), order);
     this._find("beside").addEventListener("change", (event) => {
@@ -44,25 +42,47 @@ export class PupilPane {
   }
 
   show(row, rows) {
-    this._shownName = row.shownName;
+    this._row = row;
+    this._hasJustAsked = false; // now the desktop has said what is true
+    const texts = this._texts;
     this._find("name").textContent = row.shownName;
+    this._find("state").textContent = texts.say(`state.${row.state}`);
     const field = this._find("say").querySelector("input");
-    field.placeholder = this._texts.say("large.say", { name: row.shownName });
+    field.placeholder = texts.say("large.say", { name: row.shownName });
     field.setAttribute("aria-label", field.placeholder);
-    this._offerOthers(rows.filter((other) => other.name !== row.name));
-    if (row.screen) this._mirror.show(row.screen);
-    if (row.mayType || row.refused) this._asked = false;
-    this._typing = row.mayType;
-    this._refused = row.refused;
+    this._offerOthers(rows.filter((other) => other.runs && other.name !== row.name));
+    for (const tool of this.element.querySelectorAll(FOR_DESKTOPS)) tool.disabled = !row.runs;
+    this._find("freeze").textContent = texts.say(row.frozen ? "large.unfreeze" : "large.freeze");
     this._find("ask").hidden = row.mayType;
     this._find("stop").hidden = !row.mayType;
-    this._waits = !row.screen;
+    this._showScreen(row);
+    this._hint();
+  }
+
+  /** The picture of a desktop that has ended is taken away: nobody shall take it for the present. */
+  _showScreen({ runs, screen, state, shownName }) {
+    if (!runs) this._mirror.clear();
+    else if (screen) this._mirror.show(screen);
+    this._find("mirror").hidden = !runs;
+    this._find("nobody").hidden = runs;
+    if (!runs) this._find("nobody").textContent = this._texts.say(`large.${state}`, { name: shownName });
+  }
+
+  _ask() {
+    this._hasJustAsked = this._order({ do: "ask_to_type" });
     this._hint();
   }
 
   _hint() {
-    const key = this._typing ? "large.typing" : this._asked ? "large.asked" : this._waits ? "large.waiting" : "";
-    this._find("hint").textContent = key ? this._texts.say(key, { name: this._shownName }) : this._refused || "";
+    const { runs, mayType, asked, refused, screen, shownName } = this._row;
+    let text = "";
+    if (!runs) text = "";
+    else if (this._hasJustAsked) text = "…";
+    else if (mayType) text = this._texts.say("large.typing", { name: shownName });
+    else if (asked) text = this._texts.say("large.asked", { name: shownName });
+    else if (refused) text = refused;
+    else if (!screen) text = this._texts.say("large.waiting");
+    this._find("hint").textContent = text;
   }
 
   /** The choice of a second pupil; made anew only when the class changed, so that it can be used. */

@@ -4,6 +4,7 @@
  */
 
 const LONGEST_TEXT = 120;
+const LONGEST_NAME = 60;
 const MOST_NODES = 40;
 const LONGEST_SCREEN = 200_000;
 const MOST_COLUMNS = 500;
@@ -15,6 +16,11 @@ export function line(value, longest = LONGEST_TEXT) {
   const clean = value.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, " ").trim();
   const characters = [...clean];
   return characters.length > longest ? characters.slice(0, longest - 1).join("") + "…" : clean;
+}
+
+/** Names one after the other, as the language does it. */
+export function names(several, texts) {
+  return several.map((name) => line(String(name), LONGEST_NAME)).join(texts.say("names.between"));
 }
 
 function whole(value) {
@@ -49,29 +55,48 @@ function screenOf(value) {
   return cols && rows ? { cols, rows, ansi: harmlessScreen(value.ansi) } : null;
 }
 
-/** A row as the page shows it. `name` stays as it is: orders go to it. */
-export function shownRow(row, language) {
+/** In the order in which they come on the page: with and without a tab, who found no room, who has left, who never came. */
+const STATES = ["here", "away", "full", "gone", "absent"];
+
+/** Whether the desktop runs: only then there is something to see, and somebody to take orders. */
+export function runs(state) {
+  return state === "here" || state === "away";
+}
+
+/** What a desktop says of itself now; the last word of one that has ended is not true any more. */
+function nowOf(row) {
   const nodes = Array.isArray(row.nodes) ? row.nodes : [];
   return {
-    name: String(row.name),
-    shownName: line(String(row.name), 60),
-    state: ["here", "away", "gone"].includes(row.state) ? row.state : "gone",
-    lesson: lessonOf(row.lesson, language),
-    trouble: troubleOf(row.trouble, language),
     nodes: nodes.slice(0, MOST_NODES).map((node) => line(node, 80)).filter(Boolean),
     hand: row.hand === true,
     idle: whole(row.idle),
     watched: row.watched === true,
+    seen: row.seen === true,
     frozen: row.frozen === true,
+    asked: row.asked === true,
     mayType: row.may_type === true,
     refused: line(row.refused),
     screen: screenOf(row.screen),
   };
 }
 
-/** Raised hands first, who is gone last; otherwise as the server has them. */
+/** A row as the page shows it. `name` stays as it is: orders go to it. */
+export function shownRow(row, language) {
+  const state = STATES.includes(row.state) ? row.state : "gone";
+  return {
+    name: String(row.name),
+    shownName: line(String(row.name), LONGEST_NAME),
+    state,
+    runs: runs(state),
+    lesson: lessonOf(row.lesson, language),
+    trouble: troubleOf(row.trouble, language),
+    ...nowOf(runs(state) ? row : {}),
+  };
+}
+
+/** Raised hands first, who is not there last; otherwise as the server has them. */
 export function ordered(rows) {
-  const rank = (row) => (row.state === "gone" ? 2 : row.hand ? 0 : 1);
+  const rank = (row) => (row.runs ? Number(!row.hand) : STATES.indexOf(row.state));
   return [...rows].sort((a, b) => rank(a) - rank(b));
 }
 
@@ -87,7 +112,7 @@ export function report(rows, texts) {
   const lines = rows.map((row) => [
     row.shownName, texts.say(`state.${row.state}`), row.lesson?.title ?? "", row.lesson?.step ?? "", row.lesson?.all ?? "",
     row.lesson ? Number(row.lesson.solved) : "", row.lesson?.hints ?? "", row.trouble?.title ?? "",
-    row.trouble?.line ?? "", row.idle, row.hand ? 1 : 0, row.nodes.join(" "),
+    row.trouble?.line ?? "", row.runs ? row.idle : "", row.hand ? 1 : 0, row.nodes.join(" "),
   ]);
   return "\ufeff" + [texts.lines("report.columns"), ...lines].map((cells) => cells.map(csvCell).join(",") + "\r\n").join("");
 }

@@ -25,17 +25,14 @@ function hasFastGraphics() {
   return context !== null;
 }
 
-/** What programs may do with the clipboard: fill it (OSC 52), never read it. */
-const CLIPBOARD = {
-  readText: () => "",
-  writeText: (_selection, text) => copyText(text),
-};
-
-/** Fill the clipboard. Where the page is not https and not this machine, browsers allow it only soon after a key or click. */
+/**
+ * Fill the clipboard; returns whether the browser did it. Where the page is not https and not this machine, browsers allow it only
+ * soon after a key or click.
+ */
 export async function copyText(text) {
-  if (!text) return;
   try {
     await navigator.clipboard.writeText(text);
+    return true;
   } catch {
     const answer = (event) => {
       event.preventDefault();
@@ -43,8 +40,9 @@ export async function copyText(text) {
       event.clipboardData.setData("text/plain", text);
     };
     document.addEventListener("copy", answer, { capture: true, once: true });
-    document.execCommand("copy");
+    const done = document.execCommand("copy");
     document.removeEventListener("copy", answer, { capture: true });
+    return done;
   }
 }
 
@@ -54,8 +52,8 @@ export function harmless(text) {
 }
 
 export class Screen {
-  /** Opens a terminal in `place`; `changed()` is called when the number of cells changed. */
-  constructor(place, { fontSize, label, renderer = "auto", changed }) {
+  /** Opens a terminal in `place`; `changed()` is called when the number of cells changed, `copies(text)` when a program copies. */
+  constructor(place, { fontSize, label, renderer = "auto", changed, copies }) {
     this._place = place;
     this._changed = changed;
     this._whole = false;
@@ -76,7 +74,10 @@ export class Screen {
     this._fit = new FitAddon();
     this.terminal.loadAddon(this._fit);
     this.terminal.loadAddon(new UnicodeGraphemesAddon());
-    this.terminal.loadAddon(new ClipboardAddon(undefined, CLIPBOARD));
+    this.terminal.loadAddon(new ClipboardAddon(undefined, {
+      readText: () => "", // programs may fill the clipboard (OSC 52), never read it
+      writeText: (_selection, text) => copies(text),
+    }));
     this.terminal.open(place);
     this.terminal.loadAddon(new ImageAddon({ storageLimit: 32, showPlaceholder: false, iipSupport: false }));
     this.terminal.textarea.setAttribute("aria-label", label);

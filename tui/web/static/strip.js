@@ -3,7 +3,10 @@
 const PATIENCE_MS = 600; // a quick beginning or reconnect needs no words
 
 /** States with a button, and its text. */
-const BUTTONS = { lost: "again", server: "again", full: "again", taken: "take", ended: "start", idle: "start", disk: "start" };
+const BUTTONS = {
+  lost: "again", server: "again", full: "again", taken: "take", left: "start", left_by_pupil: "start", ended: "start", idle: "start",
+  disk: "start",
+};
 const QUIET = new Set(["connecting", "lost"]);
 
 export class Strip {

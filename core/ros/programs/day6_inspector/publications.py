@@ -16,8 +16,8 @@ from day6_tui.core.ros.programs.day6_inspector.insides import Process
 if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
 
-SHORT = 3.0
-"""Seconds: a publisher that lived longer was heard if anybody listened."""
+SHORT = 1.5
+"""Seconds: a publisher that lived longer was heard if anybody listened, and a person who stops a program needs about that long."""
 
 KEPT = 30.0
 QUIET = 1.0
