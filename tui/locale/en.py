@@ -1258,7 +1258,8 @@ commands:
     "wheelhouse.no_internet": "no internet: what is needed could not be fetched ({reason}), and nothing was written",
     "wheelhouse.done": "{count} wheels, {size} MB in {folder}",
     "wheelhouse.next": "how to install them is in {file}",
-    "wheelhouse.guide.unix": "Linux, Raspberry Pi OS, macOS",
+    "wheelhouse.guide.unix": "Linux, Raspberry Pi OS, macOS:",
+    "wheelhouse.guide.windows": "Windows (PowerShell):",
     "wheelhouse.guide.other": "\nFor another version of Python that is named above write its number in place of {python}.\n",
     "wheelhouse.guide": """\
 Installing day6-tui without internet

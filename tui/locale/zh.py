@@ -1400,7 +1400,8 @@ TEXTS = {
     "wheelhouse.no_internet": "没有网络：需要的文件没法下载（{reason}），什么都没有写",
     "wheelhouse.done": "{count} 个 wheel，共 {size} MB，在 {folder}",
     "wheelhouse.next": "怎么安装，写在 {file} 里",
-    "wheelhouse.guide.unix": "Linux、树莓派、macOS",
+    "wheelhouse.guide.unix": "Linux、树莓派、macOS：",
+    "wheelhouse.guide.windows": "Windows（PowerShell）：",
     "wheelhouse.guide.other": "\n如果用上面列出的另一个 Python 版本，就把 {python} 换成那个版本号。\n",
     "wheelhouse.guide": """\
 不联网安装 day6-tui

@@ -23,11 +23,10 @@ def _guide(texts: Texts, targets: list[Target]) -> str:
         install.append((unix, f"python{python} -m venv ~/day6 && ~/day6/bin/{_INSTALL}"))
         run.append((unix, "~/day6/bin/day6-tui"))
     if any(target.platform.os_name == "nt" for target in targets):
-        check.append(("Windows (PowerShell)", "py check.py"))
-        install.append(
-            ("Windows (PowerShell)", f"py -{python} -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\{_INSTALL}")
-        )
-        run.append(("Windows (PowerShell)", "& $HOME\\day6\\Scripts\\day6-tui"))
+        windows = texts("wheelhouse.guide.windows")
+        check.append((windows, "py check.py"))
+        install.append((windows, f"py -{python} -m venv $HOME\\day6; & $HOME\\day6\\Scripts\\{_INSTALL}"))
+        run.append((windows, "& $HOME\\day6\\Scripts\\day6-tui"))
     return texts(
         "wheelhouse.guide",
         targets="\n".join(f"  {target}" for target in targets),
@@ -39,7 +38,7 @@ def _guide(texts: Texts, targets: list[Target]) -> str:
 
 
 def _steps(steps: list[tuple[str, str]]) -> str:
-    return "\n".join(f"   {system}:\n     {command}" for system, command in steps)
+    return "\n".join(f"   {system}\n     {command}" for system, command in steps)
 
 
 def checker(targets: list[Target]) -> str:
