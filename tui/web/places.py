@@ -42,6 +42,11 @@ def login_name() -> str:
         return "student"
 
 
+def own_home(given: Path | None) -> Path:
+    """Return the folder that is ~ in the desktop of a user who is alone."""
+    return (default_home() if given is None else given).expanduser().resolve()
+
+
 class Places:
     """The folders of one class."""
 
@@ -74,7 +79,7 @@ class Places:
         """The cell of a user who is alone: the user's own runtime folder, so that all of the user's programs share a graph."""
         return Cell(
             name=login_name(),
-            home=(default_home() if home is None else home).expanduser().resolve(),
+            home=own_home(home),
             runtime=base_folders()[0].resolve(),
             limits=limits,
         )

@@ -22,7 +22,7 @@ from day6_tui.core.link.file_lock import FileLock
 from day6_tui.tui.web import class_list
 from day6_tui.tui.web.application import Application
 from day6_tui.tui.web.links import Links
-from day6_tui.tui.web.places import Places, login_name
+from day6_tui.tui.web.places import Places, login_name, own_home
 from day6_tui.tui.web.sessions import Sessions, Tell
 from day6_tui.tui.web.settings import Settings
 from day6_tui.tui.web.tokens import PUPIL, TEACHER, Ticket, Tokens
@@ -150,7 +150,8 @@ class Server:
             self._sessions.say_bye()
             self._tell("serve.kept", number=len(self._sessions.running))
         else:
-            self._tell("serve.ending", number=len(self._sessions.running), folder=str(self._places.homes))
+            kept = own_home(self._settings.home) if self._settings.proxied else self._places.homes
+            self._tell("serve.ending", number=len(self._sessions.running), folder=str(kept))
             await self._sessions.end_all()
         if self._runner is not None:
             await self._runner.cleanup()

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from day6_tui.core.graph.graph import Graph
 
 SHORT = 1.5
-"""Seconds: a publisher that lived longer was heard if anybody listened, and a person who stops a program needs about that long."""
+"""Seconds: a publisher that lived longer was heard if anybody listened; and stopping a program takes a person about so long."""
 
 KEPT = 30.0
 QUIET = 1.0
