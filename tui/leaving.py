@@ -96,5 +96,7 @@ class Leaving:
         if lost:
             told = self._look.texts("quit.was_lost", what="; ".join(lost))
             self._app.exit(return_code=1, message=f"{why}\n{told}" if why else told)
+        elif why:
+            self._app.exit(message=why)
         else:
-            self._app.exit(message=why or None)
+            self._app.exit()
