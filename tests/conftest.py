@@ -29,7 +29,7 @@ ROOT = TESTS.parent
 sys.path.insert(0, str(TESTS / "stepped"))
 
 from rights import plain_user  # noqa: E402, F401
-from short_folder import make_short_folder  # noqa: E402
+from short_folder import make_short_folder, remove_short_folders  # noqa: E402
 from todays import PARTS, today  # noqa: E402
 
 if importlib.util.find_spec("day6_tui") is None:
@@ -221,4 +221,4 @@ def short_folder() -> Iterator[Path]:
 
 def pytest_unconfigure() -> None:
     """Take the folders of this run away."""
-    shutil.rmtree(OWN, ignore_errors=True)
+    remove_short_folders()

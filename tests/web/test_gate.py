@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import re
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 
 import aiohttp
 import pytest
 from serving import WORD, Browser, Serving, browser, run
+from short_folder import make_short_folder
 
 from day6_tui.tui.web.links import Links
 from day6_tui.tui.web.tokens import Tokens
@@ -199,9 +201,10 @@ def test_who_knows_the_word_chooses_a_name_that_nobody_has(class_server: Serving
 
 
 @pytest.fixture
-def tried(class_server: Serving) -> Serving:
+def tried() -> Iterator[Serving]:
     """A server of its own: its address is shut out afterwards."""
-    return Serving(class_server.folder.parent / f"{class_server.folder.name}-t", "--word", WORD, "--isolation", "none")
+    with Serving(make_short_folder("d6w-"), "--word", WORD, "--isolation", "none") as serving:
+        yield serving
 
 
 def test_tries_by_the_thousand_are_refused_and_a_right_link_is_not(tried: Serving) -> None:
