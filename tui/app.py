@@ -447,7 +447,7 @@ class Day6App(TerminalApp):
             self.desktop.yield_to_full_terminals()
         again = self.notices.expire(now) or again
         if not self.frames.rate or now - self._barred >= BAR_SECONDS:
-            self._barred = now
+            self._barred = now if self.machine.desk is not None else 0.0  # the first look at the desk does not wait
             self.top.pull(now)
             self.bottom.pull(now)
         else:

@@ -128,8 +128,7 @@ def test_the_teacher_gets_links_to_print_and_makes_new_ones(class_server: Servin
 @pytest.fixture
 def listed(class_server: Serving) -> Serving:
     """A server of its own, to be started twice."""
-    folder = class_server.folder.parent / f"{class_server.folder.name}-l"
-    folder.mkdir()
+    folder = make_short_folder("d6w-")
     (folder / "pupils.csv").write_text("anna\nbert\n", encoding="utf-8")
     return Serving(folder, "--class", str(folder / "pupils.csv"), "--word", WORD, "--isolation", "none")
 
