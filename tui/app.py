@@ -344,7 +344,11 @@ class Day6App(TerminalApp):
                 return  # while leaving, there is nothing left to receive keys
             self.desktop.keep_keyboard()
             self.classroom.typed_at = time.monotonic()
-        await survive(self, event, super().on_event(event))
+        await super().on_event(event)
+
+    async def hand_over(self, event: events.Event) -> None:
+        self.desktop.keep_keyboard()
+        await super().hand_over(event)
 
     async def _on_message(self, message: Message) -> None:
         handling = super()._on_message(message)

@@ -28,11 +28,7 @@ class Line(Input):
         await survive(self.app, event, super().on_event(event))
 
     async def on_key(self, event: events.Key) -> None:
-        if not self.screen.is_active:  # closed by a key before this one, which is meant for what lay below
-            event.stop()
-            event.prevent_default()
-            self.app.post_message(events.Key(event.key, event.character))
-        elif not event.is_printable:
+        if not event.is_printable:
             event.stop()
             event.prevent_default()
             await self.app._check_bindings(event.key)

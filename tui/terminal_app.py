@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from textual import events
 from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.geometry import Size
 from textual.screen import Screen
 
 from day6_tui.tui.frame_screen import FrameScreen
+from day6_tui.tui.key_order import KeyOrder
 from day6_tui.tui.keyboard import sturdy
 from day6_tui.tui.pixels.app import PictureApp
 from day6_tui.tui.poor_terminals import filters_for
+from day6_tui.tui.survival import survive
 
 WAITING_OUTPUT = 3
 """Number of writes still waiting for the terminal at which the next frame is postponed."""
@@ -46,6 +49,21 @@ class DeskScreen(FrameScreen):
 
 class TerminalApp(PictureApp):
     """An application with a `look`."""
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._key_order = KeyOrder(self, self.hand_over)
+
+    async def on_event(self, event: events.Event) -> None:
+        if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
+            await self._key_order.take(event)
+        else:
+            await survive(self, event, super().on_event(event))
+
+    async def hand_over(self, event: events.Event) -> None:
+        """A key or a pasted text is to be given to what has the keyboard; all before it have been worked off."""
+        if not self._exit:  # while leaving, there is nothing left to receive keys
+            await survive(self, event, super().on_event(event))
 
     def get_driver_class(self) -> type[Driver]:
         return sturdy(super().get_driver_class())

@@ -44,6 +44,8 @@ class TerminalPane(Pane):
     """Shows a terminal of the desk. Before it has got one, it keeps the keys for it."""
 
     help_key = "terminal"
+    LETTERS_STAY = True
+    """The keyboard is where it was after a letter (see KeyOrder)."""
 
     class Said(PaneMessage):
         """Base of this pane's messages."""

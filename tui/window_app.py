@@ -47,7 +47,6 @@ from day6_tui.tui.options import Options
 from day6_tui.tui.pane import Pane, Piece
 from day6_tui.tui.pane_host import PaneHost
 from day6_tui.tui.settings import Settings
-from day6_tui.tui.survival import survive
 from day6_tui.tui.tabs import Tab, tab_pieces
 from day6_tui.tui.terminal_app import TerminalApp
 from day6_tui.tui.terminal_trouble import TerminalTrouble
@@ -227,9 +226,6 @@ class WindowApp(TerminalApp):
 
     def _handle_exception(self, error: Exception) -> None:
         leave(self, error)
-
-    async def on_event(self, event: events.Event) -> None:
-        await survive(self, event, super().on_event(event))
 
     def on_terminal_trouble(self, event: TerminalTrouble) -> None:
         self._hint, self._hint_until = self.look.texts(event.key), time.monotonic() + HINT_SECONDS

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 from fakes import FakeDesk, FakeSimulation, turtle
-from screens import opened, screen_lines, screen_text, step
+from screens import opened, screen_lines, screen_text, step, step_until
 from textual import events
 
 from day6_tui.tui.menu import Entry, Menu
@@ -227,9 +227,10 @@ async def test_every_page_of_the_manual_is_reached_by_tab_and_by_searching(desk:
             seen.add(screen_lines(app)[1].partition("Help: ")[2].partition(" ━")[0])
         assert seen == {app.look.texts(f"manual.{page}") for page in PAGES}
         burst(app, "tab", *"tread", "ctrl+u", *"Randomize")
-        await step(app, pilot)
-        await step(app, pilot)
-        assert "Help: Joint sliders" in screen_lines(app)[1] and "A slider for every joint" in screen_text(app)
+        await step_until(
+            app, pilot, lambda: "A slider for every joint" in screen_text(app)
+        )  # Textual reads Markdown aside
+        assert "Help: Joint sliders" in screen_lines(app)[1]
         await pilot.press("enter")
         await step(app, pilot)
         assert "Help: Joint sliders" in screen_lines(app)[1] and "type to search" in screen_text(app)

@@ -34,14 +34,6 @@ class ConsoleLine(Horizontal):
 
         BINDINGS = [Binding("escape", "leave", show=False)]
 
-        async def on_key(self, event: events.Key) -> None:
-            if self.owner.display:
-                await super().on_key(event)
-            else:  # it was closed by a key before this one
-                event.stop()
-                event.prevent_default()
-                self.app.post_message(events.Key(event.key, event.character))
-
         async def action_submit(self) -> None:
             """Enter: what is typed stays."""
             self.owner.leave(self.value)

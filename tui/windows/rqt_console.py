@@ -202,9 +202,7 @@ class RqtConsolePane(WindowPane[Console]):
     def used(self, event: events.Key) -> bool:
         """Handle a key; return False for one that is none of this window's."""
         key = event.key
-        if self.line.display:
-            self.line.field.post_message(events.Key(key, event.character))  # typed before the line had the keyboard
-        elif self.table.press(event):
+        if self.table.press(event):
             pass
         elif key in _LEVEL_OF_KEY:
             self.console.toggle_level(_LEVEL_OF_KEY[key])

@@ -441,11 +441,7 @@ class RVizPane(WindowPane[RViz]):
 
     def on_key(self, event: events.Key) -> None:
         key = event.key
-        if not self.screen.is_active:  # typed before the menu that a key before this one opened had the keyboard
-            self.app.post_message(events.Key(key, event.character))
-        elif self.panel.value_line is not None:  # the same with the line for a value
-            self.panel.value_line.post_message(events.Key(key, event.character))
-        elif not self._everywhere_key(key) and not (self._panel_key(key) if self.on_panel else self._view_key(key)):
+        if not self._everywhere_key(key) and not (self._panel_key(key) if self.on_panel else self._view_key(key)):
             return
         event.stop()
         event.prevent_default()

@@ -32,9 +32,7 @@ class ValueLine(Line):
         self.over = False
 
     async def on_key(self, event: events.Key) -> None:
-        if self.over:  # closed by a key before this one, which is meant for what has the keyboard now
-            self.app.post_message(events.Key(event.key, event.character))
-        elif event.key == "escape":
+        if event.key == "escape":
             self._finish()
         elif event.key in ("tab", "shift+tab"):
             await self.action_submit()

@@ -1,0 +1,110 @@
+"""Keys that come faster than they are worked off go to what those before them have given the keyboard to."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from textual import events
+from textual.app import App, ComposeResult
+from textual.containers import Vertical
+from textual.widgets import Static
+
+from day6_tui.tui import key_order
+from day6_tui.tui.key_order import KeyOrder
+
+
+class Slow(Static):
+    """Takes a while for each key, and stays while one is `held`; Enter leads to the last widget, Backspace removes this one."""
+
+    can_focus = True
+    LETTERS_STAY = False
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.taken: list[str] = []
+        self.held: asyncio.Event | None = None
+
+    async def on_key(self, event: events.Key) -> None:
+        await asyncio.sleep(0.005)
+        self.taken.append(event.key)
+        if self.held is not None:
+            await self.held.wait()
+
+    def on_paste(self, event: events.Paste) -> None:
+        self.taken.append(event.text)
+
+
+class Two(App[None]):
+    """What a widget does not stop comes to its box, which acts on it."""
+
+    def compose(self) -> ComposeResult:
+        with Box():
+            yield Slow()
+            yield Slow()
+
+    def on_mount(self) -> None:
+        self.key_order = KeyOrder(self, self.hand_over)
+        self.first, self.last = self.query(Slow)
+        self.first.focus()
+
+    async def on_event(self, event: events.Event) -> None:
+        if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
+            await self.key_order.take(event)
+        else:
+            await super().on_event(event)
+
+    async def hand_over(self, event: events.Event) -> None:
+        await super().on_event(event)
+
+    def burst(self, *typed: str) -> None:
+        for each in typed:
+            key = events.Key(each, each if len(each) == 1 else None)
+            self.post_message(events.Paste("pasted") if each == "paste" else key)
+
+    async def see(self, taken: list[str]) -> None:
+        for _ in range(400):
+            if self.last.taken == taken:
+                return
+            await asyncio.sleep(0.005)
+        raise AssertionError((self.first.taken, self.last.taken))
+
+
+class Box(Vertical):
+    def on_key(self, event: events.Key) -> None:
+        first, last = self.app.query(Slow) if len(self.children) == 2 else (None, self.app.query_one(Slow))
+        if event.key in ("enter", "backspace"):
+            self.screen.set_focus(last)
+        if event.key == "backspace" and first is not None:
+            first.remove()
+
+
+@pytest.mark.parametrize("letters_stay", [False, True])
+@pytest.mark.parametrize("key", ["enter", "backspace"])
+async def test_keys_behind_one_that_moves_the_keyboard_go_where_it_went(
+    key: str, letters_stay: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Slow, "LETTERS_STAY", letters_stay)
+    async with Two().run_test() as pilot:
+        app = pilot.app
+        app.burst("a", key, "b", "paste", "c", "d")
+        await app.see(["b", "pasted", "c", "d"])
+        assert app.first.taken == ["a", key]
+
+
+async def test_a_key_that_is_never_done_holds_up_the_others_for_a_while_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with Two().run_test() as pilot:
+        app = pilot.app
+        app.first.held = asyncio.Event()
+        app.burst("a", "b")
+        while app.first.taken != ["a"]:
+            await asyncio.sleep(0.005)
+        app.last.focus()
+        await asyncio.sleep(0.05)
+        assert app.last.taken == []
+        monkeypatch.setattr(key_order, "PATIENCE", 0.0)
+        app.burst("c")
+        await app.see(["b", "c"])
+        app.first.held.set()
+        app.burst("d")
+        await app.see(["b", "c", "d"])
