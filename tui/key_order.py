@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Iterator
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from textual import events
 from textual.app import App
@@ -15,13 +15,21 @@ PATIENCE = 1.0
 """Seconds after which a key that is still being worked off holds up no other one."""
 
 
+@runtime_checkable
+class KeepsKeyboard(Protocol):
+    """A widget in which most keys change nothing but a text."""
+
+    def keeps_keyboard(self, event: events.Event) -> bool:
+        """Whether what comes behind this key goes to this widget too, whatever becomes of the key."""
+
+
 class KeyOrder:
     """Hands on keys and pasted texts one by one.
 
     Textual gives each to what has the keyboard when it arrives, and that works it off later. Of a burst, the keys behind one that
     opens, closes or goes somewhere would so be taken by what had the keyboard before it. Here a mark follows each key on its
-    way, from the widget up to the application; when it arrives, everything on the way has dealt with the key. A widget that
-    says `LETTERS_STAY` does nothing with a letter that the next key could depend on: there none waits for a letter.
+    way, from the widget up to the application; when it arrives, everything on the way has dealt with the key. Nothing waits for
+    a key of which the widget says that it keeps the keyboard.
     """
 
     def __init__(self, app: App[Any], hand_over: Callable[[events.Event], Awaitable[None]]) -> None:
@@ -43,23 +51,19 @@ class KeyOrder:
             event = self._waiting.popleft()
             self._number, self._since = self._number + 1, time.monotonic()
             keyboard = self._app.focused or self._app.screen
-            way = iter(keyboard.ancestors_with_self)
+            # Twice at each node: what it posts because of the key comes behind the mark.
+            way = iter([node for node in keyboard.ancestors_with_self for _ in range(2)])
             await self._hand_over(event)
-            if not (_is_letter(event) and getattr(keyboard, "LETTERS_STAY", False)):
-                await self._follow(self._number, event, way)
+            if not (isinstance(keyboard, KeepsKeyboard) and keyboard.keeps_keyboard(event)):
+                await self._follow(self._number, way)
                 return
         self._since = None
 
-    async def _follow(self, number: int, event: events.Event, way: Iterator[DOMNode]) -> None:
+    async def _follow(self, number: int, way: Iterator[DOMNode]) -> None:
         """Wait behind key `number` in the queue of the next node on its way, up to the application."""
         if number != self._number:
             return  # it took too long
         for node in way:
-            taken = _is_letter(event) and event._stop_propagation  # by the last node: it goes nowhere else
-            if (node is self._app or not taken) and node.call_later(self._follow, number, event, way):
+            if node.call_later(self._follow, number, way):
                 return
         await self._work_off()
-
-
-def _is_letter(event: events.Event) -> bool:
-    return isinstance(event, events.Key) and event.is_printable

@@ -24,6 +24,9 @@ class Line(Input):
         self.cursor_blink = False
         self._look = look
 
+    def keeps_keyboard(self, event: events.Event) -> bool:
+        return isinstance(event, events.Key) and event.is_printable
+
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))
 

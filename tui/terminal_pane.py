@@ -44,8 +44,6 @@ class TerminalPane(Pane):
     """Shows a terminal of the desk. Before it has got one, it keeps the keys for it."""
 
     help_key = "terminal"
-    LETTERS_STAY = True
-    """The keyboard is where it was after a letter (see KeyOrder)."""
 
     class Said(PaneMessage):
         """Base of this pane's messages."""
@@ -226,6 +224,9 @@ class TerminalPane(Pane):
             self.app.cursor_position = Offset(x + 1, y + 1) + self.content_region.offset
 
     # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def keeps_keyboard(self, event: events.Event) -> bool:
+        return True
 
     def on_key(self, event: events.Key) -> None:
         event.stop()

@@ -8,6 +8,7 @@ import pytest
 from textual import events
 from textual.app import App, ComposeResult
 from textual.containers import Vertical
+from textual.message import Message
 from textual.widgets import Static
 
 from day6_tui.tui import key_order
@@ -18,7 +19,17 @@ class Slow(Static):
     """Takes a while for each key, and stays while one is `held`; Enter leads to the last widget, Backspace removes this one."""
 
     can_focus = True
-    LETTERS_STAY = False
+    letters_stay = False
+
+    def keeps_keyboard(self, event: events.Event) -> bool:
+        return self.letters_stay and isinstance(event, events.Key) and event.is_printable
+
+    class Took(Message):
+        """It has dealt with a key."""
+
+        def __init__(self, key: str) -> None:
+            super().__init__()
+            self.key = key
 
     def __init__(self) -> None:
         super().__init__()
@@ -28,6 +39,7 @@ class Slow(Static):
     async def on_key(self, event: events.Key) -> None:
         await asyncio.sleep(0.005)
         self.taken.append(event.key)
+        self.post_message(self.Took(event.key))
         if self.held is not None:
             await self.held.wait()
 
@@ -71,7 +83,7 @@ class Two(App[None]):
 
 
 class Box(Vertical):
-    def on_key(self, event: events.Key) -> None:
+    def on_slow_took(self, event: Slow.Took) -> None:
         first, last = self.app.query(Slow) if len(self.children) == 2 else (None, self.app.query_one(Slow))
         if event.key in ("enter", "backspace"):
             self.screen.set_focus(last)
@@ -84,7 +96,7 @@ class Box(Vertical):
 async def test_keys_behind_one_that_moves_the_keyboard_go_where_it_went(
     key: str, letters_stay: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Slow, "LETTERS_STAY", letters_stay)
+    monkeypatch.setattr(Slow, "letters_stay", letters_stay)
     async with Two().run_test() as pilot:
         app = pilot.app
         app.burst("a", key, "b", "paste", "c", "d")

@@ -88,6 +88,9 @@ class EditorArea(TextArea):
         event.stop()
         self._pane.touch_frame()
 
+    def keeps_keyboard(self, event: events.Event) -> bool:
+        return isinstance(event, events.Key) and event.is_printable
+
     async def _on_key(self, event: events.Key) -> None:
         if keys := self._pane.typed_ahead():
             await self.take_keys(keys)
