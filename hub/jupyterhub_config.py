@@ -132,7 +132,7 @@ def let_in_by_account(group, teachers):
 
 
 def is_person(name):
-    """Whether an account of this machine is none of the system's."""
+    """Whether an account of this machine belongs to a person and not to the system."""
     try:
         return FIRST_PERSON <= pwd.getpwnam(name).pw_uid != NOBODY
     except KeyError:
