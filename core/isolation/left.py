@@ -104,19 +104,23 @@ def end_marked(mark: str, *, gently: bool) -> bool:
 
 
 def _end(find: Callable[[], list[int]], strike: Callable[[list[int]], None] | None = None) -> bool:
-    """Kill what `find` returns until it returns nothing."""
+    """Kill what `find` returns until it returns nothing and all that was killed has ended."""
     if sys.platform != "linux":
         raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
     until = time.monotonic() + END_SECONDS
-    while pids := find():
-        if strike is not None:
+    struck: set[int] = (
+        set()
+    )  # a process that is ending shows no longer what it was; its number is waited for, not killed again
+    while (pids := find()) or struck.intersection(each.pid for each in processes() if not each.is_dead):
+        if time.monotonic() >= until:
+            return False
+        struck.update(pids)
+        if strike is not None and pids:
             strike(pids)
         else:
             for number in (signal.SIGSTOP, signal.SIGKILL):  # stopped first: a fork bomb grows no further
                 for pid in pids:
                     _kill(pid, number)
-        if time.monotonic() >= until:
-            return not find()
         time.sleep(_PAUSE)
     return True
 
