@@ -29,6 +29,7 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.message import Message
+from textual.widget import Widget
 
 from day6_tui.core.session.harmless import one_line
 from day6_tui.core.shell.heap import keep_heap_small
@@ -346,9 +347,9 @@ class Day6App(TerminalApp):
             self.classroom.typed_at = time.monotonic()
         await super().on_event(event)
 
-    async def hand_over(self, event: events.Event) -> None:
+    def keyboard(self) -> Widget:
         self.desktop.keep_keyboard()
-        await super().hand_over(event)
+        return super().keyboard()
 
     async def _on_message(self, message: Message) -> None:
         handling = super()._on_message(message)

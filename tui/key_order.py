@@ -5,11 +5,11 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Iterator
-from typing import Any, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 from textual import events
-from textual.app import App
 from textual.dom import DOMNode
+from textual.widget import Widget
 
 PATIENCE = 1.0
 """Seconds after which a key that is still being worked off holds up no other one."""
@@ -23,6 +23,11 @@ class KeepsKeyboard(Protocol):
         """Whether what comes behind this key goes to this widget too, whatever becomes of the key."""
 
 
+def is_letter(event: events.Event) -> bool:
+    """Whether it is a key that writes something."""
+    return isinstance(event, events.Key) and event.is_printable
+
+
 class KeyOrder:
     """Hands on keys and pasted texts one by one.
 
@@ -32,8 +37,9 @@ class KeyOrder:
     a key of which the widget says that it keeps the keyboard.
     """
 
-    def __init__(self, app: App[Any], hand_over: Callable[[events.Event], Awaitable[None]]) -> None:
-        self._app, self._hand_over = app, hand_over
+    def __init__(self, keyboard: Callable[[], Widget], hand_over: Callable[[events.Event], Awaitable[None]]) -> None:
+        """`keyboard` returns the widget that has the keyboard, `hand_over` lets the application give a key to it."""
+        self._keyboard, self._hand_over = keyboard, hand_over
         self._waiting: deque[events.Event] = deque()
         self._number = 0
         """Of the last key that was handed over."""
@@ -50,7 +56,7 @@ class KeyOrder:
         while self._waiting:
             event = self._waiting.popleft()
             self._number, self._since = self._number + 1, time.monotonic()
-            keyboard = self._app.focused or self._app.screen
+            keyboard = self._keyboard()
             # Twice at each node: what it posts because of the key comes behind the mark.
             way = iter([node for node in keyboard.ancestors_with_self for _ in range(2)])
             await self._hand_over(event)

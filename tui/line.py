@@ -7,6 +7,7 @@ from typing import Any
 from textual import events
 from textual.widgets import Input
 
+from day6_tui.tui.key_order import is_letter
 from day6_tui.tui.look import Look
 from day6_tui.tui.modal import Modal
 from day6_tui.tui.survival import survive
@@ -25,7 +26,7 @@ class Line(Input):
         self._look = look
 
     def keeps_keyboard(self, event: events.Event) -> bool:
-        return isinstance(event, events.Key) and event.is_printable
+        return is_letter(event)
 
     async def on_event(self, event: events.Event) -> None:
         await survive(self.app, event, super().on_event(event))

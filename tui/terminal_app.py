@@ -10,6 +10,7 @@ from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.geometry import Size
 from textual.screen import Screen
+from textual.widget import Widget
 
 from day6_tui.tui.frame_screen import FrameScreen
 from day6_tui.tui.key_order import KeyOrder
@@ -52,7 +53,7 @@ class TerminalApp(PictureApp):
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
-        self._key_order = KeyOrder(self, self.hand_over)
+        self._key_order = KeyOrder(self.keyboard, self._hand_over)
 
     async def on_event(self, event: events.Event) -> None:
         if isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded:
@@ -60,8 +61,11 @@ class TerminalApp(PictureApp):
         else:
             await survive(self, event, super().on_event(event))
 
-    async def hand_over(self, event: events.Event) -> None:
-        """A key or a pasted text is to be given to what has the keyboard; all before it have been worked off."""
+    def keyboard(self) -> Widget:
+        """Return what gets the next key."""
+        return self.focused or self.screen
+
+    async def _hand_over(self, event: events.Event) -> None:
         if not self._exit:  # while leaving, there is nothing left to receive keys
             await survive(self, event, super().on_event(event))
 

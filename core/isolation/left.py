@@ -108,21 +108,26 @@ def _end(find: Callable[[], list[int]], strike: Callable[[list[int]], None] | No
     if sys.platform != "linux":
         raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
     until = time.monotonic() + END_SECONDS
-    struck: set[int] = (
-        set()
-    )  # a process that is ending shows no longer what it was; its number is waited for, not killed again
-    while (pids := find()) or struck.intersection(each.pid for each in processes() if not each.is_dead):
+    # Who is ending no longer shows what he was: his number is waited for, and not killed again.
+    struck: set[int] = set()
+    while True:
+        pids = find()
+        if not pids and not _living(struck):
+            return True
         if time.monotonic() >= until:
             return False
         struck.update(pids)
-        if strike is not None and pids:
-            strike(pids)
-        else:
+        if strike is None:
             for number in (signal.SIGSTOP, signal.SIGKILL):  # stopped first: a fork bomb grows no further
                 for pid in pids:
                     _kill(pid, number)
+        elif pids:
+            strike(pids)
         time.sleep(_PAUSE)
-    return True
+
+
+def _living(pids: set[int]) -> list[int]:
+    return [each.pid for each in processes() if each.pid in pids and not each.is_dead] if pids else []
 
 
 def _kill(pid: int, number: signal.Signals) -> None:

@@ -91,18 +91,24 @@ def test_the_teacher_sees_a_pupil_and_the_pupil_sees_that(
         teacher.quit()
 
 
+def begin_typing(teacher: Terminal, pupil: Terminal) -> None:
+    """The teacher asks whether she may type for anna, who agrees."""
+    texts = Texts("en")
+    pupil.wait(PROMPT)
+    teacher.wait(texts("teacher.here", here=1, all=1))
+    teacher.press("t")
+    pupil.wait(texts("class.consent.yes"))
+    teacher.wait(texts("teacher.awaited"))
+    pupil.look(1.2)  # who was typing when the question came has not answered it
+    pupil.send("y")
+    pupil.wait(texts("class.bar.types.short"))
+    teacher.wait(texts("teacher.typing", name="anna"))
+
+
 def test_the_teacher_types_for_who_agrees_and_writes_the_report(place: Place, desk: Place, address: str) -> None:
     texts = Texts("en")
     with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
-        pupil.wait(PROMPT)
-        teacher.wait(texts("teacher.here", here=1, all=1))
-        teacher.press("t")
-        pupil.wait(texts("class.consent.yes"))
-        teacher.wait(texts("teacher.awaited"))
-        pupil.look(1.2)  # who was typing when the question came has not answered it
-        pupil.send("y")
-        pupil.wait(texts("class.bar.types.short"))
-        teacher.wait(texts("teacher.typing", name="anna"))
+        begin_typing(teacher, pupil)
         teacher.send("echo typed-$((40 + 2))\r")
         pupil.wait("typed-42")
         teacher.send(END_TYPING)
@@ -125,13 +131,7 @@ def test_keys_for_a_pupil_never_become_commands_for_the_class(
 ) -> None:
     texts = Texts("en")
     with teach(desk, address) as teacher, join(place, address, "anna", "--scene", "empty") as pupil:
-        pupil.wait(PROMPT)
-        teacher.wait(texts("teacher.here", here=1, all=1))
-        teacher.press("t")
-        pupil.wait(texts("class.consent.yes"))
-        pupil.look(1.2)
-        pupil.send("y")
-        teacher.wait(texts("teacher.typing", name="anna"))
+        begin_typing(teacher, pupil)
         teacher.send("echo")
         pupil.wait("echo")
         if how == "gone":

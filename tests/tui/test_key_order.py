@@ -12,7 +12,7 @@ from textual.message import Message
 from textual.widgets import Static
 
 from day6_tui.tui import key_order
-from day6_tui.tui.key_order import KeyOrder
+from day6_tui.tui.key_order import KeyOrder, is_letter
 
 
 class Slow(Static):
@@ -22,7 +22,7 @@ class Slow(Static):
     letters_stay = False
 
     def keeps_keyboard(self, event: events.Event) -> bool:
-        return self.letters_stay and isinstance(event, events.Key) and event.is_printable
+        return self.letters_stay and is_letter(event)
 
     class Took(Message):
         """It has dealt with a key."""
@@ -56,7 +56,7 @@ class Two(App[None]):
             yield Slow()
 
     def on_mount(self) -> None:
-        self.key_order = KeyOrder(self, self.hand_over)
+        self.key_order = KeyOrder(lambda: self.focused or self.screen, self.hand_over)
         self.first, self.last = self.query(Slow)
         self.first.focus()
 

@@ -13,6 +13,7 @@ from textual.document._wrapped_document import WrappedDocument
 from textual.widgets import TextArea
 
 from day6_tui.core.session.harmless import same_length
+from day6_tui.tui.key_order import is_letter
 from day6_tui.tui.look import Look
 from day6_tui.tui.scrollbars import colour_scrollbar
 from day6_tui.tui.survival import survive
@@ -89,7 +90,7 @@ class EditorArea(TextArea):
         self._pane.touch_frame()
 
     def keeps_keyboard(self, event: events.Event) -> bool:
-        return isinstance(event, events.Key) and event.is_printable
+        return is_letter(event)
 
     async def _on_key(self, event: events.Key) -> None:
         if keys := self._pane.typed_ahead():
