@@ -118,6 +118,7 @@ TEXTS = {
     "single.end": "End",
     "single.help": "Help",
     "single.log": "Log",
+    "single.next": "Next",
     "single.no_log": "The program has written nothing yet.",
     "help.single.end": "ends the program",
     "help.single.help": "explains this window",

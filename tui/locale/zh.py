@@ -115,6 +115,7 @@ TEXTS = {
     "single.end": "结束",
     "single.help": "帮助",
     "single.log": "日志",
+    "single.next": "换窗口",
     "single.no_log": "程序还没有输出任何内容。",
     "help.single.end": "结束程序",
     "help.single.help": "说明这个窗口",

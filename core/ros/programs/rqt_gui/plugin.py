@@ -73,12 +73,13 @@ class Place:
         self._deferred.append(function)
 
     async def follow(self, work: Callable[[], object], pause: float) -> None:
-        """Call `work` after every `wake` and every change of the graph, at most once in `pause` world seconds; for ever."""
+        """Call `work` now, and after every `wake` and change of the graph, at most once in `pause` world seconds; for ever."""
         if not self._follows_graph:
             self._follows_graph = True
             graph = self.session.graph
             assert graph is not None
             self.defer(graph.add_listener(lambda event: self._woken.set()))
+            self._woken.set()  # other threads may have changed the graph before anybody listened
         while True:
             await self.session.wait(self._woken)
             self._woken.clear()
