@@ -1,4 +1,4 @@
-"""`ros2 run rqt_console rqt_console`: a node that listens to /rosout and shows it in a window.
+"""`ros2 run rqt_console rqt_console`: listens to /rosout and shows it in a window.
 
 Without a screen it prints what comes (see `programs/_without_screen.py`).
 """
@@ -8,24 +8,42 @@ from __future__ import annotations
 from rcl_interfaces.msg import Log
 
 from day6_tui.core.ros.programs.rqt_console.model import Console
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
 
 DEPTH = 1000
 
 
-async def main(session: Session) -> int | None:
-    """Open the window and listen until interrupted; without a display print the messages one by one."""
-    node = session.create_node(f"rqt_gui_py_node_{session.pid}")
-    console = Console()
+class ConsolePlugin(Plugin[Console]):
+    """rqt_console/Console."""
 
-    def show(log: Log) -> None:
-        console.receive(log)
-        if session.display is None:
-            record = console.shown()[-1]
+    kind, title = "rqt_console", "Console"
+
+    def __init__(self, place: Place) -> None:
+        super().__init__(place, Console())
+        self._subscription = place.node.create_subscription(Log, "/rosout", self.model.receive, DEPTH)
+
+    async def run(self) -> None:
+        await self.place.session.wait(Signal())  # it only listens
+
+    def close(self) -> None:
+        self.place.node.destroy_subscription(self._subscription)
+
+    async def without_screen(self) -> int | None:
+        session, node = self.place.session, self.place.node
+        self.close()
+
+        def show(log: Log) -> None:
+            self.model.receive(log)
+            record = self.model.shown()[-1]
             session.print(f"#{record.number} {record.severity} [{record.node}]: {record.text}")
 
-    node.create_subscription(Log, "/rosout", show, DEPTH)
-    if session.display is not None:
-        session.display.open("rqt_console", "Console", console)
-    await session.spin(node)
-    return 0
+        node.create_subscription(Log, "/rosout", show, DEPTH)
+        await session.spin(node)
+        return 0
+
+
+async def main(session: Session) -> int | None:
+    """Open the window and listen until interrupted; without a display print the messages one by one."""
+    return await run_alone(session, ConsolePlugin)

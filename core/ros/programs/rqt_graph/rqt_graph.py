@@ -1,4 +1,4 @@
-"""`rqt_graph`: a node that looks at the graph and shows it in a window, or as text where there is no screen.
+"""`rqt_graph`: looks at the graph and shows it in a window, or as text where there is no screen.
 
 What it does without a screen is the rule of `programs/_without_screen.py`.
 """
@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import textwrap
 
-from day6_tui.core.graph import GraphEvent
 from day6_tui.core.ros.programs._without_screen import stays
 from day6_tui.core.ros.programs.rqt_graph.model.drawing import ASCII, UNICODE, draw
 from day6_tui.core.ros.programs.rqt_graph.model.fit import fitted
 from day6_tui.core.ros.programs.rqt_graph.model.rqt_graph import RqtGraph
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, run_alone
 from day6_tui.core.session.session import Session
-from day6_tui.core.session.task import Signal
 
 REFRESH_SECONDS = 0.2
 """At most this often is the graph looked at again while it changes."""
@@ -22,36 +21,45 @@ SETTLE_SECONDS = 0.5
 """Without a window: how long to let the graph be discovered before it is printed."""
 
 
+class RosGraphPlugin(Plugin[RqtGraph]):
+    """rqt_graph/RosGraph."""
+
+    kind, title = "rqt_graph", "rqt_graph"
+
+    def __init__(self, place: Place) -> None:
+        session = place.session
+        assert session.graph is not None
+        super().__init__(place, RqtGraph(place.node, session.graph, session.cwd))
+        self.model.on_request = self._asked
+        self._wanted = False
+
+    def _asked(self) -> None:
+        self._wanted = True
+        self.place.wake()
+
+    async def run(self) -> None:
+        self.model.refresh()
+        await self.place.follow(self._look, REFRESH_SECONDS)
+
+    def _look(self) -> None:
+        if self._wanted or self.model.auto_refresh:
+            self._wanted = False
+            self.model.refresh()
+
+    async def without_screen(self) -> int | None:
+        session, node = self.place.session, self.place.node
+        if stays(session, node):
+            await session.spin(node)
+            return 0
+        await session.sleep(SETTLE_SECONDS)
+        self.model.refresh()
+        _print(session, self.model)
+        return 0
+
+
 async def main(session: Session) -> int | None:
     """Open the window and follow the graph until interrupted; without a display print the graph once, or stay."""
-    graph = session.graph
-    assert graph is not None
-    node = session.create_node(f"rqt_gui_py_node_{session.pid}")
-    model = RqtGraph(node, graph, session.cwd)
-    if session.display is None and stays(session, node):
-        await session.spin(node)
-        return 0
-    if session.display is None:
-        await session.sleep(SETTLE_SECONDS)
-        model.refresh()
-        _print(session, model)
-        return 0
-    changed = Signal()
-
-    def on_change(event: GraphEvent) -> None:
-        if model.auto_refresh:
-            changed.set()
-
-    session.defer(graph.add_listener(on_change))
-    model.on_request = changed.set
-    model.refresh()
-    session.display.open("rqt_graph", "rqt_graph", model)
-    session.spawn(session.spin(node))
-    while True:
-        await session.wait(changed)
-        changed.clear()
-        model.refresh()
-        await session.sleep(REFRESH_SECONDS)
+    return await run_alone(session, RosGraphPlugin)
 
 
 def _print(session: Session, model: RqtGraph) -> None:

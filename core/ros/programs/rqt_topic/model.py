@@ -117,6 +117,12 @@ class TopicMonitor:
     def listening(self) -> bool:
         return bool(self._monitors)
 
+    def close(self) -> None:
+        """Stop listening."""
+        for monitor in self._monitors.values():
+            self._node.destroy_subscription(monitor.subscription)
+        self._monitors.clear()
+
     def refresh(self) -> None:
         """Read the graph and the numbers again."""
         now_ns = self._now_ns()

@@ -175,6 +175,12 @@ class Plot:
         if curve.topic and all(each.topic != curve.topic for each in self.curves):
             self._node.destroy_subscription(self._subscriptions.pop(curve.topic))
 
+    def close(self) -> None:
+        """Stop listening."""
+        for subscription in self._subscriptions.values():
+            self._node.destroy_subscription(subscription)
+        self._subscriptions.clear()
+
     def connect(self) -> None:
         """Subscribe for the curves whose topics have appeared."""
         waiting = [curve for curve in self.curves if curve.read is None and not curve.problem]
