@@ -38,7 +38,7 @@ def read_frames(text: str) -> tuple[Frame, ...]:
 
     try:
         # Every scalar a string: a frame may be named 1, true or null.
-        found = yaml.BaseLoader(text).get_single_data()
+        found = getattr(yaml, "CBaseLoader", yaml.BaseLoader)(text).get_single_data()
         return tuple(_frame_of(name, about) for name, about in (found.items() if found else ()))
     except (yaml.YAMLError, AttributeError, KeyError, TypeError, RecursionError) as error:
         raise ValueError(f"{type(error).__name__}: {error}") from error
