@@ -84,6 +84,14 @@ def test_the_svg_holds_every_name_and_shape(tmp_path: Path) -> None:
     assert 'fill="#ff0000">/a/b/chatter' in (tmp_path / "graph.svg").read_text()
 
 
+def test_a_picture_of_too_many_pixels_is_refused_and_a_drawing_is_not(tmp_path: Path) -> None:
+    boxes = [Box(f"box {number}", ("x" * 200,), "node") for number in range(1000)]
+    with pytest.raises(ValueError, match=r"graph.png': \d+ x \d+ pixels are too many; .svg and .pdf have no limit"):
+        write_image(unfitted(boxes, []), tmp_path / "graph.png")
+    write_image(unfitted(boxes, []), tmp_path / "graph.svg")
+    assert [file.name for file in tmp_path.iterdir()] == ["graph.svg"]
+
+
 def test_the_pdf_holds_every_name(tmp_path: Path) -> None:
     write_image(unfitted(BOXES, EDGES), tmp_path / "graph.pdf")
     text = pdf_text(tmp_path / "graph.pdf")

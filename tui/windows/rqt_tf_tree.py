@@ -46,7 +46,7 @@ class Column(NamedTuple):
     least: int
 
 
-COLUMNS = (Column("age", 9, 26), Column("rate", 10, 38), Column("buffer", 11, 58), Column("broadcaster", 18, 78))
+COLUMNS = (Column("age", 9, 26), Column("rate", 10, 38), Column("buffer", 10, 58), Column("broadcaster", 19, 78))
 
 
 class RqtTfTreePane(WindowPane[TfTree]):
@@ -128,7 +128,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
     @property
     def _about_rows(self) -> int:
         """Lines below the tree, about the chosen frame."""
-        return 0 if self.inner_height < 12 else 2 if self.inner_width >= 76 else 3
+        return 0 if self.inner_height < 12 else 2 if self.inner_width >= 84 else 3
 
     @property
     def _rows(self) -> int:
@@ -154,7 +154,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
     def _controls(self, width: int) -> list[Segment]:
         """What the buttons of the original do; a click on one is its key."""
         texts, colours, x = self.look.texts, self.look.colours, 1
-        segments = [Segment(" ")]
+        segments = [Segment(" ", colours.text)]
         for key, name, action in (
             ("r", texts("tf_tree.refresh"), self.model.request_refresh),
             ("c", texts("tf_tree.clear"), self.model.request_clear),
@@ -166,7 +166,7 @@ class RqtTfTreePane(WindowPane[TfTree]):
             if x + cell_len(text) > width:
                 break
             self.add_hit(1, x + 1, x + 1 + cell_len(text), action)
-            segments += [Segment(text, colours.text), Segment("  ")]
+            segments.append(Segment(f"{text}  ", colours.text))
             x += cell_len(text) + 2
         return segments
 
@@ -181,15 +181,27 @@ class RqtTfTreePane(WindowPane[TfTree]):
         chosen = (colours.choice if self.has_focus_within else colours.strong) if at == self._chosen else None
         frame = None if line.again else line.frame
         old = frame is not None and self.model.snapshot.is_old(frame)
-        before = Segment(" " + self._guides(line), chosen or colours.frame)
-        name = Segment(self._told(line), chosen or (colours.warning if old else colours.node))
-        width = self._names_width
-        names = Strip([before, name]).crop(self._left).adjust_cell_length(width, chosen or self.background)
+        named = chosen or (colours.warning if old else colours.node)
+        names = self._names(line, chosen or colours.frame, named, chosen or self.background)
         cells = [
             Segment(self._cell(self._value(frame, column.key), column), chosen or self._style(frame, column.key))
             for column in self._columns
         ]
         return [*names, *cells]
+
+    def _names(self, line: Line, guides: Style, named: Style, blank: Style) -> Strip:
+        """A line of the tree as far as it is in sight; where its name is not, the name at the side where it lies."""
+        width, begin = self._names_width, self._before(line)
+        name = self._told(line)
+        if self._left < begin + cell_len(name) and begin < self._left + width:
+            shown = Strip([Segment(" " + self._guides(line), guides), Segment(name, named)]).crop(self._left)
+            return shown.adjust_cell_length(width, blank)
+        mark = self.look.glyphs.ellipsis
+        text = clip(name, width // 2, mark)
+        if begin >= self._left + width:
+            pad = " " * (width - cell_len(text) - 2)
+            return Strip([Segment(pad, blank), Segment(f"{mark} ", guides), Segment(text, named)])
+        return Strip([Segment(f"{mark} ", guides), Segment(text, named)]).adjust_cell_length(width, blank)
 
     def _style(self, frame: Frame | None, key: str) -> Style:
         colours, shot = self.look.colours, self.model.snapshot
@@ -298,17 +310,15 @@ class RqtTfTreePane(WindowPane[TfTree]):
         self._scroll(0, -SIDEWAYS)
 
     def _choose(self, at: int) -> None:
-        """Choose a line, and bring its name into sight."""
+        """Choose a line, and bring it and where its name begins into sight."""
         if not self._lines:
             return
         self._chosen = max(0, min(at, len(self._lines) - 1))
-        line = self._lines[self._chosen]
+        line, room = self._lines[self._chosen], self._names_width
         begin = self._before(line)
-        end = begin + self._told_width(line)
+        end = begin + min(self._told_width(line), room // 2)
         down = max(0, self._chosen - (self._top + self._rows - 1)) or min(0, self._chosen - self._top)
-        aside = min(max(0, end - (self._left + self._names_width)), begin - self._left) or min(
-            0, begin - 1 - self._left
-        )
+        aside = max(0, end - (self._left + room)) or min(0, begin - INDENT - self._left)
         self._scroll(down, aside)
 
     def _scroll(self, lines: int, columns: int) -> None:

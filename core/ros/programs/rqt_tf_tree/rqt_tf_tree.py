@@ -19,6 +19,8 @@ from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
 from day6_tui.core.session.threads import in_thread
 
+SERVICE = "tf2_frames"
+
 AUTO_SECONDS = 1.0
 """Between two looks, while it looks by itself: ages that change faster cannot be read."""
 
@@ -43,7 +45,7 @@ class TfTreePlugin(Plugin[TfTree]):
         self._buffer = Buffer(node=place.node)
         self._listener = TransformListener(self._buffer, place.node)
         # The tree comes by its own service, as in the original.
-        self._client = place.node.create_client(FrameGraph, "tf2_frames")
+        self._client = place.node.create_client(FrameGraph, SERVICE)
 
     async def run(self) -> None:
         while True:
@@ -59,7 +61,7 @@ class TfTreePlugin(Plugin[TfTree]):
         answer.add_done_callback(lambda _: answered.set())
         if not await self.place.session.wait(answered, ANSWER_SECONDS):
             self._client.remove_pending_request(answer)
-            self.model.fail(f"Service {self._client.srv_name} does not answer")
+            self.model.fail(f"Service {SERVICE} does not answer")
             return
         now = self.place.node.get_clock().now().nanoseconds * 1e-9
         try:

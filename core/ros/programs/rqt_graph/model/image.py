@@ -24,13 +24,16 @@ DEPTH = 5
 FRAME, WARNING = "#808080", "#ff0000"
 PILLOW_FORMATS = (".png", ".bmp", ".jpg", ".tiff")
 
+MOST_PIXELS = 100_000_000
+"""Of a picture: more take too much memory (three bytes each)."""
+
 NO_COLOURS: Mapping[str, str] = {}
 
 
 def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_COLOURS) -> None:
     """Write a picture file; its suffix says which kind. `colours` (#rrggbb) by the keys of boxes that are not black.
 
-    Raises OSError, and ValueError for an unknown suffix.
+    Raises OSError, and ValueError for an unknown suffix or a picture too large for pixels.
     """
     suffix = path.suffix.lower()
     strokes = list(_strokes(picture, colours))
@@ -39,6 +42,8 @@ def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_CO
         replace_file(path, _svg(strokes, width, height).encode("utf-8"))
     elif suffix == ".pdf":
         replace_file(path, as_pdf(strokes, width, height))
+    elif suffix in PILLOW_FORMATS and width * height > MOST_PIXELS:
+        raise ValueError(f"'{path.name}': {width} x {height} pixels are too many; .svg and .pdf have no limit")
     elif suffix in PILLOW_FORMATS:
         replace_file(path, _pixels(strokes, width, height, suffix))
     else:
@@ -145,7 +150,7 @@ def _element(stroke: Stroke) -> str:
 def _pixels(strokes: Sequence[Stroke], width: int, height: int, suffix: str) -> bytes:
     from PIL import Image, ImageDraw, ImageFont
 
-    scale = 2  # as the real tool saves it
+    scale = 2 if 4 * width * height <= MOST_PIXELS else 1  # twice as large, as the real tool saves it
     image = Image.new("RGB", (width * scale, height * scale), "white")
     draw = ImageDraw.Draw(image)
     font = ImageFont.load_default(FONT_SIZE * scale * 0.95)
