@@ -79,7 +79,8 @@ def tree(tmp_path: Path) -> TfTree:
 
 def test_the_tree_is_saved_as_what_the_suffix_says(tree: TfTree, tmp_path: Path) -> None:
     for suffix in ("dot", "svg", "pdf", "png"):
-        assert tree.save(f"frames.{suffix}") == tmp_path / f"frames.{suffix}"
+        tree.save(f"frames.{suffix}")
+        assert tree.saved == (f"frames.{suffix}", "")
     assert '"car" -> "轮子"[label=" Broadcaster: default_authority' in (tmp_path / "frames.dot").read_text("utf-8")
     assert "Buffer length: 4.7" in (tmp_path / "frames.svg").read_text("utf-8")
     assert "轮子" in pdf_text(tmp_path / "frames.pdf")
@@ -87,7 +88,16 @@ def test_the_tree_is_saved_as_what_the_suffix_says(tree: TfTree, tmp_path: Path)
         assert image.width > image.height > 100
 
 
-def test_an_unknown_suffix_is_refused(tree: TfTree, tmp_path: Path) -> None:
+def test_an_unknown_suffix_is_refused_before_anything_is_written(tree: TfTree) -> None:
     with pytest.raises(ValueError, match=r"'frames.gif'"):
-        tree.save("frames.gif")
-    assert not list(tmp_path.iterdir())
+        tree.request_save("frames.gif")
+    assert tree.save_wanted == ""
+
+
+def test_what_cannot_be_written_is_told_and_what_was_there_stays(tree: TfTree, tmp_path: Path) -> None:
+    (tmp_path / "frames.pdf").mkdir()
+    tree.save("frames.pdf")
+    assert tree.saved == ("frames.pdf", "Is a directory")
+    tree.save("nowhere/frames.pdf")
+    assert tree.saved == ("frames.pdf", "No such file or directory")
+    assert [file.name for file in tmp_path.iterdir()] == ["frames.pdf"]

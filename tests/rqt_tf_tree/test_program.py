@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -114,6 +115,15 @@ def test_without_auto_refresh_it_looks_when_asked(world: _World) -> None:
     assert model.version == before and not model.snapshot.lines
     model.request_refresh()
     world.wait(lambda: names(model) == ["world", "car"])
+
+
+def test_the_program_writes_what_the_window_wants_saved(world: _World, tmp_path: Path) -> None:
+    _, model = world.open()
+    world.send(1.0)
+    world.wait(lambda: names(model) == ["world", "car"])
+    model.request_save(str(tmp_path / "frames.svg"))
+    world.wait(lambda: model.saved == ("frames.svg", ""))
+    assert "car" in (tmp_path / "frames.svg").read_text()
 
 
 def test_a_cleared_buffer_keeps_static_frames_only(world: _World) -> None:

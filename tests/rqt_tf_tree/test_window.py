@@ -238,9 +238,15 @@ def test_it_is_saved_and_a_file_that_is_there_is_replaced_only_on_a_second_enter
 
     async def act(window: _Window) -> None:
         await window.press("w", "enter")
-        assert (tmp_path / "frames.pdf").read_text() == "mine"
+        assert not model.save_wanted
         await window.press("enter")
-        assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF")
+        assert model.save_wanted == "frames.pdf"
+        model.save(model.save_wanted)
+        await step(window.app, window.pilot)
+        assert "saved: frames.pdf" in window.text
+        model.save("nowhere/frames.pdf")
+        await step(window.app, window.pilot)
+        assert "frames.pdf: No such file or directory" in window.text
         await window.press("w", *["backspace"] * 3, "g", "i", "f", "enter")
         assert ".svg, .pdf, .png" in window.text
         await window.press("escape")

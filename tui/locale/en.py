@@ -478,6 +478,7 @@ TEXTS = {
     "tf_tree.auto": "auto refresh",
     "tf_tree.sideways": "move the names",
     "tf_tree.save": "save as",
+    "tf_tree.saved": "saved: {name}",
     "tf_tree.save_note": "The suffix says as what: .pdf, .svg and .png are the drawing, .dot is for Graphviz.",
     # rqt_console
     "console.message": "Message",

@@ -662,6 +662,7 @@ TEXTS = {
     "tf_tree.auto": "自动刷新",
     "tf_tree.sideways": "左右移动",
     "tf_tree.save": "另存为",
+    "tf_tree.saved": "已保存：{name}",
     "tf_tree.save_note": "后缀决定格式：.pdf、.svg、.png 是图，.dot 给 Graphviz 用。",
     # rqt_console
     "console.message": "消息",

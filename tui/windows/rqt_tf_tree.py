@@ -67,12 +67,22 @@ class RqtTfTreePane(WindowPane[TfTree]):
         texts, colours, shot = self.look.texts, self.look.colours, self.model.snapshot
         if self.model.problem:
             return [Piece(f" {self.look.glyphs.warning} {one_line(self.model.problem)} ", colours.warning)]
+        name, why = self.model.saved
+        if why:
+            return [
+                Piece(
+                    f" {self.look.glyphs.warning} {one_line(why if name in why else f'{name}: {why}')} ",
+                    colours.warning,
+                )
+            ]
         if not self._lines:
             return []
         pieces = [Piece(f" {self._chosen + 1}/{len(self._lines)} ", colours.muted)]
         old = sum(map(shot.is_old, shot.frames))
         if old:
             pieces.append(Piece(f"{self.look.glyphs.warning} {texts('tf_tree.old', count=old)} ", colours.warning))
+        if name:
+            pieces.append(Piece(f"{texts('tf_tree.saved', name=one_line(name))} ", colours.muted))
         return pieces
 
     def status_right(self) -> list[Piece]:
@@ -338,9 +348,9 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
         def taken(name: str) -> str | None:
             try:
-                self.model.save(name)
-            except (OSError, ValueError) as error:
-                return str((error.strerror if isinstance(error, OSError) else None) or error)
+                self.model.request_save(name)
+            except ValueError as error:
+                return str(error)
             return None
 
         texts = self.look.texts

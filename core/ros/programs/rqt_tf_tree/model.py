@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from day6_tui.core.ros.programs._drawn_pdf import laid_out
-from day6_tui.core.ros.programs.rqt_graph.model.image import write_image
+from day6_tui.core.ros.programs.rqt_graph.model.image import check_suffix, write_image
 from day6_tui.core.ros.programs.tf2_tools.frame_tree import Frame, as_dot, as_graph, roots
 from day6_tui.core.whole_file import replace_file
 
@@ -45,6 +46,13 @@ class Snapshot:
         """Whether it has not been sent for longer than it used to be."""
         age = self.age(frame)
         return age is not None and age > OLD_SECONDS and age * frame.rate > OLD_PERIODS
+
+
+class Saved(NamedTuple):
+    """The file that was written last, '' for none, and why it could not be."""
+
+    name: str
+    problem: str
 
 
 def is_static(frame: Frame) -> bool:
@@ -87,7 +95,10 @@ class TfTree:
         self.snapshot = snapshot((), 0.0)
         self.problem = ""
         """Why the last refresh failed."""
+        self.saved = Saved("", "")
         self.clear_wanted = False
+        self.save_wanted = ""
+        """The file to be written, '' for none."""
         self.on_request: Callable[[], None] | None = None
         """Called (any thread) when the window wants something."""
 
@@ -107,17 +118,11 @@ class TfTree:
         self.auto_refresh = on
         self._request()
 
-    def save(self, name: str) -> Path:
-        """Write the tree to a file, a relative name where the program was started; the suffix says what kind.
-
-        `.dot` is the graph for Graphviz, `.svg`, `.pdf`, `.png` and others are the picture. Raises OSError and ValueError.
-        """
-        path, shot = self.path(name), self.snapshot
-        if path.suffix.lower() == ".dot":
-            replace_file(path, as_dot(shot.frames, shot.recorded).encode("utf-8"))
-        else:
-            write_image(laid_out(*as_graph(shot.frames, shot.recorded)), path)
-        return path
+    def request_save(self, name: str) -> None:
+        """Have the tree written to a file, see `save`; `saved` then says how it went. Raises ValueError for a wrong suffix."""
+        check_suffix(self.path(name))
+        self.save_wanted = name
+        self._request()
 
     def path(self, name: str) -> Path:
         """The file that a user of this program means."""
@@ -128,6 +133,22 @@ class TfTree:
             self.on_request()
 
     # -- the program's side --------------------------------------------------------------------------------------------
+
+    def save(self, name: str) -> None:
+        """Write the tree to a file, a relative name where the program was started; it may take seconds.
+
+        `.dot` is the graph for Graphviz, `.svg`, `.pdf`, `.png` and others are the picture. What goes wrong is in `saved`.
+        """
+        path, shot = self.path(name), self.snapshot
+        try:
+            if path.suffix.lower() == ".dot":
+                replace_file(path, as_dot(shot.frames, shot.recorded).encode("utf-8"))
+            else:
+                write_image(laid_out(*as_graph(shot.frames, shot.recorded)), path)
+            self.saved = Saved(path.name, "")
+        except (OSError, ValueError) as error:
+            self.saved = Saved(path.name, (error.strerror if isinstance(error, OSError) else None) or str(error))
+        self.version += 1
 
     def show(self, found: Snapshot) -> None:
         """Show a new tree."""

@@ -5,6 +5,7 @@ What it does without a screen is the rule of `programs/_without_screen.py`.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from tf2_msgs.srv import FrameGraph
@@ -52,6 +53,9 @@ class TfTreePlugin(Plugin[TfTree]):
             if self.model.clear_wanted:
                 self.model.clear_wanted = False
                 self._buffer.clear()
+            if name := self.model.save_wanted:
+                self.model.save_wanted = ""
+                await in_thread(partial(self.model.save, name))
             await self._refresh()
             await self.place.session.wait(self._wanted, AUTO_SECONDS if self.model.auto_refresh else None)
             self._wanted.clear()

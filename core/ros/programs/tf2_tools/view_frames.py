@@ -66,7 +66,8 @@ async def export(session: Session, node: Node, answer: Any, name: str | None) ->
     """Write the frames as `.gv` and `.pdf` into the working directory; return the status."""
     log = node.get_logger()
     log.info(f"Result:{answer}")
-    now = node.get_clock().now().nanoseconds * 1e-9
+    seconds, nanoseconds = node.get_clock().now().seconds_nanoseconds()
+    now = seconds + nanoseconds / 1e9  # as the original adds them
     try:
         frames = await in_thread(lambda: read_frames(answer.frame_yaml))
     except ValueError as error:  # the original ends with a traceback
@@ -76,6 +77,6 @@ async def export(session: Session, node: Node, answer: Any, name: str | None) ->
         name = time.strftime("frames_%Y-%m-%d_%H.%M.%S", time.localtime(session.clock.now_ns() // 1_000_000_000))
     log.info(f"Exporting graph in {name}.pdf file...")
     source = session.cwd / f"{name}.gv"
-    replace_file(source, as_dot(frames, now).encode("utf-8"))
+    await in_thread(lambda: replace_file(source, as_dot(frames, now).encode("utf-8")))
     await write_pdf(session, source, as_graph(frames, now), log.warning)
     return 0

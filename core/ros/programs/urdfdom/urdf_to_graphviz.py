@@ -9,6 +9,7 @@ from day6_tui.core.ros.programs.rqt_graph.model.shapes import Box, Edge
 from day6_tui.core.ros.programs.urdfdom._input import FAILED, read_robot, take_hint_option
 from day6_tui.core.session.harmless import one_line, quotable
 from day6_tui.core.session.session import Session
+from day6_tui.core.session.threads import in_thread
 from day6_tui.core.whole_file import replace_file
 from day6_tui.urdf.model import Joint, Robot
 
@@ -29,7 +30,7 @@ async def main(session: Session) -> int:
     # The original writes wherever a robot's name leads; a file from elsewhere shall not choose the place.
     graph = session.cwd / f"{name}.gv"
     try:
-        replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape"))
+        await in_thread(lambda: replace_file(graph, dot_of(robot).encode("utf-8", "surrogateescape")))
     except OSError as error:
         session.print_error(f"Error: dot: can't open {name}.gv")
         if not isinstance(error, FileNotFoundError):

@@ -24,7 +24,7 @@ DEPTH = 5
 FRAME, WARNING = "#808080", "#ff0000"
 PILLOW_FORMATS = (".png", ".bmp", ".jpg", ".tiff")
 
-MOST_PIXELS = 100_000_000
+MOST_PIXELS = 60_000_000
 """Of a picture: more take too much memory (three bytes each)."""
 
 NO_COLOURS: Mapping[str, str] = {}
@@ -35,6 +35,7 @@ def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_CO
 
     Raises OSError, and ValueError for an unknown suffix or a picture too large for pixels.
     """
+    check_suffix(path)
     suffix = path.suffix.lower()
     strokes = list(_strokes(picture, colours))
     width, height = picture.width * CELL[0] + 2 * MARGIN, picture.height * CELL[1] + 2 * MARGIN
@@ -42,11 +43,15 @@ def write_image(picture: Picture, path: Path, colours: Mapping[str, str] = NO_CO
         replace_file(path, _svg(strokes, width, height).encode("utf-8"))
     elif suffix == ".pdf":
         replace_file(path, as_pdf(strokes, width, height))
-    elif suffix in PILLOW_FORMATS and width * height > MOST_PIXELS:
+    elif width * height > MOST_PIXELS:
         raise ValueError(f"'{path.name}': {width} x {height} pixels are too many; .svg and .pdf have no limit")
-    elif suffix in PILLOW_FORMATS:
-        replace_file(path, _pixels(strokes, width, height, suffix))
     else:
+        replace_file(path, _pixels(strokes, width, height, suffix))
+
+
+def check_suffix(path: Path) -> None:
+    """Raise ValueError for a file that is neither a graph (`.dot`) nor a picture."""
+    if path.suffix.lower() not in (".dot", ".svg", ".pdf", *PILLOW_FORMATS):
         raise ValueError(f"'{path.name}': .dot, .svg, .pdf, {', '.join(PILLOW_FORMATS)}")
 
 
