@@ -653,7 +653,7 @@ TEXTS = {
     "tf_tree.columns.broadcaster": "发送者",
     "tf_tree.none": "还没有收到坐标变换（No tf data received）",
     "tf_tree.static": "静态",
-    "tf_tree.again": "（又出现：绕成圈了）",
+    "tf_tree.again": "（成圈）",
     "tf_tree.root": "{name} 是根：没有人发送通向它的变换。",
     "tf_tree.old": "{count} 个没更新",
     "tf_tree.recorded": "记录时间：{time}",

@@ -65,25 +65,20 @@ class RqtTfTreePane(WindowPane[TfTree]):
 
     def status(self) -> list[Piece]:
         texts, colours, shot = self.look.texts, self.look.colours, self.model.snapshot
-        if self.model.problem:
-            return [Piece(f" {self.look.glyphs.warning} {one_line(self.model.problem)} ", colours.warning)]
         name, why = self.model.saved
-        if why:
-            return [
-                Piece(
-                    f" {self.look.glyphs.warning} {one_line(why if name in why else f'{name}: {why}')} ",
-                    colours.warning,
-                )
-            ]
-        if not self._lines:
-            return []
-        pieces = [Piece(f" {self._chosen + 1}/{len(self._lines)} ", colours.muted)]
+        trouble = [self.model.problem, f"{name}: {why}" if why and name not in why else why]
+        pieces = [self._warning(one_line(text)) for text in trouble if text]
+        if self._lines:
+            pieces.insert(0, Piece(f" {self._chosen + 1}/{len(self._lines)} ", colours.muted))
         old = sum(map(shot.is_old, shot.frames))
         if old:
-            pieces.append(Piece(f"{self.look.glyphs.warning} {texts('tf_tree.old', count=old)} ", colours.warning))
-        if name:
-            pieces.append(Piece(f"{texts('tf_tree.saved', name=one_line(name))} ", colours.muted))
+            pieces.append(self._warning(texts("tf_tree.old", count=old)))
+        if name and not why:
+            pieces.append(Piece(f" {texts('tf_tree.saved', name=one_line(name))} ", colours.muted))
         return pieces
+
+    def _warning(self, text: str) -> Piece:
+        return Piece(f" {self.look.glyphs.warning} {text} ", self.look.colours.warning)
 
     def status_right(self) -> list[Piece]:
         recorded = self.look.texts("tf_tree.recorded", time=f"{self.model.snapshot.recorded:.3f}")

@@ -67,7 +67,8 @@ def as_dot(frames: Iterable[Frame], now: float) -> str:
     for frame in frames:
         label = "".join(f"{quotable(line)}\\n" for line in frame.label)
         lines.append(f'"{quotable(frame.parent)}" -> "{quotable(frame.name)}"[label=" {label}"];')
-    for root in roots(frames)[-1:]:  # the original knows only one
+    tops = set(roots(frames))
+    for root in [frame.parent for frame in frames if frame.parent in tops][-1:]:  # the original knows only the last one
         lines.append("edge [style=invis];")
         lines.append(' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";')
         lines.append(f'"Recorded at time: {now}"[ shape=plaintext ] ;')
