@@ -312,7 +312,7 @@ TEXTS = {
     "rqt.topic_filter": "Topic filter",
     "rqt.filter_note": "Names or regular expressions separated by commas; a leading - leaves out, / is all. Example: -/rqt.*",
     "rqt.save": "Save the graph as",
-    "rqt.save_note": ".dot for Graphviz, .svg or .png for a picture",
+    "rqt.save_note": ".dot for Graphviz, .pdf, .svg or .png for a picture",
     "rqt.load": "Open a DOT file",
     "rqt.load_note": "It is shown instead of the live graph, until r refreshes.",
     "rqt.loaded": "from the file {name}; r shows the live graph",
@@ -462,6 +462,25 @@ TEXTS = {
     "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_plot": "numbers over time",
     "rqt.about.rqt_tf_tree": "which frame hangs on which",
+    # rqt_tf_tree
+    "tf_tree.columns.frame": "Frame",
+    "tf_tree.columns.age": "Age s",
+    "tf_tree.columns.rate": "Rate Hz",
+    "tf_tree.columns.buffer": "Buffer s",
+    "tf_tree.columns.broadcaster": "Broadcaster",
+    "tf_tree.none": "No tf data received",
+    "tf_tree.static": "static",
+    "tf_tree.again": "(again: a circle)",
+    "tf_tree.root": "{name}: a root. Nobody sends a transform that leads to it.",
+    "tf_tree.old": "{count} old",
+    "tf_tree.recorded": "Recorded at time: {time}",
+    "tf_tree.refresh": "refresh",
+    "tf_tree.clear": "clear buffer",
+    "tf_tree.auto": "auto refresh",
+    "tf_tree.sideways": "move the names",
+    "tf_tree.save": "save as",
+    "tf_tree.saved": "saved: {name}",
+    "tf_tree.save_note": "The suffix says as what: .pdf, .svg and .png are the drawing, .dot is for Graphviz.",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -595,6 +614,16 @@ TEXTS = {
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
         "name. / filters by part of a name or type, Esc shows all again."
     ),
+    "help.rqt_tf_tree": (
+        "The tree of frames: each stands below its parent. Age is how long ago its newest transform was sent, rate how often "
+        "it came, buffer how many seconds of it are kept. Static frames come once, from /tf_static, and hold for ever. "
+        "A frame that is not sent any more turns to the warning colour and says how old it is.\n\n"
+        "Several roots mean that parts of the tree are not connected: no transform leads from one to the other. A frame that is "
+        "named a second time stands in a circle.\n\n"
+        "The arrow keys up and down choose a frame, about which more is said below; left and right move the names, so do the "
+        "wheel and Shift with it. The tree is looked at once a second; a turns that off, then r looks again, as the original's "
+        "button. c forgets all transforms but the static ones. w saves the drawing: as .pdf, .svg, .png or .dot."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -679,6 +708,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "Topic Monitor",
+    "manual.rqt_tf_tree": "TF Tree",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

@@ -496,7 +496,7 @@ TEXTS = {
     "rqt.topic_filter": "话题过滤",
     "rqt.filter_note": "写名字或正则表达式，用逗号隔开；前面加 - 表示排除，/ 表示全部。例如：-/rqt.*",
     "rqt.save": "把图保存为",
-    "rqt.save_note": ".dot 给 Graphviz 用，.svg 或 .png 是图片",
+    "rqt.save_note": ".dot 给 Graphviz 用，.pdf、.svg 或 .png 是图片",
     "rqt.load": "打开 DOT 文件",
     "rqt.load_note": "会代替现在的图显示出来，按 r 刷新后恢复。",
     "rqt.loaded": "来自文件 {name}；按 r 回到现在的图",
@@ -646,6 +646,25 @@ TEXTS = {
     "rqt.about.rqt_image_view": "摄像头的图像",
     "rqt.about.rqt_plot": "数值随时间的变化",
     "rqt.about.rqt_tf_tree": "坐标系之间的关系",
+    # rqt_tf_tree
+    "tf_tree.columns.frame": "坐标系",
+    "tf_tree.columns.age": "距今 s",
+    "tf_tree.columns.rate": "频率 Hz",
+    "tf_tree.columns.buffer": "缓冲 s",
+    "tf_tree.columns.broadcaster": "发送者",
+    "tf_tree.none": "还没有收到坐标变换（No tf data received）",
+    "tf_tree.static": "静态",
+    "tf_tree.again": "（成圈）",
+    "tf_tree.root": "{name} 是根：没有人发送通向它的变换。",
+    "tf_tree.old": "{count} 个没更新",
+    "tf_tree.recorded": "记录时间：{time}",
+    "tf_tree.refresh": "刷新",
+    "tf_tree.clear": "清空缓冲",
+    "tf_tree.auto": "自动刷新",
+    "tf_tree.sideways": "左右移动",
+    "tf_tree.save": "另存为",
+    "tf_tree.saved": "已保存：{name}",
+    "tf_tree.save_note": "后缀决定格式：.pdf、.svg、.png 是图，.dot 给 Graphviz 用。",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -769,6 +788,14 @@ TEXTS = {
         "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
         "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
     ),
+    "help.rqt_tf_tree": (
+        "坐标系的树：每个坐标系都在它的上级下面。“距今”是最新的变换到现在有多久，“频率”是多久来一次，“缓冲”是存了多少秒。"
+        "静态的坐标系只在 /tf_static 上发一次，一直有效。不再有人发的坐标系会变成警告的颜色，并且写着已经多久没更新了。\n\n"
+        "有几个根，就说明树断开了：它们之间没有变换。名字出现第二次的坐标系绕成了圈。\n\n"
+        "↑ ↓ 选一个坐标系，下面会写得更详细；← → 左右移动名字，滚轮和 Shift 加滚轮也行。"
+        "树每秒看一次；a 关掉自动，再按 r 才重新看，和真的那个按钮一样。c 忘掉静态以外的所有变换。"
+        "w 存成图：.pdf、.svg、.png 或 .dot。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -848,6 +875,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "话题监视器",
+    "manual.rqt_tf_tree": "TF 树",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",
