@@ -339,6 +339,28 @@ TEXTS = {
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
+    # fields of messages
+    "fields.request": "Request: Topic",
+    "fields.response": "Response: Field",
+    "fields.type": "Type",
+    "fields.expression": "Expression",
+    "fields.value": "Value",
+    "fields.edit": "change",
+    "fields.next": "next field, while typing",
+    "fields.default": "default value",
+    # service_caller
+    "service.call": "Call",
+    "service.cancel": "Cancel",
+    "service.refresh": "Refresh",
+    "service.choose": "service",
+    "service.choose_title": "Service",
+    "service.none": "no service",
+    "service.count": "{count} services",
+    "service.waiting_for_any": "There are no services yet. Start a node.",
+    "service.waiting": "Called. Waiting for the answer.",
+    "service.waiting.long": "Nobody has answered yet, for {seconds} s. x waits no longer.",
+    "service.cancelled": "Cancelled: nothing waits for the answer now. The node may still be working.",
+    "service.gone": "The node that offered this service is gone: there will be no answer.",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -441,6 +463,7 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_service_caller": "calls a service",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -574,6 +597,16 @@ TEXTS = {
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
         "name. / filters by part of a name or type, Esc shows all again."
     ),
+    "help.service_caller": (
+        "Calls a service by hand, like ros2 service call. s chooses the service; the tree below shows the fields of its "
+        "request with their default values. Enter, or a click on a value, changes it; Enter takes it, Tab goes on to the next "
+        "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
+        "shown below.\n\n"
+        "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
+        "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -652,6 +685,7 @@ TEXTS = {
     "manual.rqt_graph": "rqt_graph",
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "Service Caller",
     "manual.topics": "Topic Monitor",
     "manual.inspector": "Inspector",
     # The command line

@@ -523,6 +523,28 @@ TEXTS = {
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
+    # fields of messages
+    "fields.request": "请求：话题",
+    "fields.response": "响应：字段",
+    "fields.type": "类型",
+    "fields.expression": "表达式",
+    "fields.value": "值",
+    "fields.edit": "修改",
+    "fields.next": "输入时跳到下一个字段",
+    "fields.default": "默认值",
+    # service_caller
+    "service.call": "调用",
+    "service.cancel": "取消",
+    "service.refresh": "刷新",
+    "service.choose": "服务",
+    "service.choose_title": "服务",
+    "service.none": "没有服务",
+    "service.count": "{count} 个服务",
+    "service.waiting_for_any": "还没有服务。启动一个节点吧。",
+    "service.waiting": "已调用，正在等回答。",
+    "service.waiting.long": "{seconds} 秒了还没有人回答。按 x 不再等。",
+    "service.cancelled": "已取消，不再等回答。那个节点可能还在做。",
+    "service.gone": "提供这个服务的节点不在了，不会有回答。",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -625,6 +647,7 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志",
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_service_caller": "调用服务",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -748,6 +771,14 @@ TEXTS = {
         "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
         "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
     ),
+    "help.service_caller": (
+        "手动调用服务，和 ros2 service call 一样。s 选服务；下面的树是请求的各个字段和默认值。按 Enter，或者点一下值，就能修改；"
+        "Enter 确定，Tab 接着改下一个字段，Esc 保留原来的，Del 恢复默认值。然后按 c 或者点“调用”发出请求，响应显示在下面。\n\n"
+        "表达式是 Python 的一部分：1.5、2*pi、sin(0.3)、[1, 2]、'文字'；文字也可以不加引号。不适合字段的表达式会被标出来，"
+        "这个字段就用默认值发出去，和真的 rqt 一样。\n\n"
+        "没有人回答时，窗口会告诉你等了多久，按 x 不再等。节点怎么看这次调用，要看它自己的终端："
+        "比如已经有同名的海龟时，turtlesim 回答一个空的名字。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -821,6 +852,7 @@ TEXTS = {
     "manual.rqt_graph": "rqt_graph",
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "服务调用器",
     "manual.topics": "话题监视器",
     "manual.inspector": "检查器",
     # 命令行

@@ -32,7 +32,7 @@ KNOWN = (
     Entry("Logging", "Logger Level", "rqt_logger_level/LoggerLevel", "LoggerLevelPlugin"),
     Entry("Miscellaneous Tools", "Shell", "rqt_shell/Shell", "ShellPlugin"),
     Entry("Services", "Service Caller", "rqt_service_caller/ServiceCaller", "ServiceCallerPlugin"),
-    Entry("Services", "Service Type Browser", "rqt_srv/ServiceTypeBrowser", "ServiceTypePlugin"),
+    Entry("Services", "Service Type Browser", "rqt_srv/Services", "ServiceTypePlugin"),
     Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "PublisherPlugin"),
     Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "MessageTypePlugin"),
     Entry("Topics", "Topic Monitor", "rqt_topic/TopicMonitor", "TopicMonitorPlugin"),

@@ -12,7 +12,7 @@ import operator
 import random
 import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from day6_tui.core.interfaces import get_message
@@ -58,7 +58,9 @@ def _round(value: float, digits: int = 0) -> float:
 def _names() -> dict[str, Any]:
     left_out = {"factorial", "comb", "perm", "prod"}  # a short call makes a number of millions of digits
     names = {name: value for name, value in vars(math).items() if not name.startswith("_") and name not in left_out}
-    chance = "random uniform triangular randint randrange choice gauss normalvariate expovariate betavariate vonmisesvariate"
+    chance = (
+        "random uniform triangular randint randrange choice gauss normalvariate expovariate betavariate vonmisesvariate"
+    )
     names |= {name: getattr(random, name) for name in chance.split()}
     names |= {name: getattr(time, name) for name in ("time", "time_ns", "monotonic", "monotonic_ns")}
     names |= {each.__name__: each for each in (abs, bool, float, int, len, max, min, str, list, tuple, chr, ord)}
@@ -143,7 +145,7 @@ class _Reader:
             _check_format(left)
         elif kind is ast.Mult:
             for many, times in ((left, right), (right, left)):
-                if isinstance(many, Sequence) and isinstance(times, int):
+                if isinstance(many, (str, bytes, list, tuple)) and isinstance(times, int):
                     self._spend(_weight(many, self._left) * max(0, times))
                     return many * times
         elif kind in (ast.Pow, ast.LShift) and isinstance(left, int) and isinstance(right, int):
@@ -189,8 +191,10 @@ class _Reader:
     def _formattedvalue(self, node: ast.FormattedValue) -> str:
         form = self.value(node.format_spec) if node.format_spec is not None else ""
         _check_format(form)
-        convert = {-1: lambda value: value, ord("s"): str, ord("r"): repr, ord("a"): ascii}[node.conversion]
-        return self._kept(format(convert(self.value(node.value)), form))  # type: ignore[no-any-return]
+        value = self.value(node.value)
+        if (convert := {ord("s"): str, ord("r"): repr, ord("a"): ascii}.get(node.conversion)) is not None:
+            value = convert(value)
+        return self._kept(format(value, form))  # type: ignore[no-any-return]
 
     def _call(self, node: ast.Call) -> Any:
         function = self._message_class(node.func) if isinstance(node.func, ast.Attribute) else self.value(node.func)

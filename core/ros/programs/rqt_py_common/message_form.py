@@ -51,8 +51,8 @@ class FieldRow(NamedTuple):
 class FieldKind(NamedTuple):
     """What a field can hold: `python` is the type of its value, of its elements if it is an array."""
 
-    type: str
-    python: type
+    name: str
+    python: type[Any]
     is_array: bool
 
 
@@ -172,7 +172,7 @@ def kind_of(type_name: str) -> FieldKind:
     base = element_type(type_name) or type_name
     if "/" in base:
         package, _, name = base.rpartition("/")
-        python: type = get_message(f"{package.partition('/')[0]}/msg/{name}")
+        python: type[Any] = get_message(f"{package.partition('/')[0]}/msg/{name}")
     else:
         python = _PYTHON.get(base, str)
     return FieldKind(type_name, python, base != type_name)

@@ -62,6 +62,8 @@ class ServiceCaller(Requests):
         self._form: MessageForm | None = None
         self._client: Client[Any, Any] | None = None
         self._since_ns = 0
+        self._served = False
+        """Whether somebody offers the service that is called."""
         self._known: dict[str, bool] = {}
         """Whether types are here."""
         self.services: tuple[tuple[str, str], ...] = ()
@@ -132,8 +134,11 @@ class ServiceCaller(Requests):
             # As the real one does: those of actions are left out, and those whose type is not here.
             if types[0].split("/")[1:2] == ["srv"] and self._is_known(types[0]):
                 found.append((name, types[0]))
-        if self.is_waiting and not any(name == self.service for name, _ in found):
-            self._stop("gone")
+        if self._client is not None:
+            # Its name stays in the graph as long as somebody, we, would call it.
+            served, self._served = self._served, self._client.service_is_ready()
+            if served and not self._served:
+                self._stop("gone")
         if tuple(found) != self.services:
             self.services = tuple(found)
             self.version += 1
@@ -198,9 +203,12 @@ class ServiceCaller(Requests):
             future = client.call_async(request)
         except (SerializationError, AssertionError, OverflowError, TypeError, ValueError) as error:
             self._stop("")
-            self._fail(f'ServiceCaller.on_call_service_button_clicked(): error calling service "{self.service}".\n{error}')
+            self._fail(
+                f'ServiceCaller.on_call_service_button_clicked(): error calling service "{self.service}".\n{error}'
+            )
             return
         self.state, self.waited, self._since_ns = "waiting", 0, self._steady_ns()
+        self._served = client.service_is_ready()
         future.add_done_callback(partial(self._answered, client))
 
     def _answered(self, client: Client[Any, Any], future: Future[Any]) -> None:
@@ -220,4 +228,3 @@ class ServiceCaller(Requests):
             self._client = None
             self.state = state
             self.version += 1
-
