@@ -361,6 +361,22 @@ TEXTS = {
     "service.waiting.long": "Nobody has answered yet, for {seconds} s. x waits no longer.",
     "service.cancelled": "Cancelled: nothing waits for the answer now. The node may still be working.",
     "service.gone": "The node that offered this service is gone: there will be no answer.",
+    # publisher
+    "publisher.columns.topic": "Topic",
+    "publisher.columns.type": "Type",
+    "publisher.columns.rate": "Rate",
+    "publisher.columns.expression": "Expression",
+    "publisher.add": "Add",
+    "publisher.once": "Publish once",
+    "publisher.remove": "Remove",
+    "publisher.clear": "Clear",
+    "publisher.tick": "publish",
+    "publisher.new": "add a new topic",
+    "publisher.none": "No publishers yet. a adds one: choose its topic, then tick its box.",
+    "publisher.choose_topic": "Topic to publish on",
+    "publisher.new_topic": "another topic …",
+    "publisher.new_topic.note": "The name of a topic; its type is asked for next.",
+    "publisher.choose_type": "Type of the topic",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -464,6 +480,7 @@ TEXTS = {
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
     "rqt.about.rqt_service_caller": "calls a service",
+    "rqt.about.rqt_publisher": "publishes messages",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -607,6 +624,14 @@ TEXTS = {
         "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
         "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
     ),
+    "help.publisher": (
+        "Publishes messages by hand, like ros2 topic pub. a adds a publisher: choose one of the topics there are, or another "
+        "name and then its type. Space, or a click on the box, begins to publish, at the rate in its line (in Hz; Enter on the "
+        "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
+        "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
+        "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
+        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -686,6 +711,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.service_caller": "Service Caller",
+    "manual.publisher": "Message Publisher",
     "manual.topics": "Topic Monitor",
     "manual.inspector": "Inspector",
     # The command line

@@ -545,6 +545,22 @@ TEXTS = {
     "service.waiting.long": "{seconds} 秒了还没有人回答。按 x 不再等。",
     "service.cancelled": "已取消，不再等回答。那个节点可能还在做。",
     "service.gone": "提供这个服务的节点不在了，不会有回答。",
+    # publisher
+    "publisher.columns.topic": "话题",
+    "publisher.columns.type": "类型",
+    "publisher.columns.rate": "频率",
+    "publisher.columns.expression": "表达式",
+    "publisher.add": "添加",
+    "publisher.once": "发布一次",
+    "publisher.remove": "删除",
+    "publisher.clear": "清空",
+    "publisher.tick": "发布",
+    "publisher.new": "添加新话题",
+    "publisher.none": "还没有发布者。按 a 添加：先选话题，再勾选方框。",
+    "publisher.choose_topic": "发布到哪个话题",
+    "publisher.new_topic": "另一个话题……",
+    "publisher.new_topic.note": "话题的名字；接下来选它的类型。",
+    "publisher.choose_type": "话题的类型",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -648,6 +664,7 @@ TEXTS = {
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
     "rqt.about.rqt_service_caller": "调用服务",
+    "rqt.about.rqt_publisher": "发布消息",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -779,6 +796,14 @@ TEXTS = {
         "没有人回答时，窗口会告诉你等了多久，按 x 不再等。节点怎么看这次调用，要看它自己的终端："
         "比如已经有同名的海龟时，turtlesim 回答一个空的名字。"
     ),
+    "help.publisher": (
+        "手动发布消息，和 ros2 topic pub 一样。按 a 添加发布者：选一个已有的话题，或者输入新名字再选类型。"
+        "按空格，或者点一下方框，就按这一行的频率开始发布（单位 Hz；在这一行按 Enter 修改，0 表示只手动发布）。"
+        "o 发布一条，d 删除这个发布者，C 全部删除。\n\n"
+        "在字段上按 Enter，或者点一下它的值，就能输入表达式，和服务调用器里一样。每条消息都会重新计算："
+        "i 是消息的序号，所以 sin(i/10) 会来回摆动。now() 是现在的时间，用在时间戳上；random() 和 uniform(0, 1) 每次都不同。"
+        "文字可以不加引号。有错的会被标出来，改好以前这个字段用默认值。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -853,6 +878,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.service_caller": "服务调用器",
+    "manual.publisher": "消息发布器",
     "manual.topics": "话题监视器",
     "manual.inspector": "检查器",
     # 命令行

@@ -27,6 +27,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt_console": ("rqt_console", "RqtConsolePane"),
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
     "service_caller": ("service_caller", "ServiceCallerPane"),
+    "publisher": ("publisher", "PublisherPane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),

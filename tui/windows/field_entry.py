@@ -30,10 +30,11 @@ class FieldEntry(Line):
     def __init__(self, look: Look, line: FieldLine, begun: str | None = None) -> None:
         super().__init__(look, line.typed if begun is None else begun)
         self.line = line
+        self._is_old = begun is None
         self._over = False
 
     def on_mount(self) -> None:
-        if self.value == self.line.typed:
+        if self._is_old:
             self.select_all()  # what is typed replaces it
 
     async def on_key(self, event: events.Key) -> None:

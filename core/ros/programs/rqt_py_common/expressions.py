@@ -192,8 +192,14 @@ class _Reader:
         form = self.value(node.format_spec) if node.format_spec is not None else ""
         _check_format(form)
         value = self.value(node.value)
-        if (convert := {ord("s"): str, ord("r"): repr, ord("a"): ascii}.get(node.conversion)) is not None:
-            value = convert(value)
+        if node.conversion >= 0:
+            value = (
+                f"{value!r}"
+                if node.conversion == ord("r")
+                else f"{value!a}"
+                if node.conversion == ord("a")
+                else str(value)
+            )
         return self._kept(format(value, form))  # type: ignore[no-any-return]
 
     def _call(self, node: ast.Call) -> Any:

@@ -30,6 +30,9 @@ REST = "..."
 INTERFACE_ERRORS = (InvalidSpecification, LookupError, NameError, OSError, TypeError, ValueError)
 """What asking for the class of an interface may raise, which may be anybody's."""
 
+REFUSAL = "Failed to set {name} to {value}\n\t{error}"
+"""The words of rqt_service_caller's warning."""
+
 _PYTHON = {each.idl: each.python for each in PRIMITIVES.values()}
 _STEPS = re.compile(r"([^/\[\]]+)|\[(\d+)\]")
 
@@ -107,9 +110,10 @@ def value_text(value: Any) -> str:
 class MessageForm:
     """A message being filled in: `expressions` by path, and what is wrong with them."""
 
-    def __init__(self, message_class: Callable[[], Any], convert: Convert) -> None:
+    def __init__(self, message_class: Callable[[], Any], convert: Convert, refusal: str = REFUSAL) -> None:
+        """`refusal`: what is said of a value that its field does not take."""
         self._message_class = message_class
-        self._convert = convert
+        self._convert, self._refusal = convert, refusal
         self._default = message_class()
         self.expressions: dict[str, str] = {}
         self.problems: dict[str, str] = {}
@@ -142,10 +146,16 @@ class MessageForm:
                 if isinstance(name, int):
                     owner[name] = value
                 else:
-                    _put(owner, name, value)
+                    self._put(owner, name, value)
             except Rejected as error:
                 self.problems[path] = str(error)
         return message
+
+    def _put(self, message: Any, name: str, value: Any) -> None:
+        try:
+            setattr(message, name, value)
+        except (AssertionError, OverflowError, TypeError, ValueError) as error:
+            raise Rejected(self._refusal.format(name=name, value=value_text(value), error=error)) from None
 
     def _slot(self, message: Any, path: str) -> tuple[Any, str | int, FieldKind]:
         """The message or list that a field is in, the field's name or index there, and its kind."""
@@ -157,14 +167,6 @@ class MessageForm:
                 return message, step, kind_of(kind)
             message = message[step] if isinstance(step, int) else getattr(message, step)
         raise LookupError(path)
-
-
-def _put(message: Any, name: str, value: Any) -> None:
-    try:
-        setattr(message, name, value)
-    except (AssertionError, OverflowError, TypeError, ValueError) as error:
-        # The words of rqt_service_caller's warning.
-        raise Rejected(f"Failed to set {name} to {value_text(value)}\n\t{error}") from None
 
 
 def kind_of(type_name: str) -> FieldKind:
