@@ -1,4 +1,4 @@
-"""The Message Publisher: rates, expressions that are computed for each message, and perspectives, on a clock that the test moves."""
+"""The Message Publisher: rates, expressions computed for each message, perspectives; on a clock that the test moves."""
 
 from __future__ import annotations
 

@@ -106,7 +106,7 @@ def test_a_topic_is_chosen_published_and_filled_in() -> None:
         await window.press("1", "0", "enter", "space", "down", "down", *"2.5", "tab", *"sin", "enter")
         (topic, _, rate, on, form) = window.model.publishers[0]
         assert (topic, rate, on) == ("/turtle1/cmd_vel", 10.0, True)
-        assert form.expressions == {"/linear/x": "2.5"}
+        assert form.expressions == {"/linear/x": "2.5", "/linear/y": "sin"}
 
     use(act)
 

@@ -79,7 +79,7 @@ def _element(value: Any, python: type[Any]) -> Any:
 
 
 class Shown(NamedTuple):
-    """One publisher as the window shows it; `count` is the `i` of its newest message."""
+    """One publisher as the window shows it; `counter` is the `i` of its newest message."""
 
     number: int
     topic: str
@@ -87,7 +87,7 @@ class Shown(NamedTuple):
     rate: float
     enabled: bool
     rows: list[FieldRow]
-    count: int
+    counter: int
     problem: str
 
 
