@@ -35,6 +35,8 @@ WINDOWS = {
     "rqt_graph": Needs(Extent(38, 8), Extent(60, 14), Extent(100, 24)),
     "service_caller": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
     "publisher": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
+    "type_browser": Needs(Extent(36, 9), Extent(60, 14), Extent(100, 24)),
+    "action_browser": Needs(Extent(36, 9), Extent(60, 18), Extent(100, 30)),
     "joint_state_publisher": Needs(Extent(30, 6), Extent(44, 8), Extent(60, 12)),
     "inspector": Needs(Extent(36, 6), Extent(50, 8), Extent(70, 14)),
     "lesson": LESSON,

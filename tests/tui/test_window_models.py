@@ -27,6 +27,8 @@ COMMANDS = {
     "rqt_plot": "rqt_plot",
     "service_caller": "ros2 run rqt_service_caller rqt_service_caller",
     "publisher": "ros2 run rqt_publisher rqt_publisher",
+    "type_browser": "ros2 run rqt_msg rqt_msg",
+    "action_browser": "ros2 run rqt_action rqt_action",
     "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",
     "world": "ros2 run day6_world world",
     "editor": "nano notes.txt",

@@ -377,6 +377,38 @@ TEXTS = {
     "publisher.new_topic": "another topic …",
     "publisher.new_topic.note": "The name of a topic; its type is asked for next.",
     "publisher.choose_type": "Type of the topic",
+    # type browsers
+    "types.columns.tree": "Tree",
+    "types.columns.type": "Type",
+    "types.columns.path": "Path",
+    "types.package": "Package",
+    "types.no_package": "no package",
+    "types.add": "Add a type",
+    "types.text": "view text",
+    "types.remove": "remove",
+    "types.choose.msg": "Message",
+    "types.choose.srv": "Service",
+    "types.choose.action": "Action",
+    "types.none.msg": "p chooses a package, a one of its message types.",
+    "types.none.srv": "p chooses a package, a one of its service types.",
+    "types.none.action": "p chooses a package, a one of its action types.",
+    # action_browser
+    "actions.live": "Action",
+    "actions.none": "No action server is running.",
+    "actions.ends": "servers {servers}, clients {clients}",
+    "actions.server": "server",
+    "actions.client": "client",
+    "actions.goal": "Goal to send",
+    "actions.id": "goal {id}",
+    "actions.own": "sent from here",
+    "actions.feedback": "Feedback",
+    "actions.result": "Result",
+    "actions.watch": "watch",
+    "actions.send": "Send goal",
+    "actions.cancel": "Cancel goal",
+    "actions.state.sent": "Sent. The server has not accepted it yet.",
+    "actions.state.rejected": "Goal was rejected.",
+    "actions.state.no_server": "No server offers this action now.",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -481,6 +513,9 @@ TEXTS = {
     "rqt.about.rqt_plot": "numbers over time",
     "rqt.about.rqt_service_caller": "calls a service",
     "rqt.about.rqt_publisher": "publishes messages",
+    "rqt.about.rqt_msg": "the fields of message types",
+    "rqt.about.rqt_srv": "the fields of service types",
+    "rqt.about.rqt_action": "action types, and live actions",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -632,6 +667,16 @@ TEXTS = {
         "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
         "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
     ),
+    "help.type_browser": (
+        "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
+        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line; d removes the tree."
+    ),
+    "help.action_browser": (
+        "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
+        "Above, which the real one does not have, the actions of the graph. Enter, or the right arrow key, opens one: its "
+        "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g sends "
+        "the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -712,6 +757,8 @@ TEXTS = {
     "manual.rqt_plot": "rqt_plot",
     "manual.service_caller": "Service Caller",
     "manual.publisher": "Message Publisher",
+    "manual.type_browser": "Type browsers",
+    "manual.action_browser": "Action Type Browser",
     "manual.topics": "Topic Monitor",
     "manual.inspector": "Inspector",
     # The command line

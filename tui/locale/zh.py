@@ -561,6 +561,38 @@ TEXTS = {
     "publisher.new_topic": "另一个话题……",
     "publisher.new_topic.note": "话题的名字；接下来选它的类型。",
     "publisher.choose_type": "话题的类型",
+    # type browsers
+    "types.columns.tree": "树",
+    "types.columns.type": "类型",
+    "types.columns.path": "路径",
+    "types.package": "包",
+    "types.no_package": "没有包",
+    "types.add": "添加类型",
+    "types.text": "看定义",
+    "types.remove": "删除",
+    "types.choose.msg": "消息",
+    "types.choose.srv": "服务",
+    "types.choose.action": "动作",
+    "types.none.msg": "按 p 选包，按 a 选它的一个消息类型。",
+    "types.none.srv": "按 p 选包，按 a 选它的一个服务类型。",
+    "types.none.action": "按 p 选包，按 a 选它的一个动作类型。",
+    # action_browser
+    "actions.live": "动作",
+    "actions.none": "没有动作服务器在运行。",
+    "actions.ends": "服务器 {servers}，客户端 {clients}",
+    "actions.server": "服务器",
+    "actions.client": "客户端",
+    "actions.goal": "要发送的目标",
+    "actions.id": "目标 {id}",
+    "actions.own": "从这里发送",
+    "actions.feedback": "反馈",
+    "actions.result": "结果",
+    "actions.watch": "观察",
+    "actions.send": "发送目标",
+    "actions.cancel": "取消目标",
+    "actions.state.sent": "已发送，服务器还没有接受。",
+    "actions.state.rejected": "目标被拒绝了。",
+    "actions.state.no_server": "现在没有服务器提供这个动作。",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -665,6 +697,9 @@ TEXTS = {
     "rqt.about.rqt_plot": "随时间变化的数字",
     "rqt.about.rqt_service_caller": "调用服务",
     "rqt.about.rqt_publisher": "发布消息",
+    "rqt.about.rqt_msg": "消息类型的字段",
+    "rqt.about.rqt_srv": "服务类型的字段",
+    "rqt.about.rqt_action": "动作类型和正在运行的动作",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -804,6 +839,16 @@ TEXTS = {
         "i 是消息的序号，所以 sin(i/10) 会来回摆动。now() 是现在的时间，用在时间戳上；random() 和 uniform(0, 1) 每次都不同。"
         "文字可以不加引号。有错的会被标出来，改好以前这个字段用默认值。"
     ),
+    "help.type_browser": (
+        "这里有哪些消息类型或服务类型，和 ros2 interface show 一样。按 p 选包，按 a 把它的一个类型加进来，显示成字段的树。"
+        "按 Enter 或 v 看这一行的类型是怎么定义的；d 删除这棵树。"
+    ),
+    "help.action_browser": (
+        "下面是动作的类型，和真的 rqt 一样：按 p 选包，按 a 添加它的一个类型，按 Enter 看它的定义。\n\n"
+        "上面是正在运行的动作，真的 rqt 没有这一部分。按 Enter 或右方向键展开：可以看到服务器和客户端、"
+        "要填写的目标（在字段上按 Enter），还有所有目标的状态、反馈和结果。g 发送目标，x 取消。"
+        "展开的时候这个窗口在听，所以它也算一个客户端。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -879,6 +924,8 @@ TEXTS = {
     "manual.rqt_plot": "rqt_plot",
     "manual.service_caller": "服务调用器",
     "manual.publisher": "消息发布器",
+    "manual.type_browser": "类型浏览器",
+    "manual.action_browser": "动作类型浏览器",
     "manual.topics": "话题监视器",
     "manual.inspector": "检查器",
     # 命令行

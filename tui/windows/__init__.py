@@ -28,6 +28,8 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
     "service_caller": ("service_caller", "ServiceCallerPane"),
     "publisher": ("publisher", "PublisherPane"),
+    "type_browser": ("type_browser", "TypeBrowserPane"),
+    "action_browser": ("action_browser", "ActionBrowserPane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),

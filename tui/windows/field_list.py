@@ -213,7 +213,7 @@ class FieldList(PaneList):
                 lead = clip(" " * (line.depth * INDENT) + self._lead(line), width // 2, "")
                 segments.append(Segment(lead, on or (colours.publisher if line.ticked else colours.muted)))
                 width -= cell_len(lead)
-                cell = cell if line.is_head else elide(one_line(cell), max(1, width), dots)
+                cell = elide(one_line(cell), max(1, width), dots) if "/" in cell else cell
                 style = colours.strong if line.is_head else colours.node if line.depth else colours.topic
             elif line.problem and column == line.edited:
                 cell, style = f"{cell}  {self.look.glyphs.warning} {' '.join(line.problem.split())}", colours.warning

@@ -73,6 +73,15 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
 
+    def enter(self, line: FieldLine) -> None:
+        """Enter on a line that cannot be typed into."""
+        if line.is_branch:
+            self.toggle(line)
+
+    def toggle(self, line: FieldLine) -> None:
+        """Open a branch, or close it."""
+        self.list.toggle(line)
+
     def used(self, event: events.Key) -> bool:
         """Handle a key of this window; return False for one that is none of its."""
         return False
@@ -177,8 +186,10 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         line = event.line
         if event.part == "box":
             self.tick(line)
-        elif event.part == "opener" or (event.part == "line" and line.is_branch and line.edited is None):
-            self.list.toggle(line)
+        elif event.part == "opener":
+            self.toggle(line)
+        elif line.edited is None:
+            self.enter(line)
         else:
             self.type_over(line)
         self.look.wake()
@@ -191,7 +202,7 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
             return
         elif event.key in ("left", "right"):
             if line.is_branch and self.list.is_open(line) is not (event.key == "right"):
-                self.list.toggle(line)
+                self.toggle(line)
         elif event.key == "delete" and line.edited is not None:
             self.take(line, "")
         elif event.character in BEGINS and line.edited is not None:
