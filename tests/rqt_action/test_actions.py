@@ -11,6 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
+from example_interfaces.action import Fibonacci
 from rich.cells import cell_len
 from screens import ToolWindow, screen_lines, step, use_window
 
@@ -26,7 +27,6 @@ from day6_tui.core.session.program import Program
 from day6_tui.core.session.scheduler import Scheduler
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.streams import Captured
-from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, ActionServer, GoalResponse
 
 ROTATE = "/turtle1/rotate_absolute"

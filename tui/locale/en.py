@@ -674,8 +674,8 @@ TEXTS = {
     "help.action_browser": (
         "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
         "Above, which the real one does not have, the actions of the graph. Enter, or the right arrow key, opens one: its "
-        "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g sends "
-        "the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
+        "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g "
+        "sends the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
     ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "

@@ -215,7 +215,7 @@ class _Watched:
             handle.cancel_goal_async()
 
     def _on_answer(self, future: Future[Any]) -> None:
-        handle = future.result()
+        handle: Any = future.result()
         if future is self._last:
             self.state = "" if handle.accepted else "rejected"
         if handle.accepted:
@@ -226,7 +226,7 @@ class _Watched:
         self._changed()
 
     def _on_result(self, goal: str, future: Future[Any]) -> None:
-        response = future.result()
+        response: Any = future.result()
         self._results[goal] = response.result
         self._take(goal, STATUSES[response.status])
         self._changed()
