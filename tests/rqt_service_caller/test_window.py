@@ -142,6 +142,19 @@ def test_a_click_on_a_value_types_over_it_and_one_elsewhere_takes_it() -> None:
     use(act)
 
 
+def test_a_double_click_on_a_value_replaces_all_of_it() -> None:
+    async def act(window: _Window) -> None:
+        lines = screen_lines(window.app)
+        y = next(y for y, line in enumerate(lines) if "name" in line)
+        x = cell_len(lines[y][: lines[y].index("''")])
+        await window.pilot.double_click(offset=(x + 1, y))
+        await window.draw()
+        await window.press(*"'turtle2'", "enter")
+        assert window.model.form.expressions == {"/name": "'turtle2'"}
+
+    use(act)
+
+
 def test_the_buttons_do_what_their_keys_do() -> None:
     async def act(window: _Window) -> None:
         await window.click("Call")

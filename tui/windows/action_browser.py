@@ -44,13 +44,10 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
 
     def bar(self) -> Sequence[Segment | Button]:
         texts = self.look.texts
-        buttons = list(super().bar())
-        if any(action.watched for action in self._actions):
-            buttons += [
-                Button("g", texts("actions.send"), self._send),
-                Button("x", texts("actions.cancel"), self._cancel),
-            ]
-        return buttons
+        if not any(action.watched for action in self._actions):
+            return super().bar()
+        send = Button("g", texts("actions.send"), self._send)
+        return [send, Button("x", texts("actions.cancel"), self._cancel), *super().bar()]
 
     def lines(self) -> list[FieldLine]:
         texts = self.look.texts

@@ -37,15 +37,25 @@ class FieldEntry(Line):
         if self._is_old:
             self.select_all()  # what is typed replaces it
 
+    def on_click(self, event: events.Click) -> None:
+        """The second click of two, as on a cell of a table."""
+        event.stop()
+        if event.chain > 1:
+            self.select_all()
+
     async def on_key(self, event: events.Key) -> None:
         if event.key == "escape":
-            self._finish(None)
+            self.leave()
         elif event.key in ("tab", "shift+tab"):
             self._finish(self.value, -1 if event.key == "shift+tab" else 1)
         else:
             return  # to Line
         event.stop()
         event.prevent_default()
+
+    def leave(self) -> None:
+        """Leave what was there before."""
+        self._finish(None)
 
     async def action_submit(self) -> None:
         """Enter."""

@@ -24,6 +24,9 @@ Model = TypeVar("Model")
 BEGINS = frozenset("0123456789.-'\"[(")
 """What is typed on a line begins its value anew, if it is no key of the window."""
 
+BOOLEAN = "boolean"
+"""The type of a field that a key switches."""
+
 
 class Button(NamedTuple):
     """Something on the first line of the window that can be clicked, with the key that does the same."""
@@ -170,6 +173,9 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         """Keep what is typed on its line."""
         if (entry := self._entry) is None:
             return
+        if all(each.key != entry.line.key for each in self.list.lines_shown):
+            entry.leave()  # what it is about has gone
+            return
         place = self.list.place_of_cell(entry.line)
         if place is not None:
             x, y, width = place
@@ -205,6 +211,8 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
                 self.toggle(line)
         elif event.key == "delete" and line.edited is not None:
             self.take(line, "")
+        elif event.key == "space" and line.edited is not None and line.cells[1] == BOOLEAN:
+            self.take(line, str(line.typed != "True"))
         elif event.character in BEGINS and line.edited is not None:
             self.type_over(line, event.character)
         else:

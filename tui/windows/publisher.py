@@ -13,7 +13,7 @@ from day6_tui.tui.cells import clip
 from day6_tui.tui.look import Look
 from day6_tui.tui.pane import Piece
 from day6_tui.tui.windows.field_list import FieldLine
-from day6_tui.tui.windows.field_pane import Button, FieldPane
+from day6_tui.tui.windows.field_pane import BOOLEAN, Button, FieldPane
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_publisher.model import MessagePublisher, Shown
@@ -149,9 +149,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
             self._publish_once()
         elif event.character == "d" or (event.key == "delete" and line.edited == RATE):
             self._remove()
-        elif event.key == "space" and line.cells[1] == "boolean":
-            self.take(line, str(line.cells[EXPRESSION] != "True"))
-        elif event.key == "space":
+        elif event.key == "space" and line.cells[1] != BOOLEAN:
             self.tick(line)
         else:
             return False

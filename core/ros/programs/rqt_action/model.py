@@ -191,7 +191,7 @@ class _Watched:
                 field_rows(self._feedback[each], 4) if each in self._feedback else [],
                 field_rows(self._results[each], 4) if each in self._results else [],
             )
-            for each, status in reversed(self._statuses.items())
+            for each, status in list(self._statuses.items())[::-1]  # which grows on another thread
         ]
 
     def set_expression(self, path: str, text: str) -> None:

@@ -16,6 +16,7 @@ from day6_tui.core.ros.programs.rqt_py_common.message_form import (
     FieldRow,
     MessageForm,
     Rejected,
+    elements,
     octet,
 )
 from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
@@ -57,7 +58,7 @@ def convert(text: str, kind: FieldKind, names: Mapping[str, Any]) -> Any:
         if not kind.is_array:
             return _element(value, kind.python)
         if isinstance(value, (list, tuple)):
-            return [_element(each, kind.python) for each in value]
+            return elements(value, kind.python, lambda each: _element(each, kind.python))
     except (ArithmeticError, TypeError, ValueError):
         pass
     raise Rejected(f'error evaluating as "{_python_name(kind)}"')
@@ -257,7 +258,7 @@ class MessagePublisher(Requests):
                     fields = {
                         path.removeprefix(topic): text
                         for path, text in pairs
-                        if isinstance(path, str) and isinstance(text, str)
+                        if isinstance(path, str) and isinstance(text, str) and text.isprintable()
                     }
                     self._add(topic, type_name, float(rate) if 0 <= rate <= FASTEST else 1.0, fields)
 

@@ -13,6 +13,7 @@ import random
 import re
 import time
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from day6_tui.core.interfaces import get_message
@@ -77,10 +78,7 @@ def evaluate(text: str, names: Mapping[str, Any] = NAMES) -> Any:
     if len(text) > LONGEST:
         raise ExpressionError(f"{len(text)} characters: at most {LONGEST} are read")
     try:
-        tree = ast.parse(text.strip(), mode="eval")
-        if sum(1 for _ in ast.walk(tree)) > MOST_NODES:
-            raise ExpressionError("expression is too large")
-        value = _Reader(names).value(tree.body)
+        value = _Reader(names).value(_parsed(text.strip()))
         if callable(value):
             raise ExpressionError(f"'{text.strip()}' is a function")
         return value
@@ -92,6 +90,15 @@ def evaluate(text: str, names: Mapping[str, Any] = NAMES) -> Any:
         raise ExpressionError(str(error) or type(error).__name__) from None
     except (RecursionError, MemoryError):
         raise ExpressionError("expression is nested too deeply") from None
+
+
+@lru_cache(64)
+def _parsed(text: str) -> ast.expr:
+    """The parts of an expression, which may be that of a message a hundred times a second."""
+    tree = ast.parse(text, mode="eval")
+    if sum(1 for _ in ast.walk(tree)) > MOST_NODES:
+        raise ExpressionError("expression is too large")
+    return tree.body
 
 
 class _Reader:

@@ -6,7 +6,7 @@ A field is named by its path below the message, as rqt_py_common's trees name it
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import islice
 from typing import Any, NamedTuple
 
@@ -183,3 +183,9 @@ def kind_of(type_name: str) -> FieldKind:
 def octet(value: Any) -> bytes:
     """A value as one byte. Raises TypeError or ValueError."""
     return value if isinstance(value, bytes) else bytes([value])
+
+
+def elements(values: Iterable[Any], python: type[Any], make: Callable[[Any], Any]) -> list[Any]:
+    """The elements of an array, each made into what the array holds; quick where they, a million perhaps, are that already."""
+    found = list(values)
+    return found if set(map(type, found)) <= {python} else [make(each) for each in found]

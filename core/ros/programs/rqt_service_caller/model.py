@@ -14,6 +14,7 @@ from day6_tui.core.ros.programs.rqt_py_common.message_form import (
     FieldRow,
     MessageForm,
     Rejected,
+    elements,
     field_rows,
     octet,
 )
@@ -43,7 +44,7 @@ def convert(text: str, kind: FieldKind, names: Mapping[str, Any] = NAMES) -> Any
         if not kind.is_array:
             return value if type(value) is kind.python else make(value)
         if found:
-            return [each if type(each) is kind.python else make(each) for each in value]
+            return elements(value, kind.python, make)
     except (ArithmeticError, TypeError, ValueError):
         pass
     if found:
