@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES, ExpressionError, evaluate
 
@@ -121,3 +123,36 @@ def test_rounding_to_any_digit_ends() -> None:
 
 def test_an_image_of_a_million_values_can_be_written() -> None:
     assert len(evaluate("[128] * 640 * 480 * 3")) == 640 * 480 * 3
+
+
+_LEAVES = st.one_of(st.integers(-9, 9).map(str), st.sampled_from(["0.5", "True", "'ab'", "[1, 2]", "(3,)", "pi", "i"]))
+_EXPRESSIONS = st.recursive(
+    _LEAVES,
+    lambda part: st.one_of(
+        st.tuples(
+            part, st.sampled_from(["+", "-", "*", "/", "//", "%", "**", "<<", "&", "|", "<", "==", "in"]), part
+        ).map(lambda each: f"({' '.join(each)})"),
+        part.map(lambda each: f"-({each})"),
+        part.map(lambda each: f"(not {each})"),
+        part.map(lambda each: f"abs({each})"),
+        part.map(lambda each: f"str({each})"),
+        st.tuples(part, part).map(lambda each: f"{each[0]}[{each[1]}]"),
+        st.tuples(part, part, part).map(lambda each: f"({each[0]} if {each[1]} else {each[2]})"),
+        st.tuples(part, part).map(lambda each: f"({each[0]} or {each[1]})"),
+    ),
+    max_leaves=6,
+)
+
+
+@given(_EXPRESSIONS)
+@pytest.mark.filterwarnings("ignore::SyntaxWarning")
+def test_what_is_computed_is_what_python_computes(text: str) -> None:
+    names = {**NAMES, "i": 3}
+    try:
+        found = evaluate(text, names)
+    except ExpressionError as error:
+        if not any(word in str(error) for word in ("too large", "more than")):
+            with pytest.raises((ArithmeticError, LookupError, TypeError, ValueError)):
+                eval(text, {"__builtins__": {}}, dict(names))
+        return
+    assert repr(found) == repr(eval(text, {"__builtins__": {}}, dict(names)))

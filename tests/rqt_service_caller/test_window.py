@@ -113,6 +113,17 @@ def test_letters_are_text_while_a_value_is_typed_and_keys_before_and_after() -> 
     assert model.form.expressions == {"/name": "crxs"} and model.asked == ["refresh"]
 
 
+def test_the_keys_that_are_named_are_those_that_work() -> None:
+    async def act(window: _Window) -> None:
+        assert "c Call" in screen_lines(window.app)[-1]
+        await window.press("enter")
+        assert "c Call" not in screen_lines(window.app)[-1] and "Enter take it" in screen_lines(window.app)[-1]
+        await window.press("escape")
+        assert "c Call" in screen_lines(window.app)[-1]
+
+    use(act)
+
+
 def test_escape_leaves_the_old_value_and_delete_brings_back_the_default() -> None:
     async def act(window: _Window) -> None:
         await window.press("5", "enter", "9", "escape")

@@ -346,6 +346,9 @@ TEXTS = {
     "fields.expression": "Expression",
     "fields.value": "Value",
     "fields.edit": "change",
+    "fields.take": "take it",
+    "fields.on": "and the next field",
+    "fields.leave": "old value",
     "fields.next": "next field, while typing",
     "fields.default": "default value",
     # service_caller

@@ -530,6 +530,9 @@ TEXTS = {
     "fields.expression": "表达式",
     "fields.value": "值",
     "fields.edit": "修改",
+    "fields.take": "确定",
+    "fields.on": "并改下一个",
+    "fields.leave": "保留原值",
     "fields.next": "输入时跳到下一个字段",
     "fields.default": "默认值",
     # service_caller

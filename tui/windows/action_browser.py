@@ -118,12 +118,12 @@ class ActionBrowserPane(BrowsingPane["ActionBrowser"]):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def key_hints(self) -> list[tuple[str, str]]:
+    def usual_hints(self) -> list[tuple[str, str]]:
         texts, action = self.look.texts, self._chosen()
         if action is None:
-            return super().key_hints()
+            return super().usual_hints()
         if not action.watched:
-            return [("Enter", texts("actions.watch")), *super().key_hints()]
+            return [("Enter", texts("actions.watch")), *super().usual_hints()]
         return [("g", texts("actions.send")), ("x", texts("actions.cancel")), ("Enter", texts("fields.edit"))]
 
     def used(self, event: events.Key) -> bool:

@@ -73,6 +73,10 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         """What the lines are about: of something else, the cursor goes to the first line that can be typed into."""
         return None
 
+    def usual_hints(self) -> list[tuple[str, str]]:
+        """The keys for the key bar while nothing is typed."""
+        return []
+
     def tick(self, line: FieldLine) -> None:
         """The check box of a line was clicked."""
 
@@ -184,6 +188,12 @@ class FieldPane(ListPane[Model, FieldList], Generic[Model]):
         entry.styles.visibility = "visible" if place is not None else "hidden"
 
     # -- keys and mouse ------------------------------------------------------------------------------------------------
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        if self._entry is None:
+            return self.usual_hints()
+        return [("Enter", texts("fields.take")), ("Tab", texts("fields.on")), ("Esc", texts("fields.leave"))]
 
     @on(FieldList.Used)
     def use(self, event: FieldList.Used) -> None:

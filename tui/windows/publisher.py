@@ -116,7 +116,7 @@ class PublisherPane(FieldPane["MessagePublisher"]):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def key_hints(self) -> list[tuple[str, str]]:
+    def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         if not self._publishers:
             return [("a", texts("publisher.add"))]

@@ -71,7 +71,7 @@ class ServiceCallerPane(FieldPane["ServiceCaller"]):
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def key_hints(self) -> list[tuple[str, str]]:
+    def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         call = ("x", texts("service.cancel")) if self.model.is_waiting else ("c", texts("service.call"))
         return [call, ("s", texts("service.choose")), ("Enter", texts("fields.edit"))]

@@ -68,11 +68,11 @@ class BrowsingPane(FieldPane[Model]):
         chosen = self.list.chosen
         if chosen is None or not chosen.key.startswith(TREE):
             return super().status()
-        return [Piece(f" {chosen.cells[2]}  {chosen.cells[1]} ", self.look.colours.muted)]
+        return [Piece(f" {chosen.cells[2]} ", self.look.colours.muted)]
 
     # -- keys ----------------------------------------------------------------------------------------------------------
 
-    def key_hints(self) -> list[tuple[str, str]]:
+    def usual_hints(self) -> list[tuple[str, str]]:
         texts = self.look.texts
         hints = [("a", texts("types.add")), ("p", texts("types.package"))]
         if self.browser.trees:
