@@ -100,6 +100,18 @@ def test_a_value_out_of_range_is_named_in_the_window_and_the_terminal(world) -> 
     assert "Failed to set r to 300" in output.text and "failed to evaluate expression: green" in output.text
 
 
+def test_i_is_nought_in_a_request(world) -> None:
+    world.start(turtlesim_node.main, display=Display())
+    model, output, _ = world.open()
+    model.choose("/spawn")
+    model.set_expression("/x", "i + 2")
+    world.wait(0.1)
+    assert [row.problem for row in model.request] == [""] * 4
+    model.call()
+    world.wait(0.2)
+    assert model.state == "answered" and output.text == ""
+
+
 def test_services_come_and_go_while_the_window_is_open(world) -> None:
     world.serve()
     model, _, _ = world.open()

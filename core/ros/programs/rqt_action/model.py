@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from day6_tui.core.graph.names import full_name
 from day6_tui.core.interfaces import SerializationError, get_action
 from day6_tui.core.ros.programs.rqt_msg.model import TypeBrowser
-from day6_tui.core.ros.programs.rqt_py_common.expressions import NAMES
 from day6_tui.core.ros.programs.rqt_py_common.message_form import INTERFACE_ERRORS, FieldRow, MessageForm, field_rows
 from day6_tui.core.ros.programs.rqt_py_common.requests import Requests
-from day6_tui.core.ros.programs.rqt_service_caller.model import convert
+from day6_tui.core.ros.programs.rqt_service_caller.model import REQUEST_NAMES, convert
 from rclpy.action import ActionClient, get_action_names_and_types
 from rclpy.qos import qos_profile_action_status_default
 
@@ -196,14 +195,14 @@ class _Watched:
 
     def set_expression(self, path: str, text: str) -> None:
         self._form.set(path, text)
-        self._form.message(NAMES)
+        self._form.message(REQUEST_NAMES)
 
     def send(self) -> None:
         if not self._client.server_is_ready():
             self.state = "no_server"
             return
         try:
-            future = self._client.send_goal_async(self._form.message({**NAMES, "i": 0}))
+            future = self._client.send_goal_async(self._form.message(REQUEST_NAMES))
         except (SerializationError, AssertionError, OverflowError, TypeError, ValueError) as error:
             self.state, self.message = "failed", str(error)
             return

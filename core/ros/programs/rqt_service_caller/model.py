@@ -27,8 +27,11 @@ if TYPE_CHECKING:
 
 SECOND = 1_000_000_000
 
+REQUEST_NAMES = {**NAMES, "i": 0}
+"""What an expression in a request may use; rqt's Service Caller never counts `i` up."""
 
-def convert(text: str, kind: FieldKind, names: Mapping[str, Any] = NAMES) -> Any:
+
+def convert(text: str, kind: FieldKind, names: Mapping[str, Any]) -> Any:
     """Return the value of a request's field: what cannot be computed is taken as the text that it is.
 
     Raises:
@@ -180,7 +183,7 @@ class ServiceCaller(Requests):
         """The request has changed: look whether its expressions can be used."""
         self.version += 1
         if self._form is not None:
-            self._form.message(NAMES)
+            self._form.message(REQUEST_NAMES)
             self.request = self._form.rows(1)
 
     def _set_expression(self, path: str, text: str) -> None:
@@ -196,7 +199,7 @@ class ServiceCaller(Requests):
         if self.service not in dict(self._node.get_service_names_and_types()):
             self._fail(f'Service "{self.service}" is no longer available. Refresh the list of services')
             return
-        request = self._form.message({**NAMES, "i": 0})  # which rqt's Service Caller never counts up
+        request = self._form.message(REQUEST_NAMES)
         for problem in self._form.problems.values():
             self.on_warning(problem)
         client = self._client = self._node.create_client(get_service(self.type), self.service)
