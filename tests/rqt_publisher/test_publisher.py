@@ -14,7 +14,7 @@ from std_msgs.msg import Bool, ByteMultiArray, Float64MultiArray, Int32, String,
 from day6_tui.core.graph import Graph
 from day6_tui.core.interfaces import type_name
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place
-from day6_tui.core.ros.programs.rqt_publisher import rqt_publisher
+from day6_tui.core.ros.programs.rqt_publisher import model, rqt_publisher
 from day6_tui.core.session.clock import WorldClock
 from day6_tui.core.session.display import Display
 from day6_tui.core.session.program import Program
@@ -90,6 +90,15 @@ def test_the_rate_can_be_changed_while_it_publishes(world) -> None:
     world.model.set_rate(0, "0")
     world.wait(1.0)
     assert len(heard) in range(20, 23) and world.model.shown()[0].rate == 0
+
+
+def test_a_message_that_takes_long_to_compute_leaves_time_to_others(world, monkeypatch) -> None:
+    seconds = iter(n * 0.06 for n in range(1000))
+    monkeypatch.setattr(model.time, "thread_time", lambda: next(seconds))
+    heard = world.add(String, rate=20.0)
+    world.model.set_enabled(0, True)
+    world.wait(2.05)
+    assert len(heard) == 10  # of 40: three pass after each
 
 
 @pytest.mark.parametrize("text", ["fast", "-1", "nan", "inf", "1e9", "1,5"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import time
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -34,6 +35,12 @@ FASTEST = 1_000_000.0
 
 DEPTH = 10
 """Of every publisher's history."""
+
+HEAVY_SECONDS = 0.01
+"""From this time of computing on, a message is followed by a pause: others live on the same thread."""
+
+RESTS = 3
+"""How many times as long that pause is."""
 
 MOST_KEPT = 200
 """Publishers that are taken from a perspective."""
@@ -282,6 +289,8 @@ class _Entry:
         self.enabled = False
         self.count = 0
         self._timer: Timer | None = None
+        self._rests = 0
+        """How many of the timer's next calls are let pass."""
         self._problem = ""
         """Why the last message could not be sent."""
 
@@ -303,7 +312,8 @@ class _Entry:
             self._model.destroy_timer(self._timer)
             self._timer = None
         if enabled and self.rate > 0:
-            self._timer = self._model.create_timer(max(1, int(1000 / self.rate)) / 1000, self.publish)
+            period = max(1, int(1000 / self.rate)) / 1000
+            self._timer = self._model.create_timer(period, partial(self._publish_in_turn, period))
 
     def set_rate(self, rate: float) -> None:
         self.rate = rate
@@ -315,6 +325,15 @@ class _Entry:
         except (LookupError, AttributeError, TypeError):
             return  # a perspective's, of a type that was different then
         self.form.message(self._model.names(self.count))
+
+    def _publish_in_turn(self, period: float) -> None:
+        if self._rests:
+            self._rests -= 1
+            return
+        began = time.thread_time()
+        self.publish()
+        spent = time.thread_time() - began
+        self._rests = int(RESTS * spent / period) if spent > HEAVY_SECONDS else 0
 
     def publish(self) -> None:
         """Publish one message; a field whose expression is wrong has its default."""
