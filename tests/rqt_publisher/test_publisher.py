@@ -98,7 +98,7 @@ def test_a_message_that_takes_long_to_compute_leaves_time_to_others(world, monke
     heard = world.add(String, rate=20.0)
     world.model.set_enabled(0, True)
     world.wait(2.05)
-    assert len(heard) == 10  # of 40: three pass after each
+    assert len(heard) in (10, 11)  # of about 40: three pass after each
 
 
 @pytest.mark.parametrize("text", ["fast", "-1", "nan", "inf", "1e9", "1,5"])
