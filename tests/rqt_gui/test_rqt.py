@@ -214,3 +214,36 @@ def test_what_names_no_plugin_or_several_is_told_in_rqts_words(room: Room) -> No
 def test_without_a_screen_the_plugins_are_listed(room: Room) -> None:
     listed = room.machine.start("rqt_gui", "rqt_gui").output.split()
     assert {"rqt_graph.ros_graph.RosGraph", "rqt_topic.topic.Topic"} <= set(listed) and listed == sorted(listed)
+
+
+TYPED = ("rqt_service_caller", "rqt_publisher", "rqt_action", "rqt_msg", "rqt_srv")
+"""The plugins whose fields are typed into, or that browse types."""
+
+
+def test_plugins_with_fields_share_the_node_and_leave_nothing_on_it(room: Room) -> None:
+    room.rqt()
+    room.start(*TYPED)
+    assert len(room.kinds) == 6 and len(room.nodes) == 1
+    models = {window.kind: window.model for window in room.machine.display.windows}
+    models["publisher"].add("/greeting", "std_msgs/msg/String")
+    room.machine.until(lambda: room.machine.node.count_publishers("/greeting") == 1)
+    for plugin in list(room.model.open):
+        room.ask(lambda plugin=plugin: room.model.stop(plugin))
+    assert room.kinds == ["rqt"] and room.machine.node.count_publishers("/greeting") == 0
+
+
+def test_publishers_and_the_chosen_service_come_back_with_the_perspective(room: Room) -> None:
+    running = room.rqt()
+    room.start("rqt_service_caller", "rqt_publisher")
+    caller, publisher = (window.model for window in room.machine.display.windows[1:])
+    caller.choose("/watcher/set_parameters")
+    publisher.add("/greeting", "std_msgs/msg/String", 2.0)
+    publisher.set_expression(0, "/data", "'Hello %d' % i")
+    publisher.set_enabled(0, True)
+    room.machine.advance(1.0)
+    room.leave(running)
+    room.rqt()
+    caller, publisher = (window.model for window in room.machine.display.windows[1:])
+    room.machine.until(lambda: caller.service == "/watcher/set_parameters")
+    (shown,) = publisher.shown()
+    assert (shown.topic, shown.rate, shown.enabled, shown.rows[0].text) == ("/greeting", 2.0, False, "'Hello %d' % i")

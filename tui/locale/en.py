@@ -340,6 +340,79 @@ TEXTS = {
     "topics.filter_note": "Part of a topic's name or type; nothing shows all.",
     "topics.filtered": "of {count}, filter: {text}",
     "topics.unfilter": "show all",
+    # fields of messages
+    "fields.request": "Request: Topic",
+    "fields.response": "Response: Field",
+    "fields.type": "Type",
+    "fields.expression": "Expression",
+    "fields.value": "Value",
+    "fields.edit": "change",
+    "fields.take": "take it",
+    "fields.on": "and the next field",
+    "fields.leave": "old value",
+    "fields.next": "next field, while typing",
+    "fields.default": "default value",
+    # service_caller
+    "service.call": "Call",
+    "service.cancel": "Cancel",
+    "service.refresh": "Refresh",
+    "service.choose": "service",
+    "service.choose_title": "Service",
+    "service.none": "no service",
+    "service.count": "{count} services",
+    "service.waiting_for_any": "There are no services yet. Start a node.",
+    "service.waiting": "Called. Waiting for the answer.",
+    "service.waiting.long": "Nobody has answered yet, for {seconds} s. x waits no longer.",
+    "service.cancelled": "Cancelled: nothing waits for the answer now. The node may still be working.",
+    "service.gone": "The node that offered this service is gone: there will be no answer.",
+    # publisher
+    "publisher.columns.topic": "Topic",
+    "publisher.columns.type": "Type",
+    "publisher.columns.rate": "Rate",
+    "publisher.columns.expression": "Expression",
+    "publisher.add": "Add",
+    "publisher.once": "Publish once",
+    "publisher.remove": "Remove",
+    "publisher.clear": "Clear",
+    "publisher.tick": "publish",
+    "publisher.new": "add a new topic",
+    "publisher.none": "No publishers yet. a adds one: choose its topic, then tick its box.",
+    "publisher.choose_topic": "Topic to publish on",
+    "publisher.new_topic": "another topic …",
+    "publisher.new_topic.note": "The name of a topic; its type is asked for next.",
+    "publisher.choose_type": "Type of the topic",
+    # type browsers
+    "types.columns.tree": "Tree",
+    "types.columns.type": "Type",
+    "types.columns.path": "Path",
+    "types.package": "Package",
+    "types.no_package": "no package",
+    "types.add": "Add a type",
+    "types.text": "view text",
+    "types.remove": "remove",
+    "types.choose.msg": "Message",
+    "types.choose.srv": "Service",
+    "types.choose.action": "Action",
+    "types.none.msg": "p chooses a package, a one of its message types.",
+    "types.none.srv": "p chooses a package, a one of its service types.",
+    "types.none.action": "p chooses a package, a one of its action types.",
+    # action_browser
+    "actions.live": "Action",
+    "actions.none": "No action server is running.",
+    "actions.ends": "servers {servers}, clients {clients}",
+    "actions.server": "server",
+    "actions.client": "client",
+    "actions.goal": "Goal to send",
+    "actions.id": "goal {id}",
+    "actions.own": "sent from here",
+    "actions.feedback": "Feedback",
+    "actions.result": "Result",
+    "actions.watch": "watch",
+    "actions.send": "Send goal",
+    "actions.cancel": "Cancel goal",
+    "actions.state.sent": "Sent. The server has not accepted it yet.",
+    "actions.state.rejected": "Goal was rejected.",
+    "actions.state.no_server": "No server offers this action now.",
     # rviz2
     "rviz.key.view": "view",
     "rviz.key.panel": "panel",
@@ -624,6 +697,34 @@ TEXTS = {
         "wheel and Shift with it. The tree is looked at once a second; a turns that off, then r looks again, as the original's "
         "button. c forgets all transforms but the static ones. w saves the drawing: as .pdf, .svg, .png or .dot."
     ),
+    "help.service_caller": (
+        "Calls a service by hand, like ros2 service call. s chooses the service; the tree below shows the fields of its "
+        "request with their default values. Enter, or a click on a value, changes it; Enter takes it, Tab goes on to the next "
+        "field, Esc leaves the old one, Del brings the default back. Then c, or Call, sends the request, and the response is "
+        "shown below.\n\n"
+        "An expression is a part of Python: 1.5, 2*pi, sin(0.3), [1, 2], 'text' or, for a text, also without quotes. What does "
+        "not fit its field is marked, and the field is sent with its default, as in the real rqt.\n\n"
+        "If nobody answers, the window says for how long, and x waits no longer. What the node thinks of the call stands in its "
+        "own terminal: turtlesim, for example, answers an empty name if a turtle of that name exists already."
+    ),
+    "help.publisher": (
+        "Publishes messages by hand, like ros2 topic pub. a adds a publisher: choose one of the topics there are, or another "
+        "name and then its type. Space, or a click on the box, begins to publish, at the rate in its line (in Hz; Enter on the "
+        "line changes it, 0 publishes only by hand). o publishes one message, d removes the publisher, C all of them.\n\n"
+        "Enter on a field, or a click on its value, types an expression, as in Service Caller. It is computed anew for each "
+        "message: i counts the messages, so sin(i/10) swings. now() is the time, for a stamp; random() and uniform(0, 1) change "
+        "every time. A text may stand without quotes. What is wrong is marked, and the field has its default until it is mended."
+    ),
+    "help.type_browser": (
+        "The types of messages or services that there are here, like ros2 interface show. p chooses a package, a adds one of its "
+        "types as a tree of fields. Enter, or v, shows the text that defines the type of the line; d removes the tree."
+    ),
+    "help.action_browser": (
+        "Below, the types of actions, as in the real rqt: p chooses a package, a adds one of its types, Enter shows its text.\n\n"
+        "Above, which the real one does not have, the actions of the graph. Enter, or the right arrow key, opens one: its "
+        "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g "
+        "sends the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -707,6 +808,10 @@ TEXTS = {
     "manual.rqt_graph": "rqt_graph",
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "Service Caller",
+    "manual.publisher": "Message Publisher",
+    "manual.type_browser": "Type browsers",
+    "manual.action_browser": "Action Type Browser",
     "manual.topics": "Topic Monitor",
     "manual.rqt_tf_tree": "TF Tree",
     "manual.inspector": "Inspector",

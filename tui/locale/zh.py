@@ -524,6 +524,79 @@ TEXTS = {
     "topics.filter_note": "写话题名或类型的一部分；什么都不写就显示全部。",
     "topics.filtered": "共 {count} 个，过滤：{text}",
     "topics.unfilter": "显示全部",
+    # fields of messages
+    "fields.request": "请求：话题",
+    "fields.response": "响应：字段",
+    "fields.type": "类型",
+    "fields.expression": "表达式",
+    "fields.value": "值",
+    "fields.edit": "修改",
+    "fields.take": "确定",
+    "fields.on": "并改下一个",
+    "fields.leave": "保留原值",
+    "fields.next": "输入时跳到下一个字段",
+    "fields.default": "默认值",
+    # service_caller
+    "service.call": "调用",
+    "service.cancel": "取消",
+    "service.refresh": "刷新",
+    "service.choose": "服务",
+    "service.choose_title": "服务",
+    "service.none": "没有服务",
+    "service.count": "{count} 个服务",
+    "service.waiting_for_any": "还没有服务。启动一个节点吧。",
+    "service.waiting": "已调用，正在等回答。",
+    "service.waiting.long": "{seconds} 秒了还没有人回答。按 x 不再等。",
+    "service.cancelled": "已取消，不再等回答。那个节点可能还在做。",
+    "service.gone": "提供这个服务的节点不在了，不会有回答。",
+    # publisher
+    "publisher.columns.topic": "话题",
+    "publisher.columns.type": "类型",
+    "publisher.columns.rate": "频率",
+    "publisher.columns.expression": "表达式",
+    "publisher.add": "添加",
+    "publisher.once": "发布一次",
+    "publisher.remove": "删除",
+    "publisher.clear": "清空",
+    "publisher.tick": "发布",
+    "publisher.new": "添加新话题",
+    "publisher.none": "还没有发布者。按 a 添加：先选话题，再勾选方框。",
+    "publisher.choose_topic": "发布到哪个话题",
+    "publisher.new_topic": "另一个话题……",
+    "publisher.new_topic.note": "话题的名字；接下来选它的类型。",
+    "publisher.choose_type": "话题的类型",
+    # type browsers
+    "types.columns.tree": "树",
+    "types.columns.type": "类型",
+    "types.columns.path": "路径",
+    "types.package": "包",
+    "types.no_package": "没有包",
+    "types.add": "添加类型",
+    "types.text": "看定义",
+    "types.remove": "删除",
+    "types.choose.msg": "消息",
+    "types.choose.srv": "服务",
+    "types.choose.action": "动作",
+    "types.none.msg": "按 p 选包，按 a 选它的一个消息类型。",
+    "types.none.srv": "按 p 选包，按 a 选它的一个服务类型。",
+    "types.none.action": "按 p 选包，按 a 选它的一个动作类型。",
+    # action_browser
+    "actions.live": "动作",
+    "actions.none": "没有动作服务器在运行。",
+    "actions.ends": "服务器 {servers}，客户端 {clients}",
+    "actions.server": "服务器",
+    "actions.client": "客户端",
+    "actions.goal": "要发送的目标",
+    "actions.id": "目标 {id}",
+    "actions.own": "从这里发送",
+    "actions.feedback": "反馈",
+    "actions.result": "结果",
+    "actions.watch": "观察",
+    "actions.send": "发送目标",
+    "actions.cancel": "取消目标",
+    "actions.state.sent": "已发送，服务器还没有接受。",
+    "actions.state.rejected": "目标被拒绝了。",
+    "actions.state.no_server": "现在没有服务器提供这个动作。",
     # rviz2
     "rviz.key.view": "去视图",
     "rviz.key.panel": "去面板",
@@ -796,6 +869,32 @@ TEXTS = {
         "树每秒看一次；a 关掉自动，再按 r 才重新看，和真的那个按钮一样。c 忘掉静态以外的所有变换。"
         "w 存成图：.pdf、.svg、.png 或 .dot。"
     ),
+    "help.service_caller": (
+        "手动调用服务，和 ros2 service call 一样。s 选服务；下面的树是请求的各个字段和默认值。按 Enter，或者点一下值，就能修改；"
+        "Enter 确定，Tab 接着改下一个字段，Esc 保留原来的，Del 恢复默认值。然后按 c 或者点“调用”发出请求，响应显示在下面。\n\n"
+        "表达式是 Python 的一部分：1.5、2*pi、sin(0.3)、[1, 2]、'文字'；文字也可以不加引号。不适合字段的表达式会被标出来，"
+        "这个字段就用默认值发出去，和真的 rqt 一样。\n\n"
+        "没有人回答时，窗口会告诉你等了多久，按 x 不再等。节点怎么看这次调用，要看它自己的终端："
+        "比如已经有同名的海龟时，turtlesim 回答一个空的名字。"
+    ),
+    "help.publisher": (
+        "手动发布消息，和 ros2 topic pub 一样。按 a 添加发布者：选一个已有的话题，或者输入新名字再选类型。"
+        "按空格，或者点一下方框，就按这一行的频率开始发布（单位 Hz；在这一行按 Enter 修改，0 表示只手动发布）。"
+        "o 发布一条，d 删除这个发布者，C 全部删除。\n\n"
+        "在字段上按 Enter，或者点一下它的值，就能输入表达式，和服务调用器里一样。每条消息都会重新计算："
+        "i 是消息的序号，所以 sin(i/10) 会来回摆动。now() 是现在的时间，用在时间戳上；random() 和 uniform(0, 1) 每次都不同。"
+        "文字可以不加引号。有错的会被标出来，改好以前这个字段用默认值。"
+    ),
+    "help.type_browser": (
+        "这里有哪些消息类型或服务类型，和 ros2 interface show 一样。按 p 选包，按 a 把它的一个类型加进来，显示成字段的树。"
+        "按 Enter 或 v 看这一行的类型是怎么定义的；d 删除这棵树。"
+    ),
+    "help.action_browser": (
+        "下面是动作的类型，和真的 rqt 一样：按 p 选包，按 a 添加它的一个类型，按 Enter 看它的定义。\n\n"
+        "上面是正在运行的动作，真的 rqt 没有这一部分。按 Enter 或右方向键展开：可以看到服务器和客户端、"
+        "要填写的目标（在字段上按 Enter），还有所有目标的状态、反馈和结果。g 发送目标，x 取消。"
+        "展开的时候这个窗口在听，所以它也算一个客户端。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -874,6 +973,10 @@ TEXTS = {
     "manual.rqt_graph": "rqt_graph",
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
+    "manual.service_caller": "服务调用器",
+    "manual.publisher": "消息发布器",
+    "manual.type_browser": "类型浏览器",
+    "manual.action_browser": "动作类型浏览器",
     "manual.topics": "话题监视器",
     "manual.rqt_tf_tree": "TF 树",
     "manual.inspector": "检查器",
