@@ -65,7 +65,7 @@ class _CppTypeDescriptionService(TypeDescriptionService):
 class CppNode(Node):
     """A node of rclcpp. Without a publisher of parameter events nobody hears of its parameters' changes.
 
-    Raises CppException, as everything that a node makes does, for what rclcpp throws.
+    Raises CppException for what rclcpp throws, as do the methods that make publishers, subscriptions and services.
     """
 
     _rclpy_store = CppParameterStore
