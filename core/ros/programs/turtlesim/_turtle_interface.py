@@ -9,7 +9,7 @@ from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
-from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
 from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
@@ -29,7 +29,7 @@ RESULT_ROUNDS = 3
 class TurtleInterface:
     """Passes messages to `turtle` and publishes what its steps did. `now_ns` tells the time the turtle moves by.
 
-    Raises rclpy's InvalidTopicNameException for a turtle whose name cannot be part of a topic.
+    Raises CppException for a turtle whose name cannot be part of a topic.
     """
 
     def __init__(self, node: Node, turtle: Turtle, now_ns: Callable[[], int]) -> None:

@@ -30,13 +30,7 @@ class TypeDescriptionService:
         name = START_TYPE_DESCRIPTION_SERVICE_PARAM
         self.service_name = f"{node.get_name()}/get_type_description"
         self.enabled = False
-        if not node.has_parameter(name):
-            node._rclpy_parameters.declare_flag(
-                name,
-                True,
-                description="If enabled, start the ~/get_type_description service.",
-                read_only=True,
-            )
+        self._declare(node, name)
         parameter = node.get_parameter(name)
         if parameter.type_ == Parameter.Type.BOOL:
             self.enabled = parameter.value
@@ -52,6 +46,11 @@ class TypeDescriptionService:
                 qos_profile_services_default,
                 node.default_callback_group,
             )
+
+    def _declare(self, node: Node, name: str) -> None:
+        if not node.has_parameter(name):
+            description = "If enabled, start the ~/get_type_description service."
+            node._rclpy_parameters.declare_plain(name, True, description=description, read_only=True)
 
     def destroy(self) -> None:
         """End the service; it ends with its node's other services."""
