@@ -30,8 +30,8 @@ LARGEST, LIST_WIDTH = 100, 24
 
 PAGES = (
     "desk", "welcome", "guide", "terminal", "editor", "turtlesim", "car", "world", "joint_state_publisher", "rviz2",
-    "rqt", "rqt_graph", "rqt_console", "rqt_plot", "topics", "inspector", "kitchen", "lesson", "classroom",
-    "classroom_pupil",
+    "rqt", "rqt_graph", "rqt_console", "rqt_plot", "topics", "rqt_reconfigure",
+    "inspector", "kitchen", "lesson", "classroom", "classroom_pupil",
 )  # fmt: skip
 """The texts `help.<page>` in the order of the manual; their titles are the texts `manual.<page>`."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from waiting import PATIENCE, until
@@ -69,6 +70,7 @@ class SteppedMachine:
         stdin: InputStream | None = None,
         screen: bool = False,
         background: bool = False,
+        cwd: Path | None = None,
     ) -> Running:
         """Run an executable up to its first wait; `background`: as a launch does."""
         stdout, stderr = Captured(), Captured()
@@ -80,6 +82,7 @@ class SteppedMachine:
             stdout=stdout,
             stderr=stderr,
             display=self.display if screen else None,
+            cwd=cwd,
         )
         session.background = background
         module = importlib.import_module(f"day6_tui.core.ros.programs.{package}.{executable}")

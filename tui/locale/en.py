@@ -441,6 +441,37 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_reconfigure": "the parameters of nodes",
+    # rqt_reconfigure
+    "reconfigure.none": "No node has parameters yet. Start a node.",
+    "reconfigure.no_match": "No node matches. Esc shows all.",
+    "reconfigure.choose": "Enter opens a node at the left: its parameters come here.",
+    "reconfigure.reading": "reading the parameters …",
+    "reconfigure.unread": "not read; r reads again",
+    "reconfigure.waiting": "no response for {seconds} s: {reason}. Esc stops waiting.",
+    "reconfigure.gone": "This node is gone: these were its parameters.",
+    "reconfigure.not_there": "This node is not there.",
+    "reconfigure.no_parameters": "no parameters",
+    "reconfigure.read_only": "read-only",
+    "reconfigure.sent": "sent, no response yet",
+    "reconfigure.nodes": "nodes: {count}",
+    "reconfigure.filtered": "filter: {text}",
+    "reconfigure.open": "open",
+    "reconfigure.close": "close",
+    "reconfigure.read": "read again",
+    "reconfigure.switch": "switch",
+    "reconfigure.move": "move",
+    "reconfigure.far": "move by ten steps",
+    "reconfigure.ends": "least, greatest",
+    "reconfigure.value": "value",
+    "reconfigure.side": "other side",
+    "reconfigure.filter": "filter",
+    "reconfigure.cancel": "stop waiting; show all",
+    "reconfigure.files": "save, load",
+    "reconfigure.filter_nodes": "Nodes with",
+    "reconfigure.filter_parameters": "Parameters with",
+    "reconfigure.unfitting": "This is not a value of type {type}.",
+    "reconfigure.saved": "saved: {file}",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -574,6 +605,17 @@ TEXTS = {
         "subscribes. The left one closes it. s sorts by the next column, S the other way round; so does a click on a column's "
         "name. / filters by part of a name or type, Esc shows all again."
     ),
+    "help.rqt_reconfigure": (
+        "The parameters of running nodes, like ros2 param with a window. At the left are the nodes, in their namespaces: Enter "
+        "or a click opens one, or several. At the right are their parameters. Tab changes the side.\n\n"
+        "A number for which the node allows a range is a slider: left and right move it by a step, with Shift by ten, Home and "
+        "End to its ends; with the mouse it sends its value when it is let go, as in the real rqt. A digit or Enter begins an "
+        "exact number. Other values are typed: arrays as [1, 2, 3]. Enter switches true and false.\n\n"
+        "What you set is a request. The node answers, and may refuse: then its reason is shown, and the old value. Values that "
+        "others set, as with ros2 param set, show up by themselves.\n\n"
+        "/ filters the nodes or the parameters, r reads a node again, x closes it. ^S saves its parameters as YAML, ^O loads "
+        "such a file. A node that does not spin does not answer: the seconds are counted, and Esc stops waiting."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -653,6 +695,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "Topic Monitor",
+    "manual.rqt_reconfigure": "Parameter Reconfigure",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

@@ -625,6 +625,37 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志",
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_reconfigure": "节点的参数",
+    # rqt_reconfigure
+    "reconfigure.none": "还没有节点带参数。先启动一个节点。",
+    "reconfigure.no_match": "没有符合的节点。按 Esc 显示全部。",
+    "reconfigure.choose": "在左边选一个节点，按 Enter，它的参数就显示在这里。",
+    "reconfigure.reading": "正在读取参数…",
+    "reconfigure.unread": "没有读完；按 r 再读一次",
+    "reconfigure.waiting": "{seconds} 秒没有回应：{reason}。按 Esc 不再等。",
+    "reconfigure.gone": "这个节点已经不在了：下面是它最后的参数。",
+    "reconfigure.not_there": "没有这个节点。",
+    "reconfigure.no_parameters": "没有参数",
+    "reconfigure.read_only": "只读",
+    "reconfigure.sent": "已经发出，还没有回应",
+    "reconfigure.nodes": "节点 {count} 个",
+    "reconfigure.filtered": "只显示：{text}",
+    "reconfigure.open": "打开",
+    "reconfigure.close": "关闭",
+    "reconfigure.read": "重新读取",
+    "reconfigure.switch": "开/关",
+    "reconfigure.move": "拖动",
+    "reconfigure.far": "一次十步",
+    "reconfigure.ends": "最小、最大",
+    "reconfigure.value": "输入数值",
+    "reconfigure.side": "换一边",
+    "reconfigure.filter": "筛选",
+    "reconfigure.cancel": "不再等；显示全部",
+    "reconfigure.files": "保存、读入",
+    "reconfigure.filter_nodes": "节点名里有",
+    "reconfigure.filter_parameters": "参数名里有",
+    "reconfigure.unfitting": "这不是 {type} 类型的值。",
+    "reconfigure.saved": "已保存：{file}",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -748,6 +779,16 @@ TEXTS = {
         "按右方向键，或者点一下小箭头，把话题展开：可以看到消息的每个字段，还有谁在发布、谁在订阅。左方向键收起。"
         "s 换一列排序，S 反过来排，点列名也行。/ 按话题名或类型的一部分过滤，Esc 显示全部。"
     ),
+    "help.rqt_reconfigure": (
+        "正在运行的节点的参数，相当于带窗口的 ros2 param。左边是节点，按命名空间排列：按 Enter 或者点一下就打开，可以打开几个。"
+        "右边是它们的参数。Tab 换一边。\n\n"
+        "节点给了范围的数字是滑块：左右方向键走一步，加 Shift 走十步，Home 和 End 到两端；用鼠标拖，松手时才发出，"
+        "和真的 rqt 一样。按数字或 Enter 输入准确的值。其他的值直接输入，数组写成 [1, 2, 3]。true 和 false 用 Enter 切换。\n\n"
+        "改参数只是一个请求：节点会回答，也可以拒绝。拒绝时会显示它的理由，并恢复原来的值。别人改的值（比如用 ros2 param set）"
+        "会自己显示出来。\n\n"
+        "/ 筛选节点或参数，r 重新读取，x 关闭节点。^S 把参数存成 YAML，^O 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
+        "按 Esc 就不再等。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -822,6 +863,7 @@ TEXTS = {
     "manual.rqt_console": "rqt_console",
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "话题监视器",
+    "manual.rqt_reconfigure": "参数调节",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",
