@@ -35,7 +35,7 @@ KNOWN = (
     Entry("Services", "Service Type Browser", "rqt_srv/ServiceTypeBrowser", "ServiceTypePlugin"),
     Entry("Topics", "Message Publisher", "rqt_publisher/Publisher", "PublisherPlugin"),
     Entry("Topics", "Message Type Browser", "rqt_msg/Messages", "MessageTypePlugin"),
-    Entry("Topics", "Topic Monitor", "rqt_topic/TopicMonitor", "TopicMonitorPlugin"),
+    Entry("Topics", "Topic Monitor", "rqt_topic/TopicPlugin", "TopicMonitorPlugin"),
     Entry("Visualization", "Image View", "rqt_image_view/ImageView", "ImageViewPlugin"),
     Entry("Visualization", "Plot", "rqt_plot/Plot", "PlotPlugin"),
     Entry("Visualization", "TF Tree", "rqt_tf_tree/RosTfTree", "TfTreePlugin"),
