@@ -441,6 +441,7 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_logger_level": "the log levels of nodes",
     "rqt.about.rqt_reconfigure": "the parameters of nodes",
     # rqt_reconfigure
     "reconfigure.none": "No node has parameters yet. Start a node.",
@@ -472,6 +473,25 @@ TEXTS = {
     "reconfigure.filter_parameters": "Parameters with",
     "reconfigure.unfitting": "This is not a value of type {type}.",
     "reconfigure.saved": "saved: {file}",
+    # rqt_logger_level
+    "loggers.nodes": "Nodes",
+    "loggers.loggers": "Loggers",
+    "loggers.levels": "Levels",
+    "loggers.choose": "Enter chooses a node. Grey ones do not let others read or set their levels.",
+    "loggers.gone": "{node} is gone.",
+    "loggers.not_served": (
+        "{node} does not let others read or set its levels: it was made without enable_logger_service=True "
+        "(rclcpp: NodeOptions().enable_logger_service(true))."
+    ),
+    "loggers.waiting": "No response for {seconds} s: the node may not be spinning. Esc stops waiting.",
+    "loggers.not_set": "This logger has no level of its own: that of its parent counts, INFO unless another was given.",
+    "loggers.show": "choose",
+    "loggers.to_levels": "to its level",
+    "loggers.set": "set",
+    "loggers.column": "column",
+    "loggers.add": "add a logger",
+    "loggers.name": "Name of a logger",
+    "loggers.cancel": "stop waiting",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -616,6 +636,14 @@ TEXTS = {
         "/ filters the nodes or the parameters, r reads a node again, x closes it. ^S saves its parameters as YAML, ^O loads "
         "such a file. A node that does not spin does not answer: the seconds are counted, and Esc stops waiting."
     ),
+    "help.rqt_logger_level": (
+        "From which level on a node logs. Choose a node, then one of its loggers, then the level: DEBUG shows most, FATAL least. "
+        "A click does the same. The change lasts until the node ends; it is what --log-level does at the start.\n\n"
+        "Only nodes that were made with enable_logger_service=True can be asked, as `ros2 run demo_nodes_py use_logger_service` "
+        "shows; the others are grey. A node does not tell which loggers it has: a adds one by its name, like rcl.\n\n"
+        "The real ROS 2 has this window only as a draft, with other services. The services used here are ROS 2's own, "
+        "get_logger_levels and set_logger_levels."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -696,6 +724,7 @@ TEXTS = {
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "Topic Monitor",
     "manual.rqt_reconfigure": "Parameter Reconfigure",
+    "manual.rqt_logger_level": "Logger Level",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

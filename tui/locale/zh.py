@@ -625,6 +625,7 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志",
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_logger_level": "节点的日志级别",
     "rqt.about.rqt_reconfigure": "节点的参数",
     # rqt_reconfigure
     "reconfigure.none": "还没有节点带参数。先启动一个节点。",
@@ -656,6 +657,25 @@ TEXTS = {
     "reconfigure.filter_parameters": "参数名里有",
     "reconfigure.unfitting": "这不是 {type} 类型的值。",
     "reconfigure.saved": "已保存：{file}",
+    # rqt_logger_level
+    "loggers.nodes": "节点",
+    "loggers.loggers": "日志器",
+    "loggers.levels": "级别",
+    "loggers.choose": "按 Enter 选一个节点。灰色的节点不让别人读取或设置级别。",
+    "loggers.gone": "{node} 已经不在了。",
+    "loggers.not_served": (
+        "{node} 不让别人读取或设置它的级别：创建它时没有写 enable_logger_service=True"
+        "（rclcpp：NodeOptions().enable_logger_service(true)）。"
+    ),
+    "loggers.waiting": "{seconds} 秒没有回应：这个节点可能没有在 spin。按 Esc 不再等。",
+    "loggers.not_set": "这个日志器没有自己的级别：用上一级的级别，没有另外指定就是 INFO。",
+    "loggers.show": "选定",
+    "loggers.to_levels": "去选级别",
+    "loggers.set": "设定",
+    "loggers.column": "换一列",
+    "loggers.add": "添加日志器",
+    "loggers.name": "日志器的名字",
+    "loggers.cancel": "不再等",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -789,6 +809,13 @@ TEXTS = {
         "/ 筛选节点或参数，r 重新读取，x 关闭节点。^S 把参数存成 YAML，^O 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
         "按 Esc 就不再等。"
     ),
+    "help.rqt_logger_level": (
+        "节点从哪个级别开始输出日志。先选节点，再选它的日志器，再选级别：DEBUG 输出最多，FATAL 最少。用鼠标点也一样。"
+        "改了以后一直有效，直到节点结束；启动时用 --log-level 也是这个作用。\n\n"
+        "只有创建时写了 enable_logger_service=True 的节点才能问，例如 `ros2 run demo_nodes_py use_logger_service`；"
+        "其他的节点是灰色。节点不会告诉别人它有哪些日志器：按 a 输入名字添加，比如 rcl。\n\n"
+        "真的 ROS 2 里这个窗口还只是草稿，用的是别的服务。这里用的是 ROS 2 自己的服务 get_logger_levels 和 set_logger_levels。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -864,6 +891,7 @@ TEXTS = {
     "manual.rqt_plot": "rqt_plot",
     "manual.topics": "话题监视器",
     "manual.rqt_reconfigure": "参数调节",
+    "manual.rqt_logger_level": "日志级别",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",

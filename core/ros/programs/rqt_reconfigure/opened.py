@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 
+from day6_tui.core.ros.programs.rqt_gui.requests import Requests
 from day6_tui.core.ros.programs.rqt_reconfigure.ranges import Range, range_of
 from rclpy.parameter import Parameter as RosParameter
 from rclpy.parameter import parameter_value_to_python
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 
     from rclpy.client import Client
     from rclpy.node import Node
-    from rclpy.task import Future
 
 MOST_PARAMETERS = 5_000
 """More names than these are not asked for: no person reads them, and a broken node may send any number."""
@@ -78,7 +78,8 @@ class OpenedNode:
 
     def __init__(self, node: Node, name: str, now: Callable[[], int], changed: Callable[[], object]) -> None:
         self.name = name
-        self._node, self._now, self._changed = node, now, changed
+        self._node, self._changed = node, changed
+        self._requests = Requests(now, changed, self._on_failure)
         # The clients and the subscription are those of the real plugin (param_api.py, ParamClient).
         self._get: Client[Any, Any] = node.create_client(GetParameters, f"{name}/get_parameters")
         self._set: Client[Any, Any] = node.create_client(SetParameters, f"{name}/set_parameters")
@@ -94,8 +95,6 @@ class OpenedNode:
         """Those of them whose value came by an event since: it need not be the one that was sent."""
         self._next: dict[str, tuple[int, Any]] = {}
         """What is sent once the node has answered: of many changes of one parameter only the last."""
-        self._pending: dict[Future[Any], int] = {}
-        """The requests without a response, with the time (ns) at which they were sent."""
         self._there = False
         self._complete = False
         self._message = ""
@@ -105,14 +104,13 @@ class OpenedNode:
     @property
     def snapshot(self) -> OpenNode:
         """What the window shows."""
-        oldest = min(self._pending.values(), default=None)
-        waited = None if oldest is None else (self._now() - oldest) // 1_000_000_000
+        waited = self._requests.waited
         message = self._message or (NOT_SPINNING if waited is not None and waited >= PATIENCE_SECONDS else "")
         return OpenNode(self.name, self._there, tuple(self._parameters.values()), self._complete, waited, message)
 
     @property
     def waiting(self) -> bool:
-        return bool(self._pending)
+        return self._requests.waited is not None
 
     def look(self, there: bool) -> None:
         """The node exists, or does not; one that has come is read, once its services are there."""
@@ -131,14 +129,12 @@ class OpenedNode:
         """Ask for all parameters."""
         self.cancel()
         self._complete, self._message = False, ""
-        self._ask(self._list, ListParameters.Request(), self._on_names)
+        self._requests.send(self._list, ListParameters.Request(), self._on_names)
         self._changed()
 
     def cancel(self) -> None:
         """Wait for no response any more: values that were sent are put back."""
-        pending, self._pending = self._pending, {}
-        for future in pending:
-            future.cancel()
+        self._requests.give_up()
         self._next.clear()
         for name, value in self._known.items():
             self._change(name, value=value, sent=False)
@@ -153,11 +149,13 @@ class OpenedNode:
         self._parameters = {name: each for name, each in self._parameters.items() if name in set(names)}
         self._complete = not names
         if names:
-            self._ask(self._describe, DescribeParameters.Request(names=names), partial(self._on_descriptors, names))
+            self._requests.send(
+                self._describe, DescribeParameters.Request(names=names), partial(self._on_descriptors, names)
+            )
 
     def _on_descriptors(self, names: list[str], response: DescribeParameters.Response) -> None:
         found = {each.name: each for each in response.descriptors}
-        self._ask(self._get, GetParameters.Request(names=names), partial(self._on_values, names, found))
+        self._requests.send(self._get, GetParameters.Request(names=names), partial(self._on_values, names, found))
 
     def _on_values(
         self, names: list[str], descriptors: dict[str, ParameterDescriptor], response: GetParameters.Response
@@ -208,7 +206,7 @@ class OpenedNode:
                 unknown.append(each.name)
         if unknown and self._there:
             request = DescribeParameters.Request(names=unknown)
-            self._ask(self._describe, request, partial(self._on_descriptors, unknown))
+            self._requests.send(self._describe, request, partial(self._on_descriptors, unknown))
 
     # -- setting -------------------------------------------------------------------------------------------------------
 
@@ -239,7 +237,7 @@ class OpenedNode:
                 self._change(each.name, value=each.value, kind=int(each.type_), sent=True, refusal="")
         if now:
             request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in now])
-            self._ask(self._set, request, partial(self._on_set, now))
+            self._requests.send(self._set, request, partial(self._on_set, now))
         self._changed()
 
     def _on_set(self, sent: list[RosParameter[Any]], response: SetParameters.Response) -> None:
@@ -273,21 +271,8 @@ class OpenedNode:
         if known is not None:
             self._parameters[name] = replace(known, **fields)
 
-    def _ask(self, client: Client[Any, Any], request: Any, then: Callable[[Any], None]) -> None:
-        future = client.call_async(request)
-        self._pending[future] = self._now()
-
-        def answered(future: Future[Any]) -> None:
-            if self._pending.pop(future, None) is None:
-                return  # cancelled
-            error = future.exception()
-            if error is not None:
-                self._message, self._complete = str(error), True
-            else:
-                then(future.result())
-            self._changed()
-
-        future.add_done_callback(answered)
+    def _on_failure(self, reason: str) -> None:
+        self._message, self._complete = reason, True
 
     def close(self) -> None:
         """Give back what it has on the node."""
