@@ -31,7 +31,10 @@ def test_nodes_are_listed_with_whether_they_can_be_asked(machine: RqtMachine) ->
     machine.other("open", namespace="/robot", enable_logger_service=True)
     machine.other("shut")
     machine.open()
-    assert machine.model.nodes == {"/robot/open": True, machine.own: False, "/shut": False, "/watcher": False}
+    listed = {"/robot/open": True, machine.own: False, "/shut": False, "/watcher": False}
+    assert machine.model.nodes == listed
+    machine.do("choose", "/shut")
+    assert machine.model.nodes == listed and machine.model.waited is None
 
 
 def test_a_level_is_read_and_set_and_the_node_logs_by_it(machine: RqtMachine) -> None:

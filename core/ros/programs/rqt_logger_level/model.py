@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
 """Numbers of rcl_interfaces/msg/LoggerLevel, with the words of the list in the real plugin."""
 
-GET_LEVELS = "rcl_interfaces/srv/GetLoggerLevels"
-
 OTHERS = ("rcl", "rmw")
 """Loggers that every program has; a node cannot be asked which others there are."""
 
@@ -97,9 +95,9 @@ class LoggerLevels:
     def refresh(self) -> None:
         """Look which nodes there are, and ask the chosen one when it has come."""
         node = self._node
-        served = {name for name, types in node.get_service_names_and_types() if GET_LEVELS in types}
         names = sorted({full_name(namespace, name) for name, namespace in node.get_node_names_and_namespaces()})
-        found = {name: f"{name}/get_logger_levels" in served for name in names}
+        # Not by the list of services: it has those that are only called, too.
+        found = {name: node.count_services(f"{name}/get_logger_levels") > 0 for name in names}
         if found == self.nodes:
             return
         before, self.nodes = self.nodes, found

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 LARGEST_FILE = 100_000
 """Bytes of a file that is loaded: YAML takes seconds for more."""
 
-LIST_PARAMETERS = "rcl_interfaces/srv/ListParameters"
-
 
 class Reconfigure:
     """The model of one plugin. The window may read `nodes`, `opened`, `filter`, `message`, `version`, and request."""
@@ -100,14 +98,15 @@ class Reconfigure:
 
     def refresh(self) -> None:
         """Look which nodes there are."""
-        served = {name for name, types in self._node.get_service_names_and_types() if LIST_PARAMETERS in types}
-        full_names = {full_name(namespace, name) for name, namespace in self._node.get_node_names_and_namespaces()}
-        nodes = tuple(sorted(name for name in full_names if f"{name}/list_parameters" in served))
+        node = self._node
+        full_names = {full_name(namespace, name) for name, namespace in node.get_node_names_and_namespaces()}
+        # Not by the list of services: it has those that are only called, too.
+        nodes = tuple(sorted(name for name in full_names if node.count_services(f"{name}/list_parameters")))
         if nodes != self.nodes:
             self.nodes = nodes
             self.version += 1
         for name, each in self._opened.items():
-            each.look(name in full_names)
+            each.look(name in nodes)
 
     def open_node(self, name: str) -> None:
         """Show a node's parameters, once it is there."""
