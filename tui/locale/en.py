@@ -441,6 +441,7 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_logger_level": "the log levels of nodes",
     "rqt.about.rqt_reconfigure": "the parameters of nodes",
     # rqt_reconfigure
@@ -492,6 +493,22 @@ TEXTS = {
     "loggers.add": "add a logger",
     "loggers.name": "Name of a logger",
     "loggers.cancel": "stop waiting",
+    # rqt_image_view
+    "images.none": "There is no topic with images (sensor_msgs/msg/Image) yet. Start a camera.",
+    "images.choose": "t chooses a topic.",
+    "images.no_topic": "Nobody publishes {topic}.",
+    "images.waiting": "Waiting for an image on {topic}.",
+    "images.topic": "topic",
+    "images.fit": "fit",
+    "images.zoom_1": "1:1",
+    "images.rotate": "rotate",
+    "images.rotate_back": "rotate to the left",
+    "images.save": "save",
+    "images.dynamic": "dynamic range",
+    "images.range": "greatest range",
+    "images.range_note": "Metres that are white in an image of distances.",
+    "images.bad_range": "A number from 0.01 to 100.",
+    "images.mouse": "publish clicks",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -644,6 +661,15 @@ TEXTS = {
         "The real ROS 2 has this window only as a draft, with other services. The services used here are ROS 2's own, "
         "get_logger_levels and set_logger_levels."
     ),
+    "help.rqt_image_view": (
+        "The images of a topic. t, or a click on its name, chooses one of the topics with images. The newest image is shown, a "
+        "few times a second, however many come.\n\n"
+        "1 shows every pixel of the image, arrows then move the part that is seen; 1 again fits all of it into the window. r "
+        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. ^S saves the whole "
+        "image (png, jpg, bmp, tiff).\n\n"
+        "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
+        "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -725,6 +751,7 @@ TEXTS = {
     "manual.topics": "Topic Monitor",
     "manual.rqt_reconfigure": "Parameter Reconfigure",
     "manual.rqt_logger_level": "Logger Level",
+    "manual.rqt_image_view": "Image View",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

@@ -625,6 +625,7 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志",
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_image_view": "相机的图像",
     "rqt.about.rqt_logger_level": "节点的日志级别",
     "rqt.about.rqt_reconfigure": "节点的参数",
     # rqt_reconfigure
@@ -676,6 +677,22 @@ TEXTS = {
     "loggers.add": "添加日志器",
     "loggers.name": "日志器的名字",
     "loggers.cancel": "不再等",
+    # rqt_image_view
+    "images.none": "还没有发布图像（sensor_msgs/msg/Image）的话题。先启动一个相机。",
+    "images.choose": "按 t 选一个话题。",
+    "images.no_topic": "没有人发布 {topic}。",
+    "images.waiting": "正在等 {topic} 上的图像。",
+    "images.topic": "话题",
+    "images.fit": "适应窗口",
+    "images.zoom_1": "1:1",
+    "images.rotate": "旋转",
+    "images.rotate_back": "向左旋转",
+    "images.save": "保存",
+    "images.dynamic": "动态范围",
+    "images.range": "最大距离",
+    "images.range_note": "距离图像里，多少米显示成白色。",
+    "images.bad_range": "0.01 到 100 之间的数。",
+    "images.mouse": "发布点击位置",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -816,6 +833,13 @@ TEXTS = {
         "其他的节点是灰色。节点不会告诉别人它有哪些日志器：按 a 输入名字添加，比如 rcl。\n\n"
         "真的 ROS 2 里这个窗口还只是草稿，用的是别的服务。这里用的是 ROS 2 自己的服务 get_logger_levels 和 set_logger_levels。"
     ),
+    "help.rqt_image_view": (
+        "显示一个话题上的图像。按 t，或者点一下话题的名字，选择有图像的话题。不管来多少图像，每秒只显示最新的几张。\n\n"
+        "按 1 显示图像的每个像素，这时用方向键移动看到的部分；再按 1 把整张图放进窗口。r 旋转，R 向左旋转。"
+        "下面一行是大小、编码和鼠标所在的像素。^S 保存整张图（png、jpg、bmp、tiff）。\n\n"
+        "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
+        "按 m 把点击的位置发布到 <话题>_mouse_left。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -892,6 +916,7 @@ TEXTS = {
     "manual.topics": "话题监视器",
     "manual.rqt_reconfigure": "参数调节",
     "manual.rqt_logger_level": "日志级别",
+    "manual.rqt_image_view": "图像",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",

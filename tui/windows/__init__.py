@@ -26,6 +26,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt": ("rqt", "RqtPane"),
     "rqt_console": ("rqt_console", "RqtConsolePane"),
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
+    "rqt_image_view": ("rqt_image_view", "ImageViewPane"),
     "rqt_logger_level": ("rqt_logger_level", "LoggerLevelPane"),
     "rqt_reconfigure": ("rqt_reconfigure", "ReconfigurePane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),

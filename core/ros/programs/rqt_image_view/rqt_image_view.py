@@ -1,0 +1,55 @@
+"""`ros2 run rqt_image_view rqt_image_view [TOPIC]`: shows the images of a topic.
+
+What it does without a screen is the rule of `programs/_without_screen.py`.
+"""
+
+from __future__ import annotations
+
+from day6_tui.core.graph.names import flaw_of_full_topic_name
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
+from day6_tui.core.session.session import Session
+from day6_tui.core.session.task import Signal
+
+REFRESH_SECONDS = 0.1
+"""At most this often is the graph looked at again while it changes."""
+
+
+class ImageViewPlugin(Plugin[ImageView]):
+    """rqt_image_view/ImageView."""
+
+    kind, title, in_cpp = "rqt_image_view", "Image View", True
+
+    def __init__(self, place: Place) -> None:
+        super().__init__(place, ImageView(place.node, place.session.cwd))
+        self._requested = Signal()
+        self.model.on_request = self._requested.set
+        words = [word for word in place.words if not word.startswith("-")]
+        kept = place.settings.get("topic")
+        topic = words[0] if words else kept if isinstance(kept, str) else ""
+        topic = topic if not topic or topic.startswith("/") else f"/{topic}"
+        if topic and flaw_of_full_topic_name(topic) is None:
+            self.model.topic = topic
+        self.model.publishes_clicks = place.settings.get("publish_click_location") is True
+
+    async def run(self) -> None:
+        self.place.spawn(self._handle_requests())
+        self.place.wake()
+        await self.place.follow(self.model.refresh, REFRESH_SECONDS)
+
+    async def _handle_requests(self) -> None:
+        while True:
+            await self.place.session.wait(self._requested)
+            self._requested.clear()
+            self.model.handle_requests()
+
+    def close(self) -> None:
+        self.model.close()
+
+    def settings(self) -> Settings:
+        return {"topic": self.model.topic, "publish_click_location": self.model.publishes_clicks}
+
+
+async def main(session: Session) -> int | None:
+    """Open the window and listen until interrupted."""
+    return await run_alone(session, ImageViewPlugin, in_cpp=True)
