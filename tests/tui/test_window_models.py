@@ -26,6 +26,7 @@ COMMANDS = {
     "rqt_console": "rqt_console",
     "rqt_plot": "rqt_plot",
     "rqt_image_view": "ros2 run rqt_image_view rqt_image_view",
+    "rqt_shell": "ros2 run rqt_shell rqt_shell",
     "rqt_logger_level": "ros2 run rqt_logger_level rqt_logger_level",
     "rqt_reconfigure": "ros2 run rqt_reconfigure rqt_reconfigure",
     "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",

@@ -441,6 +441,7 @@ TEXTS = {
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_topic": "topics, their rates and messages",
     "rqt.about.rqt_plot": "numbers over time",
+    "rqt.about.rqt_shell": "a line for commands",
     "rqt.about.rqt_image_view": "images of a camera",
     "rqt.about.rqt_logger_level": "the log levels of nodes",
     "rqt.about.rqt_reconfigure": "the parameters of nodes",
@@ -509,6 +510,11 @@ TEXTS = {
     "images.range_note": "Metres that are white in an image of distances.",
     "images.bad_range": "A number from 0.01 to 100.",
     "images.mouse": "publish clicks",
+    # rqt_shell
+    "shell.run": "run",
+    "shell.history": "earlier lines",
+    "shell.stop": "stop",
+    "shell.running": "running …",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -670,6 +676,11 @@ TEXTS = {
         "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
         "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
     ),
+    "help.rqt_shell": (
+        "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
+        "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
+        "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -752,6 +763,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "Parameter Reconfigure",
     "manual.rqt_logger_level": "Logger Level",
     "manual.rqt_image_view": "Image View",
+    "manual.rqt_shell": "Shell of rqt",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

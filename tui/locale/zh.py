@@ -625,6 +625,7 @@ TEXTS = {
     "rqt.about.rqt_console": "所有节点的日志",
     "rqt.about.rqt_topic": "话题、频率和消息",
     "rqt.about.rqt_plot": "随时间变化的数字",
+    "rqt.about.rqt_shell": "输入命令",
     "rqt.about.rqt_image_view": "相机的图像",
     "rqt.about.rqt_logger_level": "节点的日志级别",
     "rqt.about.rqt_reconfigure": "节点的参数",
@@ -693,6 +694,11 @@ TEXTS = {
     "images.range_note": "距离图像里，多少米显示成白色。",
     "images.bad_range": "0.01 到 100 之间的数。",
     "images.mouse": "发布点击位置",
+    # rqt_shell
+    "shell.run": "运行",
+    "shell.history": "以前的命令",
+    "shell.stop": "停止",
+    "shell.running": "正在运行…",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -840,6 +846,11 @@ TEXTS = {
         "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
         "按 m 把点击的位置发布到 <话题>_mouse_left。"
     ),
+    "help.rqt_shell": (
+        "一个简单的 shell，给会自己结束、不用输入的命令，例如 ros2 topic list：就是 rqt 的 SimpleShell，"
+        "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
+        "每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -917,6 +928,7 @@ TEXTS = {
     "manual.rqt_reconfigure": "参数调节",
     "manual.rqt_logger_level": "日志级别",
     "manual.rqt_image_view": "图像",
+    "manual.rqt_shell": "rqt 的 Shell",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",

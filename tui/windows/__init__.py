@@ -30,6 +30,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt_logger_level": ("rqt_logger_level", "LoggerLevelPane"),
     "rqt_reconfigure": ("rqt_reconfigure", "ReconfigurePane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
+    "rqt_shell": ("rqt_shell", "ShellPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),
     "inspector": ("inspector", "InspectorPane"),
