@@ -12,6 +12,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from rich.segment import Segment
+from rich.style import Style
 from textual import events
 from textual.geometry import Region
 
@@ -21,7 +22,7 @@ from day6_tui.tui.cells import clip, wrap
 from day6_tui.tui.colours import background_of
 from day6_tui.tui.look import Look
 from day6_tui.tui.menu import Entry, Menu
-from day6_tui.tui.pane import Piece
+from day6_tui.tui.pane import Action, Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
 from day6_tui.tui.windows.image_cells import in_cells, pixels_in_cells
@@ -162,7 +163,7 @@ class ImageViewPane(WindowPane["ImageView"]):
     def _head(self, width: int) -> list[Segment]:
         colours, view, texts = self.look.colours, self._view, self.look.texts
         self._hits.pop(1, None)
-        shown = [
+        shown: list[tuple[str, Style, Action]] = [
             (f" {self.model.topic or '-'} ", colours.key, self._choose_topic),
             (f" {'1:1' if view.zoom_1 else texts('images.fit')} ", colours.text, partial(self._press, "", "1")),
             (f" {90 * view.rotation}° ", colours.text, partial(self._press, "", "r")),
@@ -171,7 +172,8 @@ class ImageViewPane(WindowPane["ImageView"]):
             shown.append((f" {texts('images.dynamic')} ", colours.text, partial(self._press, "", "d")))
         if self.model.publishes_clicks:
             shown.append((f" {self.model.mouse_topic} ", colours.publisher, partial(self._press, "", "m")))
-        segments, x = [], 0
+        segments: list[Segment] = []
+        x = 0
         for text, style, action in shown:
             text = clip(text, max(0, width - x), self.look.glyphs.ellipsis)
             segment = Segment(text, style)

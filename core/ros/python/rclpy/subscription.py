@@ -82,6 +82,11 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
         self._endpoint.takes_bytes = raw
         self._endpoint.on_ready = self._notify
 
+    @property
+    def handle(self) -> SubscriptionHandle:
+        """The handle."""
+        return self._handle
+
     def _enter(self, scope: Scope) -> None:
         super()._enter(scope)
         self._events.enter(scope)
