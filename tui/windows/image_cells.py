@@ -48,6 +48,22 @@ def in_cells(pixels: Any, canvas: str, *, colourless: bool) -> list[list[Segment
     return lines
 
 
+def on_ground(pixels: Any, size: tuple[int, int], cell: tuple[int, int], ground: int) -> tuple[Any, tuple[int, int]]:
+    """An image in the middle of `size` cells of `cell` pixels, and the cell of its upper left corner (column, row).
+
+    It lies on the grid of cells, so that the mouse finds its pixels.
+    """
+    import numpy as np
+
+    whole = np.empty((size[1] * cell[1], size[0] * cell[0], 3), np.uint8)
+    whole[:] = (ground >> 16 & 255, ground >> 8 & 255, ground & 255)
+    left = max(0, whole.shape[1] - pixels.shape[1]) // 2 // cell[0]
+    top = max(0, whole.shape[0] - pixels.shape[0]) // 2 // cell[1]
+    place = whole[top * cell[1] :, left * cell[0] :][: pixels.shape[0], : pixels.shape[1]]
+    place[:] = pixels[: place.shape[0], : place.shape[1]]
+    return whole, (left, top)
+
+
 def _numbers(wide: Any) -> Any:
     return (wide[..., 0] << 16 | wide[..., 1] << 8 | wide[..., 2]) & KEPT_BITS
 

@@ -25,7 +25,7 @@ from day6_tui.tui.menu import Entry, Menu
 from day6_tui.tui.pane import Action, Piece
 from day6_tui.tui.prompt import before_replacing
 from day6_tui.tui.windows import WindowPane
-from day6_tui.tui.windows.image_cells import in_cells, pixels_in_cells
+from day6_tui.tui.windows.image_cells import in_cells, on_ground, pixels_in_cells
 
 if TYPE_CHECKING:
     from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
@@ -119,19 +119,9 @@ class ImageViewPane(WindowPane["ImageView"]):
         self._corner = (columns - pixels.shape[1]) // 2, (rows - len(self._lines)) // 2
 
     def _show_pixels(self, pictures: Pictures, pixels: Any, columns: int, rows: int) -> None:
-        """Draw in real pixels, in the middle of the pane's ground."""
-        import numpy as np
-
-        across, down = self._cell
+        """Draw in real pixels."""
         ground = max(0, background_of(self.background))
-        whole = np.empty((rows * down, columns * across, 3), np.uint8)
-        whole[:] = (ground >> 16 & 255, ground >> 8 & 255, ground & 255)
-        # On the cells' grid, so that the mouse finds its pixel.
-        left = (whole.shape[1] - pixels.shape[1]) // 2 // across
-        top = (whole.shape[0] - pixels.shape[0]) // 2 // down
-        self._corner = left, top
-        x, y = left * across, top * down
-        whole[y : y + pixels.shape[0], x : x + pixels.shape[1]] = pixels[: whole.shape[0] - y, : whole.shape[1] - x]
+        whole, self._corner = on_ground(pixels, (columns, rows), self._cell, ground)
         pictures.show(self, Region(self.inner_offset, self.inner_offset + 1, columns, rows), self._cell, whole)
 
     def content_line(self, y: int, width: int) -> Iterable[Segment]:
