@@ -14,8 +14,10 @@ from rqt_machine import RqtMachine
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_image_view.decoding import Undecodable, View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
+from day6_tui.core.ros.programs.rqt_image_view.rqt_image_view import ImageViewPlugin
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tui"))
 
@@ -116,12 +118,29 @@ def test_a_name_that_is_no_topic_is_not_listened_to(machine) -> None:
     assert machine.model.topic == "" and running.program.status is None
 
 
+def test_a_perspective_keeps_how_images_are_shown_and_nonsense_is_passed_over(machine) -> None:
+    kept = {
+        "topic": "/camera",
+        "publish_click_location": True,
+        "zoom1": True,
+        "rotate": 3,
+        "dynamic_range": True,
+        "max_range": 2.5,
+    }
+    session = machine.other("rqt_gui_cpp_node_1").session
+    assert ImageViewPlugin(Place(session, machine.node, settings=kept)).settings() == kept
+    nonsense = dict.fromkeys(kept, "\x1b[2J//") | {"rotate": 2**70 + 1, "max_range": float("nan")}
+    plain = ImageViewPlugin(Place(session, machine.node)).settings()
+    assert ImageViewPlugin(Place(session, machine.node, settings=nonsense)).settings() == plain | {"rotate": 1}
+
+
 class Model:
     """A model with one image; it writes down what the window requests."""
 
     def __init__(self, message: Image | None) -> None:
         self.topics = {"/camera": "sensor_msgs/msg/Image", "/other": "sensor_msgs/msg/Image"}
         self.topic = "/camera"
+        self.view = View(0, 0)
         self.received = 1
         self.version = 1
         self.publishes_clicks = False

@@ -10,6 +10,8 @@ import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rqt_machine import OtherProgram, RqtMachine
 
+from day6_tui.core.ros.programs.rqt_gui.plugin import Place
+from day6_tui.core.ros.programs.rqt_reconfigure.rqt_reconfigure import ReconfigurePlugin
 from rclpy.parameter import Parameter
 
 
@@ -229,6 +231,24 @@ def test_a_node_of_the_command_line_that_is_not_there_is_told_as_in_the_real_one
     running = machine.open("/nobody", seconds=2.0)
     assert "Could not find a dynamic reconfigure client named '/nobody'" in running.errors
     assert machine.model.opened == ()
+
+
+@pytest.mark.parametrize(
+    ("kept", "opened"),
+    [({"selected_nodes": ["/sim", 5, "/gone"], "text": "s"}, ["/sim"]), ({"selected_nodes": 3, "text": 7}, [])],
+)
+def test_a_kept_perspective_opens_the_nodes_that_are_there(machine: Machine, kept: Any, opened: list[str]) -> None:
+    simulator(machine)
+    program = machine.other("rqt_gui_py_node_1")
+    place = Place(program.session, program.node, settings=kept)
+    plugin = ReconfigurePlugin(place)
+    place.spawn(plugin.run())
+    machine.advance(2.0)
+    assert [each.name for each in plugin.model.opened] == opened
+    assert plugin.settings() == {"selected_nodes": opened, "text": "s" if opened else ""}
+    plugin.close()
+    place.end()
+    assert machine.node.get_client_names_and_types_by_node("rqt_gui_py_node_1", "/") == []
 
 
 def test_parameters_are_saved_to_a_file_and_loaded_from_it(machine: Machine) -> None:

@@ -43,11 +43,10 @@ PAN_SHARE = 8
 
 
 class ImageViewPane(WindowPane["ImageView"]):
-    """Draws the newest image; keeps zoom, rotation, the part that is seen, and where the mouse is."""
+    """Draws the newest image as the model's `view` says; keeps where the mouse is."""
 
     def __init__(self, window: Window[ImageView], look: Look) -> None:
         super().__init__(window, look)
-        self._view = View(0, 0)
         self._picture: Picture | None = None
         self._problem = ""
         self._lines: list[list[Segment]] = []
@@ -59,6 +58,14 @@ class ImageViewPane(WindowPane["ImageView"]):
         self._due = 0.0
         self._mouse: tuple[int, int] | None = None
         """The pixel of the image under the mouse."""
+
+    @property
+    def _view(self) -> View:
+        return self.model.view
+
+    @_view.setter
+    def _view(self, view: View) -> None:
+        self.model.view = view
 
     # -- frames --------------------------------------------------------------------------------------------------------
 

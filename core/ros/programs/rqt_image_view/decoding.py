@@ -27,7 +27,7 @@ class Undecodable(ValueError):
     """An image that cannot be shown, in the words of the real plugin (image_view.cpp, callbackImage) and cv_bridge."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class View:
     """What is asked of an image: how many pixels, of which part of it, and how distances become greys."""
 

@@ -41,6 +41,8 @@ class ImageView:
         self.topics: Mapping[str, str] = {}
         """The names of topics with images, sorted, and their types."""
         self.topic = ""
+        self.view = View(0, 0)
+        """How the image is shown; the window changes it, and knows its size."""
         self.received = 0
         """How many images have come."""
         self.publishes_clicks = False

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from day6_tui.core.graph.names import flaw_of_full_topic_name
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place, Plugin, Settings, run_alone
+from day6_tui.core.ros.programs.rqt_image_view.decoding import View
 from day6_tui.core.ros.programs.rqt_image_view.model import ImageView
 from day6_tui.core.session.session import Session
 from day6_tui.core.session.task import Signal
@@ -30,7 +31,20 @@ class ImageViewPlugin(Plugin[ImageView]):
         topic = topic if not topic or topic.startswith("/") else f"/{topic}"
         if topic and flaw_of_full_topic_name(topic) is None:
             self.model.topic = topic
-        self.model.publishes_clicks = place.settings.get("publish_click_location") is True
+        self._restore(place.settings)
+
+    def _restore(self, kept: Settings) -> None:
+        """Show images as the perspective says."""
+        most, turns = kept.get("max_range"), kept.get("rotate")
+        self.model.publishes_clicks = kept.get("publish_click_location") is True
+        self.model.view = View(
+            0,
+            0,
+            zoom_1=kept.get("zoom1") is True,
+            rotation=turns % 4 if isinstance(turns, int) else 0,
+            dynamic_range=kept.get("dynamic_range") is True,
+            max_range=most if isinstance(most, float) and 0.01 <= most <= 100.0 else View.max_range,
+        )
 
     async def run(self) -> None:
         self.place.spawn(self._handle_requests())
@@ -47,7 +61,15 @@ class ImageViewPlugin(Plugin[ImageView]):
         self.model.close()
 
     def settings(self) -> Settings:
-        return {"topic": self.model.topic, "publish_click_location": self.model.publishes_clicks}
+        view = self.model.view
+        return {
+            "topic": self.model.topic,
+            "publish_click_location": self.model.publishes_clicks,
+            "zoom1": view.zoom_1,
+            "rotate": view.rotation,
+            "dynamic_range": view.dynamic_range,
+            "max_range": view.max_range,
+        }
 
 
 async def main(session: Session) -> int | None:
