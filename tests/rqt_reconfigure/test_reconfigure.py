@@ -10,6 +10,7 @@ import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rqt_machine import OtherProgram, RqtMachine
 
+import rclpy.parameter_service
 from day6_tui.core.ros.programs.rqt_gui.plugin import Place
 from day6_tui.core.ros.programs.rqt_reconfigure.rqt_reconfigure import ReconfigurePlugin
 from rclpy.parameter import Parameter
@@ -184,6 +185,20 @@ def test_a_node_that_does_not_spin_is_told_with_the_seconds_and_can_be_given_up(
     assert not opened.complete and opened.parameters == ()
     machine.do("cancel", "/stuck")
     assert machine.opened("/stuck").waited is None
+
+
+def test_a_node_is_asked_when_all_its_services_are_known(machine: Machine) -> None:
+    slow = machine.other("slow", start_parameter_services=False).node
+    services = rclpy.parameter_service.ParameterService(slow)
+    machine.open()
+    for each in list(slow.services):
+        if not each.srv_name.endswith("list_parameters"):
+            slow.destroy_service(each)
+    machine.do("toggle", "/slow")
+    assert machine.opened("/slow").waited is None
+    services = rclpy.parameter_service.ParameterService(slow)
+    machine.advance(0.5)
+    assert services and machine.opened("/slow").complete and machine.opened("/slow").parameters
 
 
 def test_a_change_that_is_never_answered_is_put_back_when_one_stops_waiting(machine: Machine) -> None:

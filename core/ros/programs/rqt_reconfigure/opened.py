@@ -115,7 +115,8 @@ class OpenedNode:
     def look(self, there: bool) -> None:
         """The node exists, or does not; one that has come is read, once its services are there."""
         if there and not self._there:
-            self._there = self._list.service_is_ready()
+            # They become known one after the other; a request to one that is not yet would be lost.
+            self._there = all(each.service_is_ready() for each in (self._list, self._describe, self._get, self._set))
             if self._there:
                 self.read()
         elif not there and self._there:
