@@ -56,7 +56,7 @@ class RqtMachine(SteppedMachine):
 
     def open(self, *words: str, seconds: float = 0.5) -> Running:
         """Start the plugin."""
-        running = self.start(self._package, self._package, *words, screen=True, cwd=self.folder)
+        running = self.start(self._package, self._package, *words, screen=True, home=self.folder)
         self.advance(seconds)
         self.own = next(name for name in self.node.get_fully_qualified_node_names() if "/rqt_gui_" in name)
         return running
