@@ -87,6 +87,24 @@ def test_a_plugin_that_is_closed_takes_its_subscription_along_and_the_others_sta
     assert running.program.status is None
 
 
+def test_every_plugin_opens_beside_the_others_and_leaves_nothing_behind(room: Room) -> None:
+    packages = [each.package for each in plugins()]
+    running = room.rqt()
+    room.start(*packages)
+    assert [plugin.entry.package for plugin in room.model.open] == packages
+    room.leave(running)
+    room.rqt()
+    assert [plugin.entry.package for plugin in room.model.open] == packages
+    for plugin in room.model.open:
+        room.ask(lambda plugin=plugin: room.model.stop(plugin))
+    assert room.kinds == ["rqt"]
+    left = {name for name in room.nodes if name.startswith("rqt_gui_")}
+    node = room.machine.node
+    for name in left:
+        assert node.get_client_names_and_types_by_node(name, "/") == []
+        assert dict(node.get_subscriber_names_and_types_by_node(name, "/")).keys() <= {"/parameter_events"}
+
+
 def test_a_plugin_can_be_open_twice_and_a_free_number_is_taken_again(room: Room) -> None:
     room.rqt()
     room.start("rqt_plot", "rqt_plot", "rqt_plot")

@@ -526,7 +526,7 @@ TEXTS = {
     "rqt.about.rqt_bag": "record, look at and play bags",
     "rqt.about.rqt_console": "the log messages of all nodes",
     "rqt.about.rqt_logger_level": "how much a node logs",
-    "rqt.about.rqt_shell": "a terminal",
+    "rqt.about.rqt_shell": "a line for commands",
     "rqt.about.rqt_service_caller": "call a service",
     "rqt.about.rqt_srv": "the types of services, field by field",
     "rqt.about.rqt_publisher": "publish messages of your own",
@@ -554,6 +554,76 @@ TEXTS = {
     "tf_tree.save": "save as",
     "tf_tree.saved": "saved: {name}",
     "tf_tree.save_note": "The suffix says as what: .pdf, .svg and .png are the drawing, .dot is for Graphviz.",
+    # rqt_reconfigure
+    "reconfigure.none": "No node has parameters yet. Start a node.",
+    "reconfigure.no_match": "No node matches. Esc shows all.",
+    "reconfigure.choose": "Enter opens a node at the left: its parameters come here.",
+    "reconfigure.reading": "reading the parameters …",
+    "reconfigure.unread": "not read; r reads again",
+    "reconfigure.waiting": "no response for {seconds} s: {reason}. Esc stops waiting.",
+    "reconfigure.gone": "This node is gone: these were its parameters.",
+    "reconfigure.not_there": "This node is not there.",
+    "reconfigure.no_parameters": "no parameters",
+    "reconfigure.read_only": "read-only",
+    "reconfigure.sent": "sent, no response yet",
+    "reconfigure.nodes": "nodes: {count}",
+    "reconfigure.filtered": "filter: {text}",
+    "reconfigure.open": "open",
+    "reconfigure.close": "close",
+    "reconfigure.read": "read again",
+    "reconfigure.switch": "switch",
+    "reconfigure.move": "move",
+    "reconfigure.far": "move by ten steps",
+    "reconfigure.ends": "least, greatest",
+    "reconfigure.value": "value",
+    "reconfigure.side": "other side",
+    "reconfigure.filter": "filter",
+    "reconfigure.cancel": "stop waiting; show all",
+    "reconfigure.files": "save, load",
+    "reconfigure.filter_nodes": "Nodes with",
+    "reconfigure.filter_parameters": "Parameters with",
+    "reconfigure.unfitting": "This is not a value of type {type}.",
+    "reconfigure.saved": "saved: {file}",
+    # rqt_logger_level
+    "loggers.nodes": "Nodes",
+    "loggers.loggers": "Loggers",
+    "loggers.levels": "Levels",
+    "loggers.choose": "Enter chooses a node. Grey ones do not let others read or set their levels.",
+    "loggers.gone": "{node} is gone.",
+    "loggers.not_served": (
+        "{node} does not let others read or set its levels: it was made without enable_logger_service=True "
+        "(rclcpp: NodeOptions().enable_logger_service(true))."
+    ),
+    "loggers.waiting": "No response for {seconds} s: the node may not be spinning. Esc stops waiting.",
+    "loggers.not_set": "This logger has no level of its own: that of its parent counts, INFO unless another was given.",
+    "loggers.show": "choose",
+    "loggers.to_levels": "to its level",
+    "loggers.set": "set",
+    "loggers.column": "column",
+    "loggers.add": "add a logger",
+    "loggers.name": "Name of a logger",
+    "loggers.cancel": "stop waiting",
+    # rqt_image_view
+    "images.none": "There is no topic with images (sensor_msgs/msg/Image) yet. Start a camera.",
+    "images.choose": "t chooses a topic.",
+    "images.no_topic": "Nobody publishes {topic}.",
+    "images.waiting": "Waiting for an image on {topic}.",
+    "images.topic": "topic",
+    "images.fit": "fit",
+    "images.zoom_1": "1:1",
+    "images.rotate": "rotate",
+    "images.rotate_back": "rotate to the left",
+    "images.save": "save",
+    "images.dynamic": "dynamic range",
+    "images.range": "greatest range",
+    "images.range_note": "Metres that are white in an image of distances.",
+    "images.bad_range": "A number from 0.01 to 100.",
+    "images.mouse": "publish clicks",
+    # rqt_shell
+    "shell.run": "run",
+    "shell.history": "earlier lines",
+    "shell.stop": "stop",
+    "shell.running": "running …",
     # rqt_console
     "console.message": "Message",
     "console.severity": "Severity",
@@ -725,6 +795,39 @@ TEXTS = {
         "servers and clients, a goal to fill in (Enter on a field), and all goals with their status, feedback and result. g "
         "sends the goal, x cancels it. While an action is open this window listens to it, so it counts as a client of it."
     ),
+    "help.rqt_reconfigure": (
+        "The parameters of running nodes, like ros2 param with a window. At the left are the nodes, in their namespaces: Enter "
+        "or a click opens one, or several. At the right are their parameters. Tab changes the side.\n\n"
+        "A number for which the node allows a range is a slider: left and right move it by a step, with Shift by ten, Home and "
+        "End to its ends; with the mouse it sends its value when it is let go, as in the real rqt. A digit or Enter begins an "
+        "exact number. Other values are typed: arrays as [1, 2, 3]. Enter switches true and false.\n\n"
+        "What you set is a request. The node answers, and may refuse: then its reason is shown, and the old value. Values that "
+        "others set, as with ros2 param set, show up by themselves.\n\n"
+        "/ filters the nodes or the parameters, r reads a node again, x closes it. ^S saves its parameters as YAML, ^O loads "
+        "such a file. A node that does not spin does not answer: the seconds are counted, and Esc stops waiting."
+    ),
+    "help.rqt_logger_level": (
+        "From which level on a node logs. Choose a node, then one of its loggers, then the level: DEBUG shows most, FATAL least. "
+        "A click does the same. The change lasts until the node ends; it is what --log-level does at the start.\n\n"
+        "Only nodes that were made with enable_logger_service=True can be asked, as `ros2 run demo_nodes_py use_logger_service` "
+        "shows; the others are grey. A node does not tell which loggers it has: a adds one by its name, like rcl.\n\n"
+        "The real ROS 2 has this window only as a draft, with other services. The services used here are ROS 2's own, "
+        "get_logger_levels and set_logger_levels."
+    ),
+    "help.rqt_image_view": (
+        "The images of a topic. t, or a click on its name, chooses one of the topics with images. The newest image is shown, a "
+        "few times a second, however many come.\n\n"
+        "1 shows every pixel of the image, arrows then move the part that is seen; 1 again fits all of it into the window. r "
+        "rotates, R to the left. The line below tells size and encoding, and which pixel the mouse is on. ^S saves the whole "
+        "image (png, jpg, bmp, tiff).\n\n"
+        "Images of distances (16UC1, 32FC1) are grey: black is 0, white the greatest range, which x changes. d takes the least "
+        "and the greatest distance there are. m publishes where you click, on <topic>_mouse_left."
+    ),
+    "help.rqt_shell": (
+        "A shell for commands that end by themselves and ask nothing, like ros2 topic list: rqt's SimpleShell, which is the only "
+        "one that the real rqt still has. What a command prints is shown above the line. ^C stops one that does not end.\n\n"
+        "Every line has a shell of its own, so cd lasts only to the end of the line. For everything else there are terminals: F2."
+    ),
     "help.world": (
         "A small world with physics, in place of the Gazebo of a real lesson. The wheels touch the floor, so when they turn the "
         "robot rolls: /cmd_vel or /joint_commands turns them. It publishes its position on /odom as the wheels measure it, "
@@ -814,6 +917,10 @@ TEXTS = {
     "manual.action_browser": "Action Type Browser",
     "manual.topics": "Topic Monitor",
     "manual.rqt_tf_tree": "TF Tree",
+    "manual.rqt_reconfigure": "Parameter Reconfigure",
+    "manual.rqt_logger_level": "Logger Level",
+    "manual.rqt_image_view": "Image View",
+    "manual.rqt_shell": "Shell of rqt",
     "manual.inspector": "Inspector",
     # The command line
     "cli.description": "ROS 2 for people who have no ROS 2. Without a command, opens the desktop.",

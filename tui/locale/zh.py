@@ -710,7 +710,7 @@ TEXTS = {
     "rqt.about.rqt_bag": "录制、查看和播放 bag",
     "rqt.about.rqt_console": "所有节点的日志消息",
     "rqt.about.rqt_logger_level": "节点记录多少日志",
-    "rqt.about.rqt_shell": "一个终端",
+    "rqt.about.rqt_shell": "输入一行命令",
     "rqt.about.rqt_service_caller": "调用服务",
     "rqt.about.rqt_srv": "服务的类型和字段",
     "rqt.about.rqt_publisher": "发布自己的消息",
@@ -738,6 +738,76 @@ TEXTS = {
     "tf_tree.save": "另存为",
     "tf_tree.saved": "已保存：{name}",
     "tf_tree.save_note": "后缀决定格式：.pdf、.svg、.png 是图，.dot 给 Graphviz 用。",
+    # rqt_reconfigure
+    "reconfigure.none": "还没有节点带参数。先启动一个节点。",
+    "reconfigure.no_match": "没有符合的节点。按 Esc 显示全部。",
+    "reconfigure.choose": "在左边选一个节点，按 Enter，它的参数就显示在这里。",
+    "reconfigure.reading": "正在读取参数…",
+    "reconfigure.unread": "没有读完；按 r 再读一次",
+    "reconfigure.waiting": "{seconds} 秒没有回应：{reason}。按 Esc 不再等。",
+    "reconfigure.gone": "这个节点已经不在了：下面是它最后的参数。",
+    "reconfigure.not_there": "没有这个节点。",
+    "reconfigure.no_parameters": "没有参数",
+    "reconfigure.read_only": "只读",
+    "reconfigure.sent": "已经发出，还没有回应",
+    "reconfigure.nodes": "节点 {count} 个",
+    "reconfigure.filtered": "只显示：{text}",
+    "reconfigure.open": "打开",
+    "reconfigure.close": "关闭",
+    "reconfigure.read": "重新读取",
+    "reconfigure.switch": "开/关",
+    "reconfigure.move": "拖动",
+    "reconfigure.far": "一次十步",
+    "reconfigure.ends": "最小、最大",
+    "reconfigure.value": "输入数值",
+    "reconfigure.side": "换一边",
+    "reconfigure.filter": "筛选",
+    "reconfigure.cancel": "不再等；显示全部",
+    "reconfigure.files": "保存、读入",
+    "reconfigure.filter_nodes": "节点名里有",
+    "reconfigure.filter_parameters": "参数名里有",
+    "reconfigure.unfitting": "这不是 {type} 类型的值。",
+    "reconfigure.saved": "已保存：{file}",
+    # rqt_logger_level
+    "loggers.nodes": "节点",
+    "loggers.loggers": "日志器",
+    "loggers.levels": "级别",
+    "loggers.choose": "按 Enter 选一个节点。灰色的节点不让别人读取或设置级别。",
+    "loggers.gone": "{node} 已经不在了。",
+    "loggers.not_served": (
+        "{node} 不让别人读取或设置它的级别：创建它时没有写 enable_logger_service=True"
+        "（rclcpp：NodeOptions().enable_logger_service(true)）。"
+    ),
+    "loggers.waiting": "{seconds} 秒没有回应：这个节点可能没有在 spin。按 Esc 不再等。",
+    "loggers.not_set": "这个日志器没有自己的级别：用上一级的级别，没有另外指定就是 INFO。",
+    "loggers.show": "选定",
+    "loggers.to_levels": "去选级别",
+    "loggers.set": "设定",
+    "loggers.column": "换一列",
+    "loggers.add": "添加日志器",
+    "loggers.name": "日志器的名字",
+    "loggers.cancel": "不再等",
+    # rqt_image_view
+    "images.none": "还没有发布图像（sensor_msgs/msg/Image）的话题。先启动一个相机。",
+    "images.choose": "按 t 选一个话题。",
+    "images.no_topic": "没有人发布 {topic}。",
+    "images.waiting": "正在等 {topic} 上的图像。",
+    "images.topic": "话题",
+    "images.fit": "适应窗口",
+    "images.zoom_1": "1:1",
+    "images.rotate": "旋转",
+    "images.rotate_back": "向左旋转",
+    "images.save": "保存",
+    "images.dynamic": "动态范围",
+    "images.range": "最大距离",
+    "images.range_note": "距离图像里，多少米显示成白色。",
+    "images.bad_range": "0.01 到 100 之间的数。",
+    "images.mouse": "发布点击位置",
+    # rqt_shell
+    "shell.run": "运行",
+    "shell.history": "以前的命令",
+    "shell.stop": "停止",
+    "shell.running": "正在运行…",
     # rqt_console
     "console.message": "消息",
     "console.severity": "级别",
@@ -895,6 +965,35 @@ TEXTS = {
         "要填写的目标（在字段上按 Enter），还有所有目标的状态、反馈和结果。g 发送目标，x 取消。"
         "展开的时候这个窗口在听，所以它也算一个客户端。"
     ),
+    "help.rqt_reconfigure": (
+        "正在运行的节点的参数，相当于带窗口的 ros2 param。左边是节点，按命名空间排列：按 Enter 或者点一下就打开，可以打开几个。"
+        "右边是它们的参数。Tab 换一边。\n\n"
+        "节点给了范围的数字是滑块：左右方向键走一步，加 Shift 走十步，Home 和 End 到两端；用鼠标拖，松手时才发出，"
+        "和真的 rqt 一样。按数字或 Enter 输入准确的值。其他的值直接输入，数组写成 [1, 2, 3]。true 和 false 用 Enter 切换。\n\n"
+        "改参数只是一个请求：节点会回答，也可以拒绝。拒绝时会显示它的理由，并恢复原来的值。别人改的值（比如用 ros2 param set）"
+        "会自己显示出来。\n\n"
+        "/ 筛选节点或参数，r 重新读取，x 关闭节点。^S 把参数存成 YAML，^O 读入这样的文件。不 spin 的节点不会回答：这里会数秒，"
+        "按 Esc 就不再等。"
+    ),
+    "help.rqt_logger_level": (
+        "节点从哪个级别开始输出日志。先选节点，再选它的日志器，再选级别：DEBUG 输出最多，FATAL 最少。用鼠标点也一样。"
+        "改了以后一直有效，直到节点结束；启动时用 --log-level 也是这个作用。\n\n"
+        "只有创建时写了 enable_logger_service=True 的节点才能问，例如 `ros2 run demo_nodes_py use_logger_service`；"
+        "其他的节点是灰色。节点不会告诉别人它有哪些日志器：按 a 输入名字添加，比如 rcl。\n\n"
+        "真的 ROS 2 里这个窗口还只是草稿，用的是别的服务。这里用的是 ROS 2 自己的服务 get_logger_levels 和 set_logger_levels。"
+    ),
+    "help.rqt_image_view": (
+        "显示一个话题上的图像。按 t，或者点一下话题的名字，选择有图像的话题。不管来多少图像，每秒只显示最新的几张。\n\n"
+        "按 1 显示图像的每个像素，这时用方向键移动看到的部分；再按 1 把整张图放进窗口。r 旋转，R 向左旋转。"
+        "下面一行是大小、编码和鼠标所在的像素。^S 保存整张图（png、jpg、bmp、tiff）。\n\n"
+        "距离图像（16UC1、32FC1）是灰色的：黑色是 0，白色是最大距离，按 x 修改。按 d 就用图里最小和最大的距离。"
+        "按 m 把点击的位置发布到 <话题>_mouse_left。"
+    ),
+    "help.rqt_shell": (
+        "一个简单的 shell，给会自己结束、不用输入的命令，例如 ros2 topic list：就是 rqt 的 SimpleShell，"
+        "真的 rqt 现在也只剩这一种。命令输出的内容显示在上面。不会结束的命令用 ^C 停止。\n\n"
+        "每一行都有自己的 shell，所以 cd 只在这一行里有效。其他的事用终端做：F2。"
+    ),
     "help.world": (
         "一个有物理规律的小世界，正式上课时用的是 Gazebo。轮子贴着地面，一转，车就滚着走：/cmd_vel 或 /joint_commands 让轮子转。"
         "/odom 报告按轮子算出来的位置，/scan 和 /line_sensor 是它的眼睛。\n\n"
@@ -979,6 +1078,10 @@ TEXTS = {
     "manual.action_browser": "动作类型浏览器",
     "manual.topics": "话题监视器",
     "manual.rqt_tf_tree": "TF 树",
+    "manual.rqt_reconfigure": "参数调节",
+    "manual.rqt_logger_level": "日志级别",
+    "manual.rqt_image_view": "图像",
+    "manual.rqt_shell": "rqt 的 Shell",
     "manual.inspector": "检查器",
     # 命令行
     "cli.description": "没有装 ROS 2 也能用 ROS 2。后面不写命令，就打开桌面。",

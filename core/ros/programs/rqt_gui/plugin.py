@@ -6,7 +6,7 @@
         kind, title = "topics", "Topic Monitor"
 
         def __init__(self, place: Place) -> None:
-            super().__init__(place, TopicMonitor(place.node))      # the model that the window draws
+            super().__init__(place, TopicMonitor(place.node, place.session.clock.now_ns))  # the model that the window draws
             self.model.on_request = place.wake                     # the window calls it, on any thread
 
         async def run(self) -> None:                               # cancelled when the plugin is closed

@@ -79,7 +79,13 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
         self._events = EndpointEvents(
             subscription_impl, event_callbacks, callback_group, topic, "SubscriptionEventCallbacks"
         )
+        self._endpoint.takes_bytes = raw
         self._endpoint.on_ready = self._notify
+
+    @property
+    def handle(self) -> SubscriptionHandle:
+        """The handle."""
+        return self._handle
 
     def _enter(self, scope: Scope) -> None:
         super()._enter(scope)
@@ -102,7 +108,7 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
 
     def _call_specially(self, sample: Any) -> Any:
         message = sample[0]
-        if self.raw:
+        if self.raw and not isinstance(message, bytes):
             from rclpy.serialization import serialize_message
 
             message = serialize_message(message)
