@@ -27,6 +27,9 @@ def main(arguments: list[str] | None = None) -> int:
 
     words = sys.argv[1:] if arguments is None else arguments
     guard_standard_streams()
+    from day6_tui.tui.distribution_choice import settle
+
+    words = settle(words)
     if words[:1] == ["demo"]:
         if len(words) == 1 or words[1].startswith("-"):
             print(

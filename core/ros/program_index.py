@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from day6_tui.core.ros.distribution import DISTRO
+from day6_tui.core.ros import distribution
 
 COMMANDS = {
     "rqt": ("rqt_gui", "rqt_gui"),
@@ -51,4 +51,4 @@ def named_by(path: Path) -> tuple[str, str] | None:
 
 def place_of_command(name: str) -> str:
     """Return the path `which` prints for a command of ROS, `/opt/ros/<distribution>/bin/<name>`; '' for other names."""
-    return f"/opt/ros/{DISTRO}/bin/{name}" if name == "ros2" or name in COMMANDS else ""
+    return f"/opt/ros/{distribution.current()}/bin/{name}" if name == "ros2" or name in COMMANDS else ""

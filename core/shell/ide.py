@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.places import data_folder
-from day6_tui.core.ros.environment import PYTHON_PATH, program_environment
+from day6_tui.core.ros.environment import program_environment, python_folders
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 from day6_tui.core.whole_file import replace_file
 
@@ -77,7 +77,7 @@ def _vscode_settings(text: str, stubs: Path) -> str:
     system = f"terminal.integrated.env.{_SHELL_OF.get(sys.platform, 'linux')}"
     values: dict[str, Any] = {
         "python.analysis.extraPaths": _with_ours(
-            present.get("python.analysis.extraPaths"), [str(stubs), str(PYTHON_PATH)]
+            present.get("python.analysis.extraPaths"), [str(stubs), *python_folders()]
         ),
         system: {**(present.get(system) or {}), **variables()},
     }
@@ -146,7 +146,7 @@ def write_pycharm(project: Path, stubs: Path) -> list[Path]:
     (idea / "runConfigurations").mkdir(parents=True, exist_ok=True)
     module = next(iter(sorted(idea.glob("*.iml"))), idea / f"{project.resolve().name}.iml")
     modules, template = idea / "modules.xml", idea / "runConfigurations" / "_template__of_Python.xml"
-    _change(module, lambda text: _pycharm_module(text, [stubs, PYTHON_PATH]))
+    _change(module, lambda text: _pycharm_module(text, [stubs, *map(Path, python_folders())]))
     if not modules.exists():
         replace_file(modules, _MODULES.format(name=module.name).encode("utf-8"))
     _change(template, _pycharm_template)
@@ -192,7 +192,7 @@ def _pycharm_module(text: str, folders: list[Path]) -> str:
     wanted = {f"file://{'' if os.name == 'posix' else '/'}{folder.as_posix()}": folder for folder in folders}
     for content in list(manager.findall("content")):
         url = content.get("url", "")
-        if url in wanted or url.endswith(("/day6-tui/stubs", "/core/ros/python")):
+        if url in wanted or url.endswith("/day6-tui/stubs") or "/core/ros/python" in url:
             manager.remove(content)
     for number, url in enumerate(wanted):
         content = ElementTree.Element("content", url=url)

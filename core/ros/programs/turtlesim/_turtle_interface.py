@@ -5,12 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
-from turtlesim.action import RotateAbsolute
-from turtlesim.msg import Color, Pose
-from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS
 from day6_tui.core.ros.programs.turtlesim.model import TurtleTopics
+from day6_tui.core.ros.programs.turtlesim_interfaces import (
+    Color,
+    Pose,
+    RotateAbsolute,
+    SetPen,
+    TeleportAbsolute,
+    TeleportRelative,
+)
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import GoalEvent
 from rclpy.task import Future

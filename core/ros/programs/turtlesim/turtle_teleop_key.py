@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
-from turtlesim.action import RotateAbsolute
 
 from day6_tui.core.ros.programs.rclcpp import TOPIC_QOS, abort, create_node
+from day6_tui.core.ros.programs.turtlesim_interfaces import RotateAbsolute
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:

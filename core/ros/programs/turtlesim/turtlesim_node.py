@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
 from std_srvs.srv import Empty
-from turtlesim.srv import Kill, Spawn
 
 from day6_tui.core.ros.programs.rclcpp import abort, create_node, log_interrupt
 from day6_tui.core.ros.programs.turtlesim import model
 from day6_tui.core.ros.programs.turtlesim._turtle_interface import TurtleInterface
+from day6_tui.core.ros.programs.turtlesim_interfaces import Kill, Spawn
 from rclpy.exceptions import InvalidTopicNameException
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
 
