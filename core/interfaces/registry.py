@@ -111,9 +111,11 @@ def interface_names(package: str, kind: str | None = None) -> list[str]:
         inner = os.path.join(folder, each) if folder else ""
         if inner and os.path.isdir(inner):
             files = (file for file in os.listdir(inner) if file.endswith(f".{each}"))
-            names += sorted(f"{each}/{file.rpartition('.')[0]}" for file in files)
-    if folder is not None and _is_ours(folder):
-        names = [name for name in names if differences.has_interface(f"{package}/{name}")]
+            found = {f"{each}/{file.rpartition('.')[0]}" for file in files}
+            if folder is not None and _is_ours(folder):
+                found.update(name for name in differences.own_texts(package) if name.startswith(f"{each}/"))
+                found = {name for name in found if differences.has_interface(f"{package}/{name}")}
+            names += sorted(found)
     return names
 
 

@@ -32,6 +32,14 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         (False, True, True, True),
         "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported",
     ),
+    "node.describes_types": (
+        (False, True, True, True),
+        "ros2/rclpy: rclpy/type_description_service.py is in branch jazzy and not in humble (its service and its parameter)",
+    ),
+    "rclpy.init_returns_manager": (
+        (False, True, True, True),
+        "ros2/rclpy#1298 (after Jazzy, see KEPT)",
+    ),
 }
 """Key -> (the values in the order of `NAMES`, the source)."""
 
@@ -46,10 +54,13 @@ def _until(name: str, source: str) -> tuple[tuple[str, ...], str]:
 
 _SPLIT = VALUES["turtlesim.interfaces"][1]
 _IRON = "ros2/rcl_interfaces: no such folder or file in branch humble, in branch jazzy there is (Iron)"
-_GONE = "ros2/common_interfaces: REMOVED"
+_COMMON = "ros2/common_interfaces: branches humble and jazzy"
+_BAG = "ros2/rosbag2: rosbag2_interfaces/srv, branches humble and jazzy"
 
 PACKAGES: dict[str, tuple[tuple[str, ...], str]] = {
     "turtlesim_msgs": _since("kilted", _SPLIT),
+    "action_tutorials_interfaces": _until("jazzy", "ros2/demos#701"),
+    "actionlib_msgs": _until("kilted", "ros2/common_interfaces#280"),
     "service_msgs": _since("jazzy", _IRON),
     "type_description_interfaces": _since("jazzy", _IRON),
 }
@@ -61,8 +72,74 @@ INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
     "rcl_interfaces/msg/SetLoggerLevelsResult": _since("jazzy", _IRON),
     "rcl_interfaces/srv/GetLoggerLevels": _since("jazzy", _IRON),
     "rcl_interfaces/srv/SetLoggerLevels": _since("jazzy", _IRON),
+    "geometry_msgs/msg/PolygonInstance": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/PolygonInstanceStamped": _since("jazzy", _COMMON),
+    "geometry_msgs/msg/Pose2D": _until("kilted", "ros2/common_interfaces#283"),
+    "nav_msgs/msg/Goals": _since("kilted", "ros2/common_interfaces#269"),
+    "rosbag2_interfaces/srv/Play": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/SplitBagfile": _since("jazzy", _BAG),
+    "rosbag2_interfaces/srv/Stop": _since("jazzy", _BAG),
 }
 """Interface, or package for all of its interfaces -> (the distributions that have it, the source); all others are everywhere."""
+
+_STORES = "the type stores of rosbags 0.11 (from the message definitions of each release)"
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "rcl_interfaces/msg/Log": ("humble", "ros2/rcl_interfaces: Log.msg, branches humble (byte) and jazzy (uint8)"),
+    "sensor_msgs/msg/BatteryState": ("humble", _COMMON),
+    "sensor_msgs/msg/NavSatStatus": ("humble", _COMMON),
+    "sensor_msgs/msg/Range": ("humble", _COMMON),
+    "visualization_msgs/msg/Marker": ("humble", _COMMON),
+    "rosbag2_interfaces/msg/ReadSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "rosbag2_interfaces/msg/WriteSplitEvent": ("humble", "ros2/rosbag2: rosbag2_interfaces/msg, branches humble and jazzy"),
+    "lifecycle_msgs/msg/TransitionEvent": ("rolling", _STORES),
+    "sensor_msgs/msg/PointField": ("rolling", _STORES),
+    "nav_msgs/msg/Trajectory": ("rolling", _STORES),
+    "nav_msgs/msg/TrajectoryPoint": ("rolling", _STORES),
+    "rosbag2_interfaces/msg/MessagesLostEvent": ("rolling", "ros2/rosbag2#2150"),
+    "rosbag2_interfaces/msg/MessagesLostEventTopicStat": ("rolling", "ros2/rosbag2#2150"),
+    **dict.fromkeys(
+        (f"rosgraph_msgs/msg/{name}"
+         for name in ("Action", "Graph", "InterfaceType", "Node", "QoSProfile", "Service", "Topic", "TypeHash")),
+        ("rolling", _STORES),
+    ),
+}  # fmt: skip
+"""Interface -> (the only distribution that has the text in `share_of/<name>`, the source); the others have that of `share`,
+where there is one."""
+
+_RCLPY = "ros2/rclpy: branches humble and jazzy"
+
+RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
+    "rclpy:InitContextManager": _since("jazzy", "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
+    "rclpy.client:Client.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
+    "rclpy.context:Context.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.executors:Executor.__enter__": _since("jazzy", _RCLPY),
+    "rclpy.logging:get_logger_level": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.add_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.add_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.count_clients": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.count_services": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.get_fully_qualified_node_names": _since("jazzy", _RCLPY),
+    "rclpy.node:Node.remove_post_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.remove_pre_set_parameters_callback": _since("jazzy", "ros2/rclpy#966"),
+    "rclpy.node:Node.wait_for_node": _since("jazzy", "ros2/rclpy#930"),
+    "rclpy.parameter:parameter_dict_from_yaml_file": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.configure_introspection": _since("jazzy", _RCLPY),
+    "rclpy.service:Service.service_name": _since("jazzy", _RCLPY),
+    "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
+}
+"""`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
+
+KEPT: dict[str, str] = {
+    "rclpy and ros2 of Jazzy": (
+        "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
+        "`with node`, `ros2 action echo`"
+    ),
+    "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
+}
+"""What deliberately is another one than there, and how."""
 
 UNSETTLED: dict[str, str] = {}
 """What no source could settle -> what is done."""
@@ -88,6 +165,22 @@ def has_interface(name: str) -> bool:
 def path_of(interface: str, share: str) -> str:
     """Return the file with the text of an interface of our packages, which are in `share`."""
     package, kind, name = interface.split("/")
-    below = os.path.join(package, kind, f"{name}.{kind}")
-    own = os.path.join(_SHARES, current(), below)
-    return own if os.path.isfile(own) else os.path.join(share, below)
+    folder = os.path.join(_SHARES, current()) if _has_own_text(interface) else share
+    return os.path.join(folder, package, kind, f"{name}.{kind}")
+
+
+def lacking(module: str) -> list[str]:
+    """Return the names of a module of rclpy that this distribution lacks, like 'Node.wait_for_node'."""
+    mine = current()
+    return [
+        key.partition(":")[2] for key, (there, _) in RCLPY.items() if mine not in there and key.startswith(f"{module}:")
+    ]
+
+
+def own_texts(package: str) -> list[str]:
+    """Return 'msg/Log'-like names of the interfaces of a package that have another text in this distribution, or only here."""
+    return [name.partition("/")[2] for name in TEXTS if name.startswith(f"{package}/") and _has_own_text(name)]
+
+
+def _has_own_text(interface: str) -> bool:
+    return interface in TEXTS and TEXTS[interface][0] == current()

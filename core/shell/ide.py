@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable
@@ -15,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from day6_tui.core.places import data_folder
+from day6_tui.core.ros.distribution import DEFAULT, current
 from day6_tui.core.ros.environment import program_environment, python_folders
 from day6_tui.core.shell.jsonc import parse, set_keys, spans
 from day6_tui.core.whole_file import replace_file
@@ -49,8 +51,8 @@ def write_stubs(folder: Path) -> int:
 
 
 def stub_folder() -> Path:
-    """The folder of the stubs."""
-    return data_folder() / "stubs"
+    """The folder of the stubs; another distribution than the usual one has one of its own."""
+    return data_folder() / ("stubs" if current() == DEFAULT else f"stubs-{current()}")
 
 
 # -- VS Code -----------------------------------------------------------------------------------------------------------
@@ -128,10 +130,13 @@ def _dot_env(text: str) -> str:
     return "\n".join([*lines, ""])
 
 
+_OURS = re.compile(r"[/\\](?:core[/\\]ros[/\\]python(?:_of[/\\]\w+)?|day6-tui[/\\]stubs(?:-\w+)?)$")
+"""Folders of any installation and distribution."""
+
+
 def _with_ours(present: Iterable[str] | None, ours: list[str]) -> list[str]:
     """Our folders first, then the existing ones; an older installation's are left out."""
-    tail = os.path.join("core", "ros", "python")
-    return [*ours, *(each for each in present or () if each and each not in ours and not each.endswith(tail))]
+    return [*ours, *(each for each in present or () if each and each not in ours and not _OURS.search(each))]
 
 
 # -- PyCharm -----------------------------------------------------------------------------------------------------------
@@ -192,7 +197,7 @@ def _pycharm_module(text: str, folders: list[Path]) -> str:
     wanted = {f"file://{'' if os.name == 'posix' else '/'}{folder.as_posix()}": folder for folder in folders}
     for content in list(manager.findall("content")):
         url = content.get("url", "")
-        if url in wanted or url.endswith("/day6-tui/stubs") or "/core/ros/python" in url:
+        if url in wanted or _OURS.search(url):
             manager.remove(content)
     for number, url in enumerate(wanted):
         content = ElementTree.Element("content", url=url)

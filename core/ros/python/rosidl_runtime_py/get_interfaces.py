@@ -8,7 +8,7 @@ from pathlib import Path
 from ament_index_python.packages import get_packages_with_prefixes
 from ament_index_python.search_paths import BUILT_IN_PREFIX
 
-from day6_tui.core.ros.differences import has_interface, path_of
+from day6_tui.core.ros.differences import has_interface, own_texts, path_of
 
 _KINDS = ("msg", "srv", "action")
 
@@ -93,5 +93,6 @@ def _definitions(prefix: Path, package: str, kinds: tuple[str, ...]) -> list[str
             if path.suffix in (f".{kind}", ".idl") and "_" not in path.stem:
                 names.add(f"{kind}/{path.stem}")
     if str(prefix) == BUILT_IN_PREFIX:
+        names.update(name for name in own_texts(package) if name.partition("/")[0] in kinds)
         names = {name for name in names if has_interface(f"{package}/{name}")}
     return sorted(names)
