@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 _SHARES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share_of")
 
-_RELEASE = "ros2_documentation: source/Releases/Release-"
-
 VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "turtlesim.interfaces": (
         ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
@@ -39,6 +37,22 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "rclpy.init_returns_manager": (
         (False, True, True, True),
         "ros2/rclpy#1298 (after Jazzy, see KEPT)",
+    ),
+    "bag.storage": (
+        ("sqlite3", "mcap", "mcap", "mcap"),
+        "ros2/rosbag2#1160 (Iron); ros2_documentation: source/Releases/Release-Iron-Irwini.rst",
+    ),
+    "bag.recorder_can_pause": (
+        (False, True, True, True),
+        "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy",
+    ),
+    "bag.topics_are_an_option": (
+        (False, True, True, True),
+        "ros2/rosbag2: ros2bag/verb/record.py, branches humble and jazzy (positional topics are deprecated)",
+    ),
+    "bag.metadata_version": (
+        (5, 9, 9, 9),
+        "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp, branches humble and jazzy",
     ),
 }
 """Key -> (the values in the order of `NAMES`, the source)."""
@@ -110,7 +124,6 @@ where there is one."""
 _RCLPY = "ros2/rclpy: branches humble and jazzy"
 
 RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
-    "rclpy:InitContextManager": _since("jazzy", "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
     "rclpy:try_shutdown": _since("jazzy", "ros2/rclpy#1302 (after Jazzy, see KEPT)"),
     "rclpy.client:Client.configure_introspection": _since("jazzy", _RCLPY),
     "rclpy.client:Client.service_name": _since("jazzy", _RCLPY),
@@ -131,6 +144,52 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
     "rclpy.subscription:Subscription.get_publisher_count": _since("jazzy", _RCLPY),
 }
 """`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
+
+_CLI = "ros2/ros2cli: the verb's module, branches humble and jazzy"
+_BAGCLI = "ros2/rosbag2: ros2bag/verb, branches humble and jazzy"
+
+VERBS: dict[str, tuple[tuple[str, ...], str]] = {
+    "action echo": _since("jazzy", "ros2/ros2cli#978 (after Jazzy, see KEPT)"),
+    "action find": _since("jazzy", "ros2/ros2cli: ros2action/verb, branches jazzy and kilted (after Jazzy, see KEPT)"),
+    "action type": _since("jazzy", "ros2/ros2cli#894"),
+    "bag burst": _since("jazzy", _BAGCLI),
+    "service echo": _since("jazzy", _CLI),
+    "service info": _since("jazzy", _CLI),
+}
+"""Verb of `ros2` -> (the distributions that have it, the source)."""
+
+OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
+    "action send_goal": (("--stdin",), *_since("jazzy", _CLI)),
+    "bag info": (("--sort", "--topic-name", "--verbose"), *_since("jazzy", _BAGCLI)),
+    "bag play": (
+        ("--clock-topics", "--clock-topics-all", "--exclude-regex", "--exclude-services", "--exclude-topics", "--input",
+         "--message-order", "--playback-duration", "--playback-until-nsec", "--playback-until-sec",
+         "--progress-bar-update-rate", "--publish-service-requests", "--regex", "--service-requests-source", "--services"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "bag record": (
+        ("--all-services", "--all-topics", "--compression-threads-priority", "--custom-data", "--disable-keyboard-controls",
+         "--exclude-regex", "--exclude-services", "--exclude-topic-types", "--exclude-topics", "--node-name", "--services",
+         "--topic-types", "--topics"),
+        *_since("jazzy", _BAGCLI),
+    ),
+    "interface package": (("--only-actions", "--only-msgs", "--only-srvs"), *_since("jazzy", _CLI)),
+    "multicast receive": (("--group", "--port"), *_since("jazzy", _CLI)),
+    "multicast send": (("--group", "--port"), *_since("jazzy", _CLI)),
+    **{f"param {verb}": (("--timeout",), *_since("jazzy", "ros2/ros2cli#802"))
+       for verb in ("delete", "describe", "dump", "get", "load", "set")},
+    "service call": (("--stdin",), *_since("jazzy", _CLI)),
+    "topic echo": (
+        ("--clear", "--include-message-info", "--node-name", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds",
+         "--timeout"),
+        *_since("jazzy", _CLI),
+    ),
+    "topic pub": (
+        ("--max-wait-time-secs", "--qos-liveliness", "--qos-liveliness-lease-duration-seconds", "--stdin"),
+        *_since("jazzy", _CLI),
+    ),
+}  # fmt: skip
+"""Verb of `ros2` -> (options, the distributions that have them, the source)."""
 
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (
@@ -175,6 +234,17 @@ def lacking(module: str) -> list[str]:
     return [
         key.partition(":")[2] for key, (there, _) in RCLPY.items() if mine not in there and key.startswith(f"{module}:")
     ]
+
+
+def has_verb(words: str) -> bool:
+    """Return whether `ros2` has a verb here, like 'service echo'."""
+    return words not in VERBS or current() in VERBS[words][0]
+
+
+def lacking_options(words: str) -> tuple[str, ...]:
+    """Return the long options that a verb of `ros2` lacks here."""
+    options, there, _ = OPTIONS.get(words, ((), NAMES, ""))
+    return () if current() in there else options
 
 
 def own_texts(package: str) -> list[str]:
