@@ -16,6 +16,7 @@ from day6_tui.core.advice.looking import Found, Scene, found, looker
 from day6_tui.core.advice.rules import cause_of
 from day6_tui.core.advice.typed import CLOSE, CLOSE_AMONG_FEW, slip_of_command
 from day6_tui.core.ros.differences import has_interface, has_package
+from day6_tui.core.ros.distribution import setup_script
 from day6_tui.urdf.explain import language_of
 
 MOST_FILES = 2000
@@ -37,7 +38,7 @@ def ros_itself(scene: Scene) -> Found | None:
     """Whether ROS itself is sourced in this terminal."""
     if scene.variables.get("ROS_DISTRO") or scene.variables.get("AMENT_PREFIX_PATH"):
         return None
-    return found("ros_not_sourced", "source /opt/ros/jazzy/setup.bash")
+    return found("ros_not_sourced", f"source {setup_script()}")
 
 
 @looker

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 
-from day6_tui.core.ros.distribution import NAMES, current
+from day6_tui.core.ros.distribution import DEFAULT, NAMES, current
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -245,6 +245,21 @@ def lacking_options(words: str) -> tuple[str, ...]:
     """Return the long options that a verb of `ros2` lacks here."""
     options, there, _ = OPTIONS.get(words, ((), NAMES, ""))
     return () if current() in there else options
+
+
+def retold(text: str) -> str:
+    """Return a text written for the usual distribution (a lesson, a card) as it is for this one.
+
+    The names of the two change places, so that what is a wrong name in the text stays one; turtlesim's types get their package.
+    """
+    mine = current()
+    if mine == DEFAULT:
+        return text
+    import re
+
+    swapped = {DEFAULT: mine, mine: DEFAULT}
+    text = re.sub(rf"\b({DEFAULT}|{mine})\b", lambda found: swapped[found[1]], text)
+    return re.sub(r"\bturtlesim(?=[./](?:msg|srv|action)\b)", value("turtlesim.interfaces"), text)
 
 
 def own_texts(package: str) -> list[str]:

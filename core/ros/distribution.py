@@ -48,6 +48,11 @@ def current() -> str:
     return _current
 
 
+def setup_script() -> str:
+    """Return the file that is sourced to have this distribution in a terminal."""
+    return f"/opt/ros/{_current}/setup.bash"
+
+
 def choose(name: str) -> None:
     """Make it the distribution of this process; before anything of ROS is imported."""
     global _current
