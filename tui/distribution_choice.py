@@ -31,7 +31,7 @@ def settle(words: list[str]) -> list[str]:
         name = _remembered()
     if name is not None:
         distribution.choose(name)
-        os.environ["ROS_DISTRO"] = name
+        os.environ[distribution.HANDED_ON] = name
     return rest
 
 

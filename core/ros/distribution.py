@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 NAMES = ("humble", "jazzy", "kilted", "rolling")
 """From the oldest to the newest."""
 DEFAULT = "jazzy"
+HANDED_ON = "DAY6_DISTRO"
+"""The variable by which `day6-tui` tells those it starts (the desktops of `serve`, a keeper)."""
 _FOLDERS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "python_of")
 
 
@@ -36,9 +38,11 @@ def on_path(entries: Iterable[str]) -> str | None:
 
 
 def named_in(environment: Mapping[str, str]) -> str | None:
-    """Return the distribution that ROS_DISTRO names, None if it is none of ours (a real ROS Foxy may be sourced)."""
-    name = environment.get("ROS_DISTRO", "")
-    return name if name in NAMES else None
+    """Return the distribution that a `day6-tui` above this process was given, else the one that ROS_DISTRO names.
+
+    None if that is none of ours: a real ROS Foxy may be sourced.
+    """
+    return next((name for key in (HANDED_ON, "ROS_DISTRO") if (name := environment.get(key, "")) in NAMES), None)
 
 
 _current = on_path(sys.path) or named_in(os.environ) or DEFAULT
