@@ -6,9 +6,10 @@ import os
 import re
 import subprocess
 import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def day6(*words: str, **variables: str) -> subprocess.CompletedProcess[str]:
@@ -30,3 +31,23 @@ def sections(home: Path, parts: dict[str, str], **variables: str) -> dict[str, s
     found = re.split(r"^==(.+)==\n", done.stdout, flags=re.MULTILINE)
     assert found[1::2] == list(parts), done.stdout + done.stderr
     return dict(zip(found[1::2], found[2::2], strict=True))
+
+
+@contextmanager
+def started(*words: str, **variables: str) -> Iterator[None]:
+    """Have `day6-tui WORDS…` run meanwhile."""
+    command = [sys.executable, "-m", "day6_tui.tui.main", *words]
+    with subprocess.Popen(
+        command, env={**os.environ, **variables}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    ) as process:
+        try:
+            yield
+        finally:
+            process.terminate()
+
+
+def wait_for(text: str, *words: str, **variables: str) -> None:
+    """Run `day6-tui WORDS…` until it prints the text; fails after a minute."""
+    deadline = time.monotonic() + 60
+    while text not in (said := day6(*words, **variables).stdout):
+        assert time.monotonic() < deadline, said
