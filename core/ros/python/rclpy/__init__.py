@@ -107,7 +107,7 @@ def init(
     context: Context | None = None,
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
-) -> InitContextManager | None:
+) -> InitContextManager:
     """Initialise ROS for a context; returns a context manager, in Humble nothing.
 
     `args` are command line arguments (default `sys.argv`), `context` by default the default one, `domain_id` by default
@@ -119,7 +119,7 @@ def init(
         RCLError, UnknownROSArgsError: for bad arguments.
     """
     manager = InitContextManager(args, context, domain_id, signal_handler_options)
-    return manager if value("rclpy.init_returns_manager") else None
+    return manager if value("rclpy.init_returns_manager") else None  # type: ignore[return-value]
 
 
 __executor: Executor | None = None
