@@ -147,3 +147,12 @@ def test_lessons_speak_of_it() -> None:
         )
     finally:
         distribution.choose(before)
+
+
+def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.ros import distribution
+    from day6_tui.tui.web.starting import environment
+
+    monkeypatch.setattr(distribution, "_current", "humble")
+    remember("kilted")
+    assert printed(**environment(0)) == "humble"
