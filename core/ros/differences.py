@@ -22,6 +22,25 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
         ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
         "ros/ros_tutorials#169 (turtlesim_msgs 1.9.2); ros2/ros2_documentation#5131: Jazzy and older use turtlesim",
     ),
+    "action_tutorials.interfaces": (
+        ("action_tutorials_interfaces", "example_interfaces", "example_interfaces", "example_interfaces"),
+        "ros2/demos#701 (after Jazzy, see KEPT)",
+    ),
+    "ros2.same_names": (
+        (
+            "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
+            *(
+                "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+                "which can have unintended side effects.",
+            )
+            * 3,
+        ),
+        "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    ),
+    "turtlesim.holonomic": (
+        (False, True, True, True),
+        "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling",
+    ),
     "messages.check_fields": (
         ("always", "option", "option", "option"),
         "ros2/rosidl_python#194: resource/_msg.py.em, branches humble and jazzy (where day6-tui checks unless told not to)",
@@ -194,7 +213,7 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (
         "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
-        "`with node`, `ros2 action echo`"
+        "`with node`, `ros2 action echo`; the action tutorials use example_interfaces"
     ),
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
 }

@@ -59,9 +59,14 @@ print(json.dumps({
 PARTS = {
     "turtlesim": "ros2 run turtlesim turtlesim_node > /dev/null 2>&1 & "
     "until ros2 topic list | grep -q pose; do sleep 0.05; done; "
-    "ros2 topic type /turtle1/pose; ros2 service type /spawn; ros2 topic info -v /turtle1/pose; ros2 service list; kill %1; wait",
+    "ros2 topic type /turtle1/pose; ros2 service type /spawn; ros2 topic info -v /turtle1/pose; ros2 service list; "
+    "ros2 param list /turtlesim; kill %1; wait",
     "turtlesim module": "python3 -c 'from turtlesim.srv import Spawn'",
     "turtlesim_msgs module": "python3 -c 'from turtlesim_msgs.srv import Spawn'",
+    "action tutorial": "ros2 run action_tutorials_py fibonacci_action_server > /dev/null 2>&1 & "
+    "until ros2 action list | grep -q fibonacci; do sleep 0.05; done; ros2 action info -t /fibonacci; kill %1; wait",
+    "same names": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
+    "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; ros2 node list; kill %1; kill %2; wait",
     "packages": "ros2 pkg list",
     "interfaces": "ros2 interface list",
     "action": "ros2 action",
@@ -153,7 +158,10 @@ def test_turtlesim_has_the_types_of_its_distribution(played: dict[str, dict[str,
 def test_hashes_and_descriptions_of_types_came_after_humble(played: dict[str, dict[str, str]], name: str) -> None:
     said = played[name]["turtlesim"]
     assert ("Topic type hash: RIHS01_" in said) == ("/turtlesim/get_type_description" in said) == (name != "humble")
-    assert "Topic type hash" in said or name == "humble"
+    assert (("  holonomic" in said), ("  start_type_description_service" in said)) == (
+        name != "humble",
+        name != "humble",
+    )
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -179,6 +187,17 @@ def test_a_bag_is_of_the_usual_kind(played: dict[str, dict[str, str]], name: str
     assert ('Positional "topics" argument deprecated' in said) != humble
     assert ("/rosbag2_recorder/pause" in said) == ("/rosbag2_recorder/split_bagfile" in said) == (not humble)
     assert ('offered_qos_profiles: "- history: 3\\n' in said) == humble
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_action_tutorial_and_a_warning_are_those_of_the_distribution(
+    played: dict[str, dict[str, str]], name: str
+) -> None:
+    package = "action_tutorials_interfaces" if name == "humble" else "example_interfaces"
+    assert f"/fibonacci_action_server [{package}/action/Fibonacci]" in played[name]["action tutorial"]
+    wrong = "WARNING: Be aware that are nodes in the graph that share an exact name, this can"
+    right = "WARNING: Be aware that there are nodes in the graph that share an exact name, which can"
+    assert (wrong if name == "humble" else right) in played[name]["same names"]
 
 
 @pytest.mark.parametrize("name", NAMES)

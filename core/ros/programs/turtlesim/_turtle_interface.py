@@ -114,7 +114,7 @@ class TurtleInterface:
     # -- topics and services -------------------------------------------------------------------------------------------
 
     def _command(self, twist: Twist) -> None:
-        holonomic = self._node.get_parameter("holonomic").value
+        holonomic = self._node.has_parameter("holonomic") and self._node.get_parameter("holonomic").value
         aborted = self._turtle.command(
             twist.linear.x, twist.angular.z, self._now_ns(), linear_y=twist.linear.y if holonomic else None
         )
