@@ -17,61 +17,52 @@ if TYPE_CHECKING:
 
 _SHARES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "share_of")
 
+
+def _in_humble(old: Any, usual: Any, source: str) -> tuple[tuple[Any, Any, Any, Any], str]:
+    return (old, usual, usual, usual), source
+
+
 VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "turtlesim.interfaces": (
         ("turtlesim", "turtlesim", "turtlesim_msgs", "turtlesim_msgs"),
         "ros/ros_tutorials#169 (turtlesim_msgs 1.9.2); ros2/ros2_documentation#5131: Jazzy and older use turtlesim",
     ),
-    "action_tutorials.interfaces": (
-        ("action_tutorials_interfaces", "example_interfaces", "example_interfaces", "example_interfaces"),
-        "ros2/demos#701 (after Jazzy, see KEPT)",
+    "turtlesim.holonomic": _in_humble(
+        False, True, "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling"
     ),
-    "ros2.same_names": (
-        (
-            "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
-            *(
-                "WARNING: Be aware that there are nodes in the graph that share an exact name, "
-                "which can have unintended side effects.",
-            )
-            * 3,
-        ),
-        "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
+    "action_tutorials.interfaces": _in_humble(
+        "action_tutorials_interfaces", "example_interfaces", "ros2/demos#701 (after Jazzy, see KEPT)"
     ),
-    "turtlesim.holonomic": (
-        (False, True, True, True),
-        "ros/ros_tutorials#131 (turtlesim 1.5.0, Iron): turtle_frame.cpp, branches humble and rolling",
-    ),
-    "messages.check_fields": (
-        ("always", "option", "option", "option"),
+    "messages.check_fields": _in_humble(
+        "always",
+        "option",
         "ros2/rosidl_python#194: resource/_msg.py.em, branches humble and jazzy (where day6-tui checks unless told not to)",
     ),
-    "messages.have_hashes": (
-        (False, True, True, True),
-        "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported",
+    "messages.have_hashes": _in_humble(
+        False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
     ),
-    "node.describes_types": (
-        (False, True, True, True),
-        "ros2/rclpy: rclpy/type_description_service.py is in branch jazzy and not in humble (its service and its parameter)",
+    "node.describes_types": _in_humble(
+        False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
     ),
-    "rclpy.init_returns_manager": (
-        (False, True, True, True),
-        "ros2/rclpy#1298 (after Jazzy, see KEPT)",
+    "rclpy.init_returns_manager": _in_humble(False, True, "ros2/rclpy#1298 (after Jazzy, see KEPT)"),
+    "ros2.same_names": _in_humble(
+        "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects.",
+        "WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side effects.",
+        "ros2/ros2cli: ros2node/verb/list.py, branches humble and jazzy",
     ),
-    "bag.storage": (
-        ("sqlite3", "mcap", "mcap", "mcap"),
-        "ros2/rosbag2#1160 (Iron); ros2_documentation: source/Releases/Release-Iron-Irwini.rst",
+    "bag.storage": _in_humble(
+        "sqlite3", "mcap", "ros2/rosbag2#1160 (Iron); Release-Iron-Irwini.rst of ros2_documentation"
     ),
-    "bag.recorder_can_pause": (
-        (False, True, True, True),
-        "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy",
+    "bag.metadata_version": _in_humble(
+        5, 9, "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp and yaml.hpp, branches humble and jazzy"
     ),
-    "bag.topics_are_an_option": (
-        (False, True, True, True),
+    "bag.recorder_can_pause": _in_humble(
+        False, True, "ros2/rosbag2: recorder.cpp, branches humble (only ~/snapshot) and jazzy"
+    ),
+    "bag.topics_are_an_option": _in_humble(
+        False,
+        True,
         "ros2/rosbag2: ros2bag/verb/record.py, branches humble and jazzy (positional topics are deprecated)",
-    ),
-    "bag.metadata_version": (
-        (5, 9, 9, 9),
-        "ros2/rosbag2: rosbag2_storage/bag_metadata.hpp, branches humble and jazzy",
     ),
 }
 """Key -> (the values in the order of `NAMES`, the source)."""
@@ -164,6 +155,20 @@ RCLPY: dict[str, tuple[tuple[str, ...], str]] = {
 }
 """`module:name` of rclpy -> (the distributions that have it, the source); users' programs find no other ones."""
 
+_DEMOS = "ros2/demos: setup.py of demo_nodes_py and CMakeLists.txt of demo_nodes_cpp, branches humble and jazzy"
+
+EXECUTABLES: dict[str, tuple[tuple[str, ...], str]] = {
+    f"{package} {name}": _since("jazzy", _DEMOS)
+    for package, names in (
+        ("demo_nodes_cpp", "introspection_client introspection_service"),
+        ("demo_nodes_py", "async_param_client introspection"),
+        ("demo_nodes_cpp", "matched_event_detect set_parameters_callback use_logger_service"),
+        ("demo_nodes_py", "matched_event_detect set_parameters_callback use_logger_service"),
+    )
+    for name in names.split()
+}  # fmt: skip
+"""Package and executable -> (the distributions that have it, the source)."""
+
 _CLI = "ros2/ros2cli: the verb's module, branches humble and jazzy"
 _BAGCLI = "ros2/rosbag2: ros2bag/verb, branches humble and jazzy"
 
@@ -219,8 +224,20 @@ KEPT: dict[str, str] = {
 }
 """What deliberately is another one than there, and how."""
 
-UNSETTLED: dict[str, str] = {}
-"""What no source could settle -> what is done."""
+UNSETTLED: dict[str, str] = {
+    "Rolling": "has Lyrical's packages and interfaces; rclpy and ros2 are Kilted's, without what Release-Lyrical-Luth.rst "
+    "adds (ros2 param and topic bw of several, service info --verbose, names of bag parts, AsyncNode)",
+    "geometry_msgs/msg/VelocityStamped": "is in branch humble by a later update and not in the first Humble: it is there",
+    "the distribution of a bag of Humble": "its metadata has none, so `ros2 bag info` says unknown",
+    "columns of a .db3 file": "are those of rosbag2's newer schema in every distribution, which Humble reads by name",
+    "launch and launch_ros": "have what came with Iron (launch#649, #652; launch_ros#311, #317, #325) in Humble too",
+    "modules of rclpy": "that Humble lacks (event_handler, parameter_client, type_hash) can be imported there too",
+    "words of help": "of options that all have are Kilted's",
+    "ros2 doctor --exclude-packages": "is there in Humble too",
+    "pictures of turtles": "one more in each distribution; windows here draw all turtles alike",
+    "depth of a Humble turtlesim's topics": "7 as later (ros_tutorials#161) in place of 1: no tool shows it",
+}
+"""What no source could settle, or is known and not told apart -> what is done."""
 
 
 def value(key: str) -> Any:
@@ -258,6 +275,12 @@ def lacking(module: str) -> list[str]:
 def has_verb(words: str) -> bool:
     """Return whether `ros2` has a verb here, like 'service echo'."""
     return words not in VERBS or current() in VERBS[words][0]
+
+
+def has_executable(package: str, name: str) -> bool:
+    """Return whether an executable of one of our packages is in this distribution."""
+    row = EXECUTABLES.get(f"{package} {name}")
+    return row is None or current() in row[0]
 
 
 def lacking_options(words: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from rosbags.typesys import Stores, get_typestore
 from short_folder import make_short_folder
 
 from day6_tui.core.ros import differences, distribution
-from day6_tui.core.ros.differences import INTERFACES, OPTIONS, PACKAGES, RCLPY, TEXTS, VALUES, VERBS
+from day6_tui.core.ros.differences import EXECUTABLES, INTERFACES, OPTIONS, PACKAGES, RCLPY, TEXTS, VALUES, VERBS
 from day6_tui.core.ros.distribution import NAMES
 
 from .command import day6, sections, started, wait_for
@@ -67,6 +67,7 @@ PARTS = {
     "until ros2 action list | grep -q fibonacci; do sleep 0.05; done; ros2 action info -t /fibonacci; kill %1; wait",
     "same names": "ros2 run demo_nodes_py talker > /dev/null 2>&1 & ros2 run demo_nodes_py talker > /dev/null 2>&1 & "
     "until ros2 node list --count-nodes | grep -q 2; do sleep 0.05; done; ros2 node list; kill %1; kill %2; wait",
+    "executables": "ros2 pkg executables",
     "packages": "ros2 pkg list",
     "interfaces": "ros2 interface list",
     "action": "ros2 action",
@@ -100,7 +101,7 @@ def asked(played: dict[str, dict[str, str]], name: str) -> dict[str, object]:
 
 
 def test_every_row_names_its_source() -> None:
-    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, VERBS, OPTIONS):
+    for table in (VALUES, PACKAGES, INTERFACES, TEXTS, RCLPY, EXECUTABLES, VERBS, OPTIONS):
         for key, row in table.items():
             assert len(row[-1]) > 10 and (any(mark in row[-1] for mark in ("/", "REP", "rosbags"))), key
 
@@ -141,6 +142,9 @@ def test_the_lists_have_what_there_is(played: dict[str, dict[str, str]], name: s
         if interface.startswith(("rosgraph_msgs", "nav_msgs")):
             assert (interface in interfaces) == (name == only), interface
     assert "turtlesim" in packages
+    executables = played[name]["executables"].splitlines()
+    for executable, (there, _) in EXECUTABLES.items():
+        assert (executable in executables) == (name in there), executable
 
 
 @pytest.mark.parametrize("name", NAMES)
