@@ -41,6 +41,9 @@ VALUES: dict[str, tuple[tuple[Any, Any, Any, Any], str]] = {
     "messages.have_hashes": _in_humble(
         False, True, "REP 2016 (Iron); ros2/rmw_zenoh#388: in Humble the key says TypeHashNotSupported"
     ),
+    "services.have_events": _in_humble(
+        False, True, "REP 2012 (Iron): Release-Iron-Irwini.rst of ros2_documentation; no service_msgs in branch humble"
+    ),
     "node.describes_types": _in_humble(
         False, True, "ros2/rclpy: rclpy/type_description_service.py, in branch jazzy and not in humble"
     ),
@@ -99,7 +102,7 @@ INTERFACES: dict[str, tuple[tuple[str, ...], str]] = {
     "geometry_msgs/msg/PolygonInstance": _since("jazzy", _COMMON),
     "geometry_msgs/msg/PolygonInstanceStamped": _since("jazzy", _COMMON),
     "geometry_msgs/msg/Pose2D": _until("kilted", "ros2/common_interfaces#283"),
-    "nav_msgs/msg/Goals": _since("kilted", "ros2/common_interfaces#269"),
+    "nav_msgs/msg/Goals": _since("jazzy", "ros2/common_interfaces#269 (after Jazzy, see KEPT)"),
     "rosbag2_interfaces/srv/Play": _since("jazzy", _BAG),
     "rosbag2_interfaces/srv/SplitBagfile": _since("jazzy", _BAG),
     "rosbag2_interfaces/srv/Stop": _since("jazzy", _BAG),
@@ -218,7 +221,7 @@ OPTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
 KEPT: dict[str, str] = {
     "rclpy and ros2 of Jazzy": (
         "are those of Kilted, from which everything was recorded: `with rclpy.init()`, `rclpy.try_shutdown`, "
-        "`with node`, `ros2 action echo`; the action tutorials use example_interfaces"
+        "`with node`, `ros2 action echo`; the action tutorials use example_interfaces; there is nav_msgs/msg/Goals"
     ),
     "field checks": "are on in every distribution unless ROS_PYTHON_CHECK_FIELDS=0: a learner's mistake is told at its line",
 }
