@@ -67,8 +67,12 @@ class Source:
             line = data[: error.start].count(b"\n") + 1
             told = "the file is not UTF-8: save it again, in your editor, with the encoding UTF-8"
             raise LessonMistakes(path, [Mistake(line, told)]) from None
-        if _OURS in path.resolve().parents:
-            text = retold(text)
+        self.stretched = 0
+        """By how many columns a row may have grown because another distribution's names are longer."""
+        if _OURS in path.resolve().parents and (told := retold(text)) != text:
+            pairs = zip(text.splitlines(), told.splitlines(), strict=True)
+            self.stretched = max(len(new) - len(old) for old, new in pairs)
+            text = told
         self.path = path
         self.lines = text.replace("\r\n", "\n").split("\n")
         self._mistakes: list[Mistake] = []

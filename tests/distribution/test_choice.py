@@ -149,6 +149,18 @@ def test_lessons_speak_of_it() -> None:
         distribution.choose(before)
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_every_lesson_can_be_read_in_every_distribution(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from day6_tui.core.lessons import reading
+    from day6_tui.core.ros import distribution
+
+    monkeypatch.setattr(distribution, "_current", name)
+    files = sorted(Path(reading.__file__).parent.glob("d*s/*.md"))
+    assert len(files) > 30
+    for path in files:
+        assert reading.read_lesson(path).steps
+
+
 def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
     from day6_tui.core.ros import distribution
     from day6_tui.tui.web.starting import environment
@@ -156,3 +168,8 @@ def test_the_desktops_of_a_server_have_that_of_the_server(monkeypatch: pytest.Mo
     monkeypatch.setattr(distribution, "_current", "humble")
     remember("kilted")
     assert printed(**environment(0)) == "humble"
+
+
+def test_tab_offers_the_distributions_and_then_commands() -> None:
+    assert day6("complete", "bash", "day6-tui --distro ki").stdout.split() == ["kilted"]
+    assert "exec" in day6("complete", "bash", "day6-tui --distro kilted e").stdout.split()
