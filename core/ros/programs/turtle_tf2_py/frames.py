@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from geometry_msgs.msg import TransformStamped, Twist
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformException, TransformListener
-from turtlesim.msg import Pose
-from turtlesim.srv import Spawn
 
+from day6_tui.core.ros.programs.turtlesim_interfaces import Pose, Spawn
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 

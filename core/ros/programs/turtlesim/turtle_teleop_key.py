@@ -9,10 +9,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
-from turtlesim.action import RotateAbsolute
 
 from day6_tui.core.ros.programs.rclcpp import CppException, create_node
 from day6_tui.core.ros.programs.turtlesim._qos import TOPIC_QOS
+from day6_tui.core.ros.programs.turtlesim_interfaces import RotateAbsolute
 from rclpy.action import ActionClient
 
 if TYPE_CHECKING:

@@ -22,6 +22,7 @@ from rclpy._own_services import HASHES, LOG
 from rclpy._parameter_events import ParameterEvents, parameter_event_publisher
 from rclpy._parameter_store import ParameterStore
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError as NodeNameNonExistentError
+from rclpy._withdrawn import withdraw
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock, ROSClock
@@ -806,3 +807,6 @@ class Node:
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Block until a node exists, at most `timeout` seconds; returns whether it does."""
         return self._rclpy_graph.wait_for_node(fully_qualified_node_name, timeout)
+
+
+withdraw(__name__)

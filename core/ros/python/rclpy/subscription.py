@@ -12,6 +12,7 @@ from rclpy._entity import NOTHING, SUBSCRIPTION, Entity
 from rclpy._incidental import also
 from rclpy._node_endpoint import TopicEndpoint
 from rclpy._rclpy_pybind11 import RCLError as RCLError
+from rclpy._withdrawn import withdraw
 from rclpy.qos import QoSProfile
 from rclpy.type_support import MsgT
 
@@ -167,3 +168,6 @@ class Subscription(TopicEndpoint, Entity, Generic[MsgT]):
             RCLError: if there is none.
         """
         return self._handle.get_content_filter()
+
+
+withdraw(__name__)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from day6_tui.core.ros.differences import value
 from rclpy._incidental import also
 from rclpy._own_services import GET_TYPE_DESCRIPTION
 from rclpy.parameter import Parameter
@@ -30,6 +31,8 @@ class TypeDescriptionService:
         name = START_TYPE_DESCRIPTION_SERVICE_PARAM
         self.service_name = f"{node.get_name()}/get_type_description"
         self.enabled = False
+        if not value("node.describes_types"):
+            return
         self._declare(node, name)
         parameter = node.get_parameter(name)
         if parameter.type_ == Parameter.Type.BOOL:

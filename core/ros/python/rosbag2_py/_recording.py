@@ -6,9 +6,10 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from rosbag2_interfaces.msg import WriteSplitEvent
-from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot
 
 from day6_tui.core.interfaces import type_name
+from day6_tui.core.ros.differences import value
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rosbag2_py._compression import CompressionOptions, compression_mode_from_string
 from rosbag2_py._options import RecordOptions
@@ -78,10 +79,13 @@ class Recording:
         node = self._node
         if self._storage.snapshot_mode:
             node.create_service(Snapshot, "~/snapshot", self._snapshot)
-        node.create_service(SplitBagfile, "~/split_bagfile", self._split)
-        node.create_service(Pause, "~/pause", self._callback(self.pause))
-        node.create_service(Resume, "~/resume", self._callback(self.resume))
-        node.create_service(IsPaused, "~/is_paused", self._is_paused)
+        if value("bag.recorder_can_pause"):
+            from rosbag2_interfaces.srv import SplitBagfile
+
+            node.create_service(SplitBagfile, "~/split_bagfile", self._split)
+            node.create_service(Pause, "~/pause", self._callback(self.pause))
+            node.create_service(Resume, "~/resume", self._callback(self.resume))
+            node.create_service(IsPaused, "~/is_paused", self._is_paused)
         self._splits = node.create_publisher(WriteSplitEvent, "events/write_split", 1)
         self._log.info("Listening for topics...")
         if self._options.use_sim_time:
@@ -229,7 +233,10 @@ class Recording:
 
     def _on_split(self, closed: str, opened: str) -> None:
         name = self._node.get_fully_qualified_name()
-        self._splits.publish(WriteSplitEvent(closed_file=closed, opened_file=opened, node_name=name))
+        event = WriteSplitEvent(closed_file=closed, opened_file=opened)
+        if hasattr(event, "node_name"):  # not in Humble
+            event.node_name = name
+        self._splits.publish(event)
 
     def _callback(self, action: Any) -> Any:
         def serve(request: Any, response: Any) -> Any:
