@@ -12,7 +12,7 @@ from rcl_interfaces.msg import LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
 from day6_tui.core.graph.names import full_name
-from day6_tui.core.ros.programs.rqt_gui.requests import Requests
+from day6_tui.core.ros.programs.rqt_py_common.service_calls import ServiceCalls
 
 if TYPE_CHECKING:
     from rclpy.client import Client
@@ -41,7 +41,7 @@ class LoggerLevels:
         self._node = node
         self._awaited = chosen
         """The node to choose as soon as it is there."""
-        self._requests = Requests(now, self._show, self._on_failure)
+        self._calls = ServiceCalls(now, self._show, self._on_failure)
         self._wanted: list[Callable[[], object]] = []
         self._clients: list[Client[Any, Any]] = []
         self._levels: dict[str, int | None] = {}
@@ -104,7 +104,7 @@ class LoggerLevels:
         if self.node and not before.get(self.node) and found.get(self.node):
             self._read()
         elif self.node and not found.get(self.node):
-            self._requests.give_up()
+            self._calls.give_up()
         elif self._awaited in found:
             self._choose(self._awaited)
         self._show()
@@ -115,7 +115,7 @@ class LoggerLevels:
 
     def close(self) -> None:
         """Give back what it has on the program's node."""
-        self._requests.give_up()
+        self._calls.give_up()
         while self._clients:
             self._node.destroy_client(self._clients.pop())
 
@@ -134,7 +134,7 @@ class LoggerLevels:
     def _read(self) -> None:
         if self.nodes.get(self.node):
             request = GetLoggerLevels.Request(names=list(self._levels))
-            self._requests.send(self._clients[0], request, self._on_levels)
+            self._calls.send(self._clients[0], request, self._on_levels)
         self._show()
 
     def _add(self, logger: str) -> None:
@@ -146,11 +146,11 @@ class LoggerLevels:
         if self.nodes.get(self.node) and logger in self._levels:
             self.message = ""
             request = SetLoggerLevels.Request(levels=[LoggerLevel(name=logger, level=level)])
-            self._requests.send(self._clients[1], request, self._on_set)
+            self._calls.send(self._clients[1], request, self._on_set)
             self._show()
 
     def _cancel(self) -> None:
-        self._requests.give_up()
+        self._calls.give_up()
         self._show()
 
     def _on_levels(self, response: GetLoggerLevels.Response) -> None:
@@ -167,5 +167,5 @@ class LoggerLevels:
 
     def _show(self) -> None:
         self.loggers = tuple(Logger(*each) for each in self._levels.items())
-        self.waited = self._requests.waited
+        self.waited = self._calls.waited
         self.version += 1

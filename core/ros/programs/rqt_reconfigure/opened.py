@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 
-from day6_tui.core.ros.programs.rqt_gui.requests import Requests
+from day6_tui.core.ros.programs.rqt_py_common.service_calls import ServiceCalls
 from day6_tui.core.ros.programs.rqt_reconfigure.ranges import Range, range_of
 from rclpy.parameter import Parameter as RosParameter
 from rclpy.parameter import parameter_value_to_python
@@ -79,7 +79,7 @@ class OpenedNode:
     def __init__(self, node: Node, name: str, now: Callable[[], int], changed: Callable[[], object]) -> None:
         self.name = name
         self._node, self._changed = node, changed
-        self._requests = Requests(now, changed, self._on_failure)
+        self._calls = ServiceCalls(now, changed, self._on_failure)
         # The clients and the subscription are those of the real plugin (param_api.py, ParamClient).
         self._get: Client[Any, Any] = node.create_client(GetParameters, f"{name}/get_parameters")
         self._set: Client[Any, Any] = node.create_client(SetParameters, f"{name}/set_parameters")
@@ -104,13 +104,13 @@ class OpenedNode:
     @property
     def snapshot(self) -> OpenNode:
         """What the window shows."""
-        waited = self._requests.waited
+        waited = self._calls.waited
         message = self._message or (NOT_SPINNING if waited is not None and waited >= PATIENCE_SECONDS else "")
         return OpenNode(self.name, self._there, tuple(self._parameters.values()), self._complete, waited, message)
 
     @property
     def waiting(self) -> bool:
-        return self._requests.waited is not None
+        return self._calls.waited is not None
 
     def look(self, there: bool) -> None:
         """The node exists, or does not; one that has come is read, once its services are there."""
@@ -130,12 +130,12 @@ class OpenedNode:
         """Ask for all parameters."""
         self.cancel()
         self._complete, self._message = False, ""
-        self._requests.send(self._list, ListParameters.Request(), self._on_names)
+        self._calls.send(self._list, ListParameters.Request(), self._on_names)
         self._changed()
 
     def cancel(self) -> None:
         """Wait for no response any more: values that were sent are put back."""
-        self._requests.give_up()
+        self._calls.give_up()
         self._next.clear()
         for name, value in self._known.items():
             self._change(name, value=value, sent=False)
@@ -150,13 +150,13 @@ class OpenedNode:
         self._parameters = {name: each for name, each in self._parameters.items() if name in set(names)}
         self._complete = not names
         if names:
-            self._requests.send(
+            self._calls.send(
                 self._describe, DescribeParameters.Request(names=names), partial(self._on_descriptors, names)
             )
 
     def _on_descriptors(self, names: list[str], response: DescribeParameters.Response) -> None:
         found = {each.name: each for each in response.descriptors}
-        self._requests.send(self._get, GetParameters.Request(names=names), partial(self._on_values, names, found))
+        self._calls.send(self._get, GetParameters.Request(names=names), partial(self._on_values, names, found))
 
     def _on_values(
         self, names: list[str], descriptors: dict[str, ParameterDescriptor], response: GetParameters.Response
@@ -207,7 +207,7 @@ class OpenedNode:
                 unknown.append(each.name)
         if unknown and self._there:
             request = DescribeParameters.Request(names=unknown)
-            self._requests.send(self._describe, request, partial(self._on_descriptors, unknown))
+            self._calls.send(self._describe, request, partial(self._on_descriptors, unknown))
 
     # -- setting -------------------------------------------------------------------------------------------------------
 
@@ -238,7 +238,7 @@ class OpenedNode:
                 self._change(each.name, value=each.value, kind=int(each.type_), sent=True, refusal="")
         if now:
             request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in now])
-            self._requests.send(self._set, request, partial(self._on_set, now))
+            self._calls.send(self._set, request, partial(self._on_set, now))
         self._changed()
 
     def _on_set(self, sent: list[RosParameter[Any]], response: SetParameters.Response) -> None:

@@ -1,4 +1,4 @@
-"""Requests to services that nobody waits for: what the response says goes on in a callback, and one can give up."""
+"""Calls of services that nobody waits for: what the response says goes on in a callback, and one can give up."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 
-class Requests:
-    """The requests of one plugin to one node. Callbacks run on the thread that spins the plugin's node.
+class ServiceCalls:
+    """The calls of one plugin to one node. Callbacks run on the thread that spins the plugin's node.
 
     `now` is world time (ns), `changed` is called after every response, `failed` gets the text of an exception.
     """
