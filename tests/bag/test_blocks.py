@@ -89,7 +89,7 @@ def test_an_mcap_file_that_was_cut_off_is_indexed_as_far_as_it_goes(tmp_path, pr
         assert found == by_reader(path) and len(found) % 500 == 0
         file = McapBlocks(path)
         list(file.blocks())
-        assert not file.is_complete and [topic.name for topic in file.topics()][0] == "/chatter"
+        assert not file.is_complete and next(topic.name for topic in file.topics()) == "/chatter"
         file.close()
 
 

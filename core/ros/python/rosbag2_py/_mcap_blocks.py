@@ -11,6 +11,7 @@ from array import array
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 from typing import IO, NamedTuple
 
@@ -310,7 +311,7 @@ def _counts(index: ChunkIndex) -> dict[int, int]:
     """The number of a chunk's messages by channel, from the lengths of its message indexes."""
     ends = sorted(index.message_index_offsets.values())
     ends.append(_end_of(index))
-    after = dict(zip(ends, ends[1:], strict=False))
+    after = dict(pairwise(ends))
     head = _RECORD.size + _INDEX.size
     return {
         channel: (after[offset] - offset - head) // _PAIR for channel, offset in index.message_index_offsets.items()
