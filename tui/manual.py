@@ -30,7 +30,7 @@ LARGEST, LIST_WIDTH = 100, 24
 
 PAGES = (
     "desk", "welcome", "guide", "terminal", "editor", "turtlesim", "car", "world", "joint_state_publisher", "rviz2",
-    "rqt", "rqt_graph", "rqt_console", "rqt_plot", "topics", "inspector", "kitchen", "lesson", "classroom",
+    "rqt", "rqt_graph", "rqt_console", "rqt_plot", "rqt_bag", "topics", "inspector", "kitchen", "lesson", "classroom",
     "classroom_pupil",
 )  # fmt: skip
 """The texts `help.<page>` in the order of the manual; their titles are the texts `manual.<page>`."""

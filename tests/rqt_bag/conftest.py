@@ -24,5 +24,3 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[BagDesk]:
 @pytest.fixture(params=["mcap", "sqlite3"])
 def storage(request: pytest.FixtureRequest) -> str:
     return str(request.param)
-
-

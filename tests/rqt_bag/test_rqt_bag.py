@@ -202,7 +202,7 @@ def test_a_damaged_bag_is_told_and_the_window_goes_on(desk, damage, reason):
     else:
         file.unlink()
     model = desk.open("bag", topics=0)
-    desk.machine.until(lambda: not model.loading and model.status and "Loading 'bag' ..." != model.status)
+    desk.machine.until(lambda: not model.loading and model.status and model.status != "Loading 'bag' ...")
     assert re.search(reason, model.status) and model.failed == (damage != "cut")
     model.load("other")
     desk.machine.until(lambda: not model.status and not model.loading)

@@ -25,6 +25,7 @@ COMMANDS = {
     "rqt": "rqt",
     "rqt_console": "rqt_console",
     "rqt_plot": "rqt_plot",
+    "rqt_bag": "rqt_bag",
     "joint_state_publisher": "ros2 run joint_state_publisher_gui joint_state_publisher_gui",
     "world": "ros2 run day6_world world",
     "editor": "nano notes.txt",

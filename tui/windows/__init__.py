@@ -26,6 +26,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "rqt": ("rqt", "RqtPane"),
     "rqt_console": ("rqt_console", "RqtConsolePane"),
     "rqt_plot": ("rqt_plot", "RqtPlotPane"),
+    "rqt_bag": ("rqt_bag", "RqtBagPane"),
     "joint_state_publisher": ("joint_state_publisher", "SlidersPane"),
     "world": ("world", "WorldPane"),
     "editor": ("editor", "EditorPane"),

@@ -52,8 +52,9 @@ class BagPlugin(Plugin[Bags]):
 
 async def _print(session: Session, words: list[str]) -> int:
     """Print what is in the bags, as `ros2 bag info` does."""
-    from day6_tui.core.session.threads import in_thread
     from rosbag2_py._info import Info
+
+    from day6_tui.core.session.threads import in_thread
 
     status = 0
     for word in words:

@@ -42,6 +42,8 @@ class Bags:
         self.bags: tuple[OpenBag, ...] = ()
         self.topics: dict[str, str] = {}
         """The types of the topics of all bags, by name, sorted."""
+        self.rates: dict[str, float | None] = {}
+        """Messages per second of each topic, between its first and its last one; None where that says nothing."""
         self.status = ""
         """What is going on, or went wrong, in the words of rqt_bag; '' for nothing."""
         self.failed = False
@@ -154,6 +156,8 @@ class Bags:
             self._add(bag)
             await in_thread(lambda: index_bag(bag, self.timeline, lambda: self._closed))
             self._began()
+            rates = await in_thread(lambda: {topic: self.timeline.rate(topic) for topic in bag.topics})
+            self.rates = {**self.rates, **rates}
             self.tell("" if bag.is_complete else f"'{name}' is not complete: it is shown as far as it goes")
         except (RuntimeError, OSError) as error:
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import zstandard
-
-from day6_tui.core.ros.programs.rqt_bag.model.timeline import Source, Timeline
 from rosbag2_py._blocks import open_blocks
 from rosbag2_py._files import NO_STORAGE
 from rosbag2_py._metadata import FILE_NAME, MetadataIo
 from rosbag2_py._reader import last_moment
 from rosbag2_py._storage import MessageDefinition, TopicMetadata, nanoseconds_of
+
+from day6_tui.core.ros.programs.rqt_bag.model.timeline import Source, Timeline
 
 
 @dataclass(eq=False)

@@ -13,6 +13,9 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from rosbag2_py._playing import CLOCK_QOS
+from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
+from rosbag2_py._storage import NANOSECONDS, Message, TopicMetadata
 from rosgraph_msgs.msg import Clock
 
 from day6_tui.core.interfaces import get_interface
@@ -21,9 +24,6 @@ from day6_tui.core.ros.programs.rqt_bag.model.timeline import Found, Timeline
 from day6_tui.core.session.task import Signal, let_others_run, wait_for
 from day6_tui.core.session.threads import in_thread
 from rclpy.qos import DurabilityPolicy
-from rosbag2_py._playing import CLOCK_QOS
-from rosbag2_py._qos import convert_rclcpp_qos_to_rclpy_qos, offer_for
-from rosbag2_py._storage import NANOSECONDS, Message, TopicMetadata
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -99,9 +99,7 @@ class Player:
         profile, _ = offer_for(about.offered_qos_profiles)
         try:
             kind = get_interface(about.type)
-            self._publishers[topic] = self._node.create_publisher(
-                kind, topic, convert_rclcpp_qos_to_rclpy_qos(profile)
-            )
+            self._publishers[topic] = self._node.create_publisher(kind, topic, convert_rclcpp_qos_to_rclpy_qos(profile))
         except Exception as error:
             # Whatever is wrong with a type, the other topics can be published.
             self.problem = f"Error creating publisher on topic {topic} for type {about.type}. \nError text: {error}"

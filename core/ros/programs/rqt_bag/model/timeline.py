@@ -16,10 +16,12 @@ from typing import NamedTuple
 
 from rosbag2_py._blocks import Block, BlockFile, Entries
 from rosbag2_py._compression import decompress
-from rosbag2_py._storage import Message, MessageDefinition, TopicMetadata
+from rosbag2_py._storage import NANOSECONDS, Message, MessageDefinition, TopicMetadata
 
 KEPT = 256
 """Blocks of which the times of the messages are kept."""
+
+LATEST = 2**63 - 1
 
 MOST_IN_SIGHT = 48
 """With no more blocks in sight the times of their messages are read, so that each one is drawn where it is."""
@@ -217,9 +219,7 @@ class Timeline:
             source, block = lane.places[at]
             times, keys = self._of(source, block, topic)
             end = bisect_right(times, at_ns)
-            here = [
-                Found(times[each], topic, keys[each], block, source) for each in range(max(0, end - most), end)
-            ]
+            here = [Found(times[each], topic, keys[each], block, source) for each in range(max(0, end - most), end)]
             best = sorted(here + best, key=_TIME)[-most:]
         return best
 
@@ -236,6 +236,13 @@ class Timeline:
                 best = Found(times[first], topic, keys[first], block, source)
             at += 1
         return best
+
+    def rate(self, topic: str) -> float | None:
+        """Messages per second between the first and the last one; None for fewer than two, or all at once."""
+        first, last = self.first_after(topic, -1), self.newest(topic, LATEST)
+        if first is None or not last or last[0].time_ns <= first.time_ns:
+            return None
+        return (self.count(topic) - 1) * NANOSECONDS / (last[0].time_ns - first.time_ns)
 
     def next_time(self, topics: Iterable[str], after_ns: int) -> int | None:
         """When the next message of any of these topics was received; None after the last one."""

@@ -1,0 +1,526 @@
+"""rqt_bag's window: a line for each topic with a mark where messages are, the playhead across them, a time axis above."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+
+from day6_tui.core.elide import elide
+from day6_tui.core.ros.programs.rqt_bag.model.playhead import faster, slower, speed_text
+from day6_tui.core.ros.programs.rqt_bag.model.view import (
+    PAN,
+    WHEEL_IN,
+    WHEEL_OUT,
+    ZOOM_IN,
+    ZOOM_OUT,
+    View,
+    divisions,
+    size_text,
+    whole,
+)
+from day6_tui.core.session.display import Window
+from day6_tui.core.session.harmless import one_line
+from day6_tui.tui.cells import cell_len, clip, fit
+from day6_tui.tui.colours import background_of, pixel_style
+from day6_tui.tui.look import Look
+from day6_tui.tui.pane import Piece
+from day6_tui.tui.windows import WindowPane
+
+if TYPE_CHECKING:
+    from day6_tui.core.ros.programs.rqt_bag.model.bags import Bags
+
+HEAD = 2
+"""Lines above the topics: labels and the ruler, in which a region is selected."""
+
+NANOSECONDS = 1_000_000_000
+WIDE = 100
+"""From this width on there are columns for count, rate and type."""
+
+ABOUT_WIDTH = 34
+LABEL_ROOM = 10
+"""Cells between two labels of the time axis."""
+
+COLOURS = {
+    "sensor_msgs/msg/Image": (0x3FC1C1, 0x006D6D),
+    "sensor_msgs/msg/CompressedImage": (0x3FC1C1, 0x006D6D),
+    "sensor_msgs/msg/CameraInfo": (0x8F9BFF, 0x20208C),
+    "sensor_msgs/msg/LaserScan": (0xFF7B6B, 0x990000),
+    "tf2_msgs/msg/TFMessage": (0x5FCB6B, 0x006E00),
+}
+"""On dark and on light: rqt_bag's colours of types (timeline_frame._datatype_colors), brightened for dark."""
+
+OTHERS = (0x7AA2F7, 0x000066)
+PLAYHEAD = (0xFF5555, 0xCC0000)
+
+
+class _Place(NamedTuple):
+    """Where things are inside: widths of names and of the timeline, lines of topics."""
+
+    names: int
+    columns: int
+    rows: int
+
+    @property
+    def left(self) -> int:
+        return self.names + 1
+
+
+class RqtBagPane(WindowPane["Bags"]):
+    """Draws the timeline of `Bags`; keeps what part of it is seen, and which topic is chosen."""
+
+    def __init__(self, window: Window[Bags], look: Look) -> None:
+        super().__init__(window, look)
+        self.view: View | None = None
+        self._fits = True
+        """Whether everything is to be seen, however the bags grow."""
+        self._chosen = self._first = 0
+        self._drawn: tuple[object, ...] = ()
+        self._counted: tuple[object, ...] = ()
+        """What `_marks` were counted for."""
+        self._marks: dict[str, list[str]] = {}
+        self._seen: tuple[object, ...] = ()
+        self._followed = 0
+        """Where the playhead was when the view last followed it."""
+        self._drag = ""
+        self._dragged_from = 0
+
+    # -- places --------------------------------------------------------------------------------------------------------
+
+    @property
+    def topics(self) -> list[str]:
+        return list(self.model.topics)
+
+    @property
+    def chosen(self) -> str:
+        """The topic that keys mean, '' without any."""
+        topics = self.topics
+        return topics[min(self._chosen, len(topics) - 1)] if topics else ""
+
+    def _place(self) -> _Place:
+        width = self.inner_width
+        longest = max((cell_len(topic) for topic in self.model.topics), default=8) + 4
+        names = min(longest, max(12, width // 3))
+        about = ABOUT_WIDTH if width >= WIDE else 0
+        return _Place(names, max(1, width - names - 1 - about), max(1, self.inner_height - HEAD - 1))
+
+    # -- frames --------------------------------------------------------------------------------------------------------
+
+    def pull(self, now: float) -> bool:
+        model, timeline = self.model, self.model.timeline
+        moves = bool(model.player.playhead.speed) or model.loading
+        if timeline.start_ns is not None and timeline.end_ns is not None:
+            if self.view is None or self._fits:
+                self.view = whole(timeline.start_ns, timeline.end_ns)
+            self._follow(model.player.now())
+        place = self._place()
+        state = (model.version, self.view, self._playhead_column(place), self._chosen, place, self._time_text())
+        if state == self._drawn:
+            return moves
+        self._drawn = state
+        self._count(place)
+        self.touch_lines(range(self.inner_height))
+        self.touch_frame()
+        return moves
+
+    def _follow(self, playhead: int) -> None:
+        """When the playhead leaves what is seen, the view goes with it."""
+        timeline = self.model.timeline
+        if playhead != self._followed and self.view is not None and not self._drag:
+            self._followed = playhead
+            moved = self.view.following(playhead, timeline.start_ns or 0, timeline.end_ns or 0)
+            if moved != self.view:
+                self.view, self._fits = moved, False
+
+    def _count(self, place: _Place) -> None:
+        """Count the messages of every topic in each column, unless nothing has changed."""
+        model, view = self.model, self.view
+        counted = (model.timeline.version, view, place.columns, tuple(model.topics), self.look.glyphs.bars)
+        if view is None or counted == self._counted:
+            return
+        self._counted = counted
+        bars = self.look.glyphs.bars
+        self._marks = {}
+        for topic in model.topics:
+            counts = model.timeline.columns(topic, view.left, view.right, place.columns)
+            self._marks[topic] = _bars(counts, bars)
+        if self._seen != (view, model.timeline.count):
+            self._seen = (view, model.timeline.count)
+            model.see(view.left, view.right)
+
+    def _playhead_column(self, place: _Place) -> int:
+        return -1 if self.view is None else self.view.column_of(self.model.player.now(), place.columns)
+
+    def restyle(self) -> None:
+        self._counted = self._drawn = ()
+        super().restyle()
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        self._drawn = ()
+
+    # -- lines ---------------------------------------------------------------------------------------------------------
+
+    def content_line(self, y: int, width: int) -> Iterable[Segment]:
+        place = self._place()
+        if self.view is None:
+            return self._empty_line(y, width)
+        self._count(place)
+        if y == 0:
+            return self._labels(place)
+        if y == 1:
+            return self._ruler(place)
+        if y < HEAD + place.rows:
+            return self._topic_line(self._first_row(place) + y - HEAD, place)
+        return self._about_line(width) if y == HEAD + place.rows else ()
+
+    def _empty_line(self, y: int, width: int) -> list[Segment]:
+        model, colours, texts = self.model, self.look.colours, self.look.texts
+        if y == 1 and model.status:
+            return [Segment(" " + clip(model.status, width - 1), colours.warning if model.failed else colours.muted)]
+        return [Segment(" " + clip(texts("bag.none"), width - 1), colours.muted)] if y == 3 else []
+
+    def _first_row(self, place: _Place) -> int:
+        """The index of the topic on the first line: the chosen one is always in sight."""
+        count = len(self.model.topics)
+        first = min(self._first, self._chosen, max(0, count - place.rows))
+        self._first = max(first, self._chosen - place.rows + 1, 0)
+        return self._first
+
+    def _labels(self, place: _Place) -> list[Segment]:
+        assert self.view is not None
+        cells = [" "] * (place.left + place.columns)
+        for column, text in divisions(self.view, self.model.timeline.start_ns or 0, place.columns, LABEL_ROOM):
+            if column >= 0 and column + len(text) <= place.columns:
+                cells[place.left + column : place.left + column + len(text)] = text
+        return [Segment("".join(cells), self.look.colours.muted)]
+
+    def _ruler(self, place: _Place) -> list[Segment]:
+        assert self.view is not None
+        colours, unicode = self.look.colours, self.look.glyphs.unicode
+        ticks = {
+            column for column, _ in divisions(self.view, self.model.timeline.start_ns or 0, place.columns, LABEL_ROOM)
+        }
+        line, tick, pointer = ("─", "┬", "▼") if unicode else ("-", "+", "v")
+        region = self.model.player.region
+        ends = [self.view.column_of(each, place.columns) for each in region] if region is not None else None
+        at = self._playhead_column(place)
+        cells: list[tuple[str, Style]] = []
+        for column in range(place.columns):
+            selected = ends is not None and ends[0] <= column <= ends[1]
+            char = "=" if selected and not unicode else tick if column in ticks else line
+            cells.append((char, colours.selection if selected else colours.frame))
+        if 0 <= at < place.columns:
+            cells[at] = (pointer, cells[at][1] if ends and ends[0] <= at <= ends[1] else self._colour(PLAYHEAD))
+        return [Segment(" " * place.left), *_runs(cells)]
+
+    def _topic_line(self, index: int, place: _Place) -> list[Segment]:
+        topics, colours, glyphs = self.topics, self.look.colours, self.look.glyphs
+        at = self._playhead_column(place)
+        if index >= len(topics):
+            return []
+        topic = topics[index]
+        on = index == self._chosen
+        publishes = topic in self.model.player.publishing
+        name = fit(elide(one_line(topic), place.names - 4, glyphs.ellipsis), place.names - 4, glyphs.ellipsis)
+        style = self._colour(COLOURS.get(self.model.topics[topic], OTHERS))
+        marks = self._marks.get(topic) or [" "] * place.columns
+        cells = [(mark, style) for mark in marks[: place.columns]]
+        if 0 <= at < len(cells):
+            cells[at] = ("│" if glyphs.unicode else "|", self._colour(PLAYHEAD))
+        segments = [
+            Segment("[x] " if publishes else "[ ] ", colours.publisher if publishes else colours.muted),
+            Segment(name, (colours.choice if self.has_focus else colours.strong) if on else colours.topic),
+            Segment(" "),
+            *_runs(cells),
+        ]
+        if self.inner_width >= WIDE:
+            about = (
+                f" {self.model.timeline.count(topic):>9} {self._rate(topic):>10}  {_short(self.model.topics[topic])}"
+            )
+            segments.append(Segment(fit(about, ABOUT_WIDTH, glyphs.ellipsis), colours.muted))
+        return segments
+
+    def _about_line(self, width: int) -> list[Segment]:
+        """What went wrong, or what the chosen topic is."""
+        model, colours, ellipsis = self.model, self.look.colours, self.look.glyphs.ellipsis
+        text = model.status or model.player.problem
+        if text:
+            failed = model.failed or not model.status
+            return [
+                Segment(" " + clip(one_line(text), width - 1, ellipsis), colours.warning if failed else colours.muted)
+            ]
+        topic = self.chosen
+        if not topic:
+            return []
+        count = self.look.texts("bag.messages", count=model.timeline.count(topic))
+        return [
+            Segment(
+                " " + clip(f"{model.topics[topic]}  {count}  {self._rate(topic)}", width - 1, ellipsis), colours.muted
+            )
+        ]
+
+    def _rate(self, topic: str) -> str:
+        rate = self.model.rates.get(topic)
+        return "" if rate is None else f"{rate:.3g} Hz" if rate < 1000 else f"{rate:.0f} Hz"
+
+    def _colour(self, pair: tuple[int, int]) -> Style:
+        colours = self.look.colours
+        if colours.colourless:
+            return colours.strong
+        return pixel_style(pair[0] if colours.dark else pair[1], background_of(self.background))
+
+    # -- frame ---------------------------------------------------------------------------------------------------------
+
+    def _time_text(self) -> str:
+        """Where the playhead is: seconds since the beginning, the date, the speed."""
+        model = self.model
+        if model.timeline.start_ns is None:
+            return ""
+        now = model.player.now()
+        elapsed = f"{(now - model.timeline.start_ns) / NANOSECONDS:.3f}s"
+        if self.inner_width < 50:
+            return f" {elapsed} "
+        return f" {elapsed}  {_date(now)} "
+
+    def status(self) -> list[Piece]:
+        colours, model = self.look.colours, self.model
+        pieces = [Piece(self._time_text(), colours.strong)]
+        if speed := speed_text(model.player.playhead.speed):
+            pieces.append(Piece(f" {speed} ", colours.accent))
+        return pieces
+
+    def status_right(self) -> list[Piece]:
+        return [Piece(f" {size_text(self.model.size)} ", self.look.colours.muted)] if self.model.bags else []
+
+    def key_hints(self) -> list[tuple[str, str]]:
+        texts = self.look.texts
+        if self.view is None:
+            return [("o", texts("bag.open"))]
+        plays = bool(self.model.player.playhead.speed)
+        return [
+            ("Space", texts("bag.pause" if plays else "bag.play")),
+            ("Enter", texts("bag.unpublish" if self.chosen in self.model.player.publishing else "bag.publish")),
+            ("+ -", texts("bag.speed")),
+            ("p n", texts("bag.step")),
+            ("o", texts("bag.open")),
+        ]
+
+    def more_key_hints(self) -> list[tuple[str, str]]:
+        texts, unicode = self.look.texts, self.look.glyphs.unicode
+        return [
+            ("↑ ↓" if unicode else "up down", texts("bag.choose")),
+            ("← →" if unicode else "<- ->", texts("bag.pan")),
+            ("Shift ← →" if unicode else "Shift <- ->", texts("bag.scrub")),
+            ("PgUp PgDn", texts("bag.zoom")),
+            ("0", texts("bag.fit")),
+            ("Home End", texts("bag.ends")),
+            ("[ ]", texts("bag.region")),
+            ("Esc", texts("bag.no_region")),
+            ("a", texts("bag.publish_all")),
+        ]
+
+    # -- keys ----------------------------------------------------------------------------------------------------------
+
+    def on_key(self, event: events.Key) -> None:
+        if self._press(event.key, event.character or ""):
+            event.stop()
+            event.prevent_default()
+            self._drawn = ()
+            self.look.wake()
+
+    def _press(self, key: str, character: str) -> bool:
+        action = {
+            "space": self._toggle_play,
+            "enter": self._toggle_publishing,
+            "home": lambda: self._go(lambda: self.model.player.play_region[0]),
+            "end": lambda: self._go(lambda: self.model.player.play_region[1]),
+            "up": lambda: self._choose(self._chosen - 1),
+            "down": lambda: self._choose(self._chosen + 1),
+            "left": lambda: self._pan(-PAN),
+            "right": lambda: self._pan(PAN),
+            "shift+left": lambda: self._scrub(-1),
+            "shift+right": lambda: self._scrub(1),
+            "pageup": lambda: self._zoom(ZOOM_IN),
+            "pagedown": lambda: self._zoom(ZOOM_OUT),
+            "escape": lambda: self._select(None),
+        }.get(key) or {
+            "+": lambda: self._speed(faster),
+            "=": lambda: self._speed(faster),
+            "-": lambda: self._speed(slower),
+            "p": lambda: self._step(-1),
+            "n": lambda: self._step(1),
+            "0": self._fit,
+            "[": lambda: self._select_end(left=True),
+            "]": lambda: self._select_end(left=False),
+            "a": lambda: self.model.publish_all(self.model.player.publishing != set(self.model.topics)),
+            "o": self._ask_bag,
+        }.get(character)
+        if action is None:
+            return False
+        action()
+        return True
+
+    def _toggle_play(self) -> None:
+        player = self.model.player
+        self.model.request(lambda: player.set_speed(0.0 if player.playhead.speed else 1.0))
+
+    def _speed(self, change: object) -> None:
+        player = self.model.player
+        assert callable(change)
+        self.model.request(lambda: player.set_speed(change(player.playhead.speed)))
+
+    def _step(self, count: int) -> None:
+        self.model.request(lambda: self.model.player.step(count))
+
+    def _go(self, where: object) -> None:
+        assert callable(where)
+        self.model.request(lambda: self.model.player.jump(where()))
+
+    def _toggle_publishing(self) -> None:
+        if self.chosen:
+            self.model.toggle_publishing(self.chosen)
+
+    def _choose(self, index: int) -> None:
+        self._chosen = max(0, min(len(self.model.topics) - 1, index))
+
+    def _pan(self, part: float) -> None:
+        if self.view is not None:
+            self.view, self._fits = self.view.pan(part), False
+
+    def _zoom(self, factor: float, centre: int | None = None) -> None:
+        if self.view is not None:
+            self.view = self.view.zoom(factor, self.model.player.now() if centre is None else centre)
+            self._fits = False
+
+    def _fit(self) -> None:
+        self._fits = True
+
+    def _scrub(self, columns: int) -> None:
+        """Move the playhead by columns."""
+        if self.view is not None:
+            by = self.view.span * columns // self._place().columns
+            self._move(self.model.player.now() + by)
+
+    def _move(self, time_ns: int) -> None:
+        timeline, player = self.model.timeline, self.model.player
+        if timeline.start_ns is not None and timeline.end_ns is not None:
+            at = max(timeline.start_ns, min(timeline.end_ns, time_ns))
+            self.model.request(lambda: player.jump(at))
+
+    def _select(self, region: tuple[int, int] | None) -> None:
+        player = self.model.player
+        self.model.request(lambda: setattr(player, "region", region))
+
+    def _select_end(self, *, left: bool) -> None:
+        """Begin or end the selected region at the playhead."""
+        player, timeline = self.model.player, self.model.timeline
+        now = player.now()
+        begin, end = player.region or (timeline.start_ns or 0, timeline.end_ns or 0)
+        self._select((now, max(now, end)) if left else (min(now, begin), now))
+
+    def _ask_bag(self) -> None:
+        def taken(text: str) -> None:
+            if text.strip():
+                self.model.load(text.strip())
+
+        self.ask(self.look.texts("bag.open.title"), "", taken, note=self.look.texts("bag.open.note"))
+
+    # -- mouse ---------------------------------------------------------------------------------------------------------
+
+    def _time_under(self, event: events.MouseEvent) -> int | None:
+        """The time under the mouse, at the edge for one beside the timeline; None without a timeline."""
+        place = self._place()
+        if self.view is None:
+            return None
+        column = event.x - self.inner_offset - place.left
+        return self.view.time_at(max(0, min(place.columns - 1, column)), place.columns)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        place = self._place()
+        column, line = event.x - self.inner_offset - place.left, event.y - self.inner_offset
+        at = self._time_under(event)
+        index = self._first_row(place) + line - HEAD
+        if at is None or not self.is_inside(event):
+            return
+        if HEAD <= line < HEAD + place.rows and index < len(self.model.topics):
+            self._choose(index)
+            if column < 4 - place.left and event.button == 1:
+                self._toggle_publishing()
+        if 0 <= column < place.columns and line < HEAD + place.rows:
+            self._drag = "pan" if event.button == 2 or event.shift else "scrub" if line >= HEAD else "select"
+            self._dragged_from = at
+            self.capture_mouse()
+            if self._drag == "scrub":
+                self._move(at)
+        self._drawn = ()
+        self.look.wake()
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        at = self._time_under(event)
+        if not self._drag or at is None:
+            return
+        if self._drag == "scrub":
+            self._move(at)
+        elif self._drag == "select":
+            self._select((min(at, self._dragged_from), max(at, self._dragged_from)))
+        elif self.view is not None:
+            by = self._dragged_from - at
+            self.view, self._fits = View(self.view.left + by, self.view.right + by), False
+        self._drawn = ()
+        self.look.wake()
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        if self._drag:
+            if self._drag == "select" and self._time_under(event) == self._dragged_from:
+                self._select(None)
+            self._drag = ""
+            self.release_mouse()
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        self._wheel(event, WHEEL_IN)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        self._wheel(event, WHEEL_OUT)
+
+    def _wheel(self, event: events.MouseEvent, factor: float) -> None:
+        event.stop()
+        self._zoom(factor)
+        self._drawn = ()
+        self.look.wake()
+
+
+def _bars(counts: Sequence[float], bars: str) -> list[str]:
+    """Counts as bars: none for none, the highest for the most of the line."""
+    top = max(counts, default=0.0)
+    if top <= 0:
+        return [" "] * len(counts)
+    steps = len(bars) - 1
+    return [" " if count < 0.01 else bars[max(1, round(count / top * steps))] for count in counts]
+
+
+def _runs(cells: Sequence[tuple[str, Style]]) -> list[Segment]:
+    """Cells as segments, one for each run of a style."""
+    found: list[tuple[list[str], Style]] = []
+    for char, style in cells:
+        if found and found[-1][1] is style:
+            found[-1][0].append(char)
+        else:
+            found.append(([char], style))
+    return [Segment("".join(chars), style) for chars, style in found]
+
+
+def _short(type_name: str) -> str:
+    return type_name.replace("/msg/", "/")
+
+
+def _date(time_ns: int) -> str:
+    """A time as rqt_bag writes it: seconds until 1975, else the local date (bag_widget._stamp_to_str)."""
+    seconds, rest = divmod(time_ns, NANOSECONDS)
+    if seconds < 5 * 365 * 86400:
+        return f"{time_ns / NANOSECONDS:.3f}s"
+    return f"{time.strftime('%b %d %Y %H:%M:%S', time.localtime(seconds))}.{rest // 1_000_000:03d}"
